@@ -207,7 +207,6 @@ private:
         via.entry = faceOf(*entry, isFromTop);
         via.shoulder = faceOf(*entry, !isFromTop);
         via.target = faceOf(*target, isFromTop);
-        via.taper = m_isAsSolid ? 1.0 : kViaTaper;
         return via.shoulder != via.target ? std::optional(via) : std::nullopt;
     }
 

@@ -17,8 +17,8 @@ namespace model {
 struct SectionRequest {
     std::vector<PointD> line;  ///< corners of the line in nanometres of the board, two at least
     std::vector<bool> layers;  ///< which take part, by layer; empty: all that are made of something
-    /// As the 3D view draws the board: the outer face of a mask is level, laser vias do not taper, bodies of components
-    /// are prisms, every layer lies at the height that it has where all layers are.
+    /// As the 3D view draws the board: the outer face of a mask is level, bodies of components are prisms, every layer
+    /// lies at the height that it has where all layers are.
     bool isAsSolid = false;
 };
 

@@ -52,9 +52,9 @@ bool isOn(const FramePlan& plan, model::LayerId mask, model::LayerId copper) {
     return std::min(std::abs(a.z0 - b.z1), std::abs(b.z0 - a.z1)) < kApart;
 }
 
-std::vector<shader::SectionRectangle> rectangles(const FramePlan& plan, const SceneLayers& scene,
+std::vector<shader::SectionTrapezoid> trapezoids(const FramePlan& plan, const SceneLayers& scene,
                                                  const SectionCut& cut) {
-    std::vector<shader::SectionRectangle> list;
+    std::vector<shader::SectionTrapezoid> list;
     for (const SectionFace& face : cut.faces) {
         const std::size_t layer = face.layer.row();
         const shader::LayerState& state = plan.upright.states[layer];
@@ -64,9 +64,10 @@ std::vector<shader::SectionRectangle> rectangles(const FramePlan& plan, const Sc
         const std::size_t at = face.beside.isValid() ? face.beside.row() : layer;
         const ZRange z = drawn(face, scene.layers[at], plan.upright.states[at]);
         const auto end = [&](double along) { return glm::vec2(cut.plane.start + along * cut.plane.direction); };
-        list.push_back({colourOf(face, state), face.isInside ? 1U : 0U, end(face.from), end(face.to), z.z0, z.z1});
+        list.push_back({colourOf(face, state), face.isInside ? 1U : 0U, end(face.from), end(face.to),
+                        end(face.from + face.leanFrom), end(face.to + face.leanTo), z.z0, z.z1});
     }
-    std::ranges::stable_sort(list, {}, &shader::SectionRectangle::rank);  // what is drawn last is seen
+    std::ranges::stable_sort(list, {}, &shader::SectionTrapezoid::rank);  // what is drawn last is seen
     return list;
 }
 
@@ -78,7 +79,7 @@ SectionDrawer::SectionDrawer(gpu::Device& device, const TargetFormat& target)
 
 void SectionDrawer::draw(gpu::Frame& frame, const FramePlan& plan, const SceneLayers& scene,
                          const SectionCut& cut) const {
-    const std::vector<shader::SectionRectangle> list = rectangles(plan, scene, cut);
+    const std::vector<shader::SectionTrapezoid> list = trapezoids(plan, scene, cut);
     if (list.empty()) {
         return;
     }

@@ -5,7 +5,7 @@
 
 namespace render {
 
-/// Fills the cut of a section plane. The rectangles go through the memory of the frame:
+/// Fills the cut of a section plane. The trapezoids go through the memory of the frame:
 /// nothing is kept on the device.
 ///
 /// Seen from the side that is cut away, nothing that is left lies before the plane: the cut is then drawn over all of

@@ -249,7 +249,8 @@ LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, con
     rankFaces(plan.states, &shader::LayerState::z0, shader::kLayerBottomRankShift);
     rankFaces(plan.states, &shader::LayerState::z1, shader::kLayerTopRankShift);
     const ZRange heights = visibleHeights(plan.states);
-    const bool leavesOut = settings.cull && !scene.inSubstrate.empty();
+    const bool showsInside = settings.section != nullptr && !settings.section->faces.empty() && !settings.is2d;
+    const bool leavesOut = settings.cull && !scene.inSubstrate.empty() && !showsInside;
     const Sight sight = leavesOut ? sightOf(point, heights.z0, heights.z1) : Sight{};
     if (leavesOut && subject == Subject::Board) {
         hideBuried(scene.inSubstrate, sight, plan.states);

@@ -41,14 +41,21 @@ model::SectionRequest throughBox(const model::Box& box, PointD start, PointD uni
     return {{at(least - 1.0), at(most + 1.0)}, {}, true};
 }
 
-/// A rectangle at the height of a layer, its own or another.
+/// At the height of a layer, its own or another.
 SectionFace faceAt(const model::SectionPiece& piece, const model::Layer& layer, model::Nm bottom, model::Nm top) {
     const auto part = [&](model::Nm z) {
         return static_cast<float>((double{1} * z - layer.z) / static_cast<double>(layer.thickness));
     };
     const bool isSubstrate = layer.type == model::LayerType::Body || layer.type == model::LayerType::Dielectric;
-    SectionFace face{
-        piece.layer, base::toMm(piece.from), base::toMm(piece.to), part(bottom), part(top), !isSubstrate, {}, {}};
+    SectionFace face;
+    face.layer = piece.layer;
+    face.from = base::toMm(piece.from);
+    face.to = base::toMm(piece.to);
+    face.leanFrom = base::toMm(piece.leanFrom);
+    face.leanTo = base::toMm(piece.leanTo);
+    face.bottom = part(bottom);
+    face.top = part(top);
+    face.isInside = !isSubstrate;
     if (isSubstrate) {
         face.colour = model::colourOf(piece.material);
     }

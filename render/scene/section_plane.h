@@ -16,11 +16,13 @@ struct SectionPlane {
     glm::dvec2 direction{1.0, 0.0};  ///< of length 1
 };
 
-/// A rectangle of what the plane cuts.
+/// A trapezoid with level edges of what the plane cuts: a rectangle, but for the walls of laser vias.
 struct SectionFace {
     model::LayerId layer;
     double from = 0.0;  ///< along the plane from its start, mm
     double to = 0.0;
+    double leanFrom = 0.0;  ///< by so much the upper edge begins and ends farther along than the lower one
+    double leanTo = 0.0;
     float bottom = 0.0F;  ///< of its layer: 0 the lower, 1 the upper face; so it stays when the stackup changes
     float top = 1.0F;
     bool isInside = false;                ///< may lie in a substrate, and is then seen

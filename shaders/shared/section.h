@@ -8,23 +8,25 @@
 namespace shader {
 #endif
 
-// An upright rectangle as it is drawn, mm in the coordinates of the board.
-struct SectionRectangle {
+// An upright trapezoid with level edges as it is drawn, mm in the coordinates of the board.
+struct SectionTrapezoid {
     vec3 colour;  // linear
-    uint rank;    // of rectangles at the same location the one of higher rank is seen
+    uint rank;    // of those at the same location the one of higher rank is seen
     vec2 from;
     vec2 to;
+    vec2 upperFrom;
+    vec2 upperTo;
     float bottom;
     float top;
 };
-GPU_SIZE(SectionRectangle, 40);
+GPU_SIZE(SectionTrapezoid, 56);
 
-GPU_READ(SectionRectangles, SectionRectangle, 4);
+GPU_READ(SectionTrapezoids, SectionTrapezoid, 4);
 
 // Push constants.
 struct SectionPush {
     GPU_ADDRESS(Frame) frame;
-    GPU_ADDRESS(SectionRectangles) rectangles;
+    GPU_ADDRESS(SectionTrapezoids) trapezoids;
 };
 GPU_SIZE(SectionPush, 16);
 

@@ -98,6 +98,50 @@ std::shared_ptr<const Document> panel() {
     return board.finish();
 }
 
+/// 0.4 mm square: a laser via of 0.1 mm, plated 15 µm, from the top through 80 µm of dielectric to an inner pad.
+std::shared_ptr<const Document> laserVia() {
+    model::DocumentBuilder builder;
+    const auto add = [&](const char* name, model::LayerType type, model::Nm z, model::Nm thickness) {
+        model::Layer layer;
+        layer.name = name;
+        layer.type = type;
+        layer.z = z;
+        layer.thickness = thickness;
+        layer.isSynthetic = type == model::LayerType::Body;
+        layer.side = type == model::LayerType::Drill ? model::LayerSide::Through : model::LayerSide::Inner;
+        return builder.addLayer(layer);
+    };
+    const auto top = add("top", model::LayerType::Signal, 220'000, 20'000);
+    const auto inner = add("inner", model::LayerType::Signal, 120'000, 20'000);
+    add("bottom", model::LayerType::Signal, 0, 20'000);
+    const auto laser = add("laser", model::LayerType::Drill, 120'000, 120'000);
+    const auto upper = add("board 1", model::LayerType::Body, 120'000, 100'000);
+    builder.layer(laser).spanTop = top;
+    builder.layer(laser).spanBottom = inner;
+    const auto plate = [] {
+        model::ShapeSketch sketch;
+        constexpr model::Nm kHalf = 200'000;
+        sketch.addPolygon(
+            std::array<model::Point, 4>{{{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}}}, false);
+        return sketch;
+    };
+    model::DocumentBuilder::Origin hole;
+    hole.flags = model::kHole | model::kPlated | model::kVia;
+    for (const auto copper : {top, inner}) {
+        builder.beginLayer(copper);
+        builder.addCircle({{0, 0}, 300'000, 0}, {});
+    }
+    builder.beginLayer(laser);
+    builder.addCircle({{0, 0}, 100'000, 70'000}, hole);
+    builder.beginLayer(upper);
+    model::ShapeSketch drilled = plate();
+    drilled.addCircle({0, 0}, 50'000, true);
+    builder.addArea({builder.addShape(drilled), {}}, {});
+    builder.setProfile(builder.addShape(plate()));
+    builder.setBoardThickness(240'000);
+    return builder.finish();
+}
+
 /// Pixels of two pictures on one side of the vertical line at `x` that differ; those next to it do not count.
 std::size_t differingBeside(const Image& a, const Image& b, std::uint32_t from, std::uint32_t to) {
     std::size_t count = 0;
@@ -132,6 +176,7 @@ public:
         for (const SectionFace& face : settings.section->faces) {
             const std::size_t layer = face.layer.row();
             const ZRange z = heights[face.beside.isValid() ? face.beside.row() : layer];
+            QVERIFY2(face.leanFrom == 0.0 && face.leanTo == 0.0, "the sample has no laser vias");
             if (board.styles[layer].isVisible) {
                 m_pieces.push_back({{face.from, glm::mix(z.z0, z.z1, face.bottom)},
                                     {face.to, glm::mix(z.z0, z.z1, face.top)},
@@ -298,6 +343,41 @@ private slots:
                  qPrintable(QString("%1 %2")
                                 .arg(seen[*model::colourOf(model::SectionMaterial::Core)])
                                 .arg(seen[*model::colourOf(model::SectionMaterial::Prepreg)])));
+    }
+
+    /// Beside its foot lies what lies beside it, above that its wall.
+    void laserViasNarrowTowardsTheirTarget() {
+        Board board(laserVia());
+        const Camera camera = board.seen(NamedView::Iso, true);
+        ViewSettings settings;
+        settings.isSmoothed = false;
+        settings.section = board.cut({1, 0}, {0, 0});
+        const Image open = board.draw(camera, settings);
+        const glm::mat4 clip = camera.projection(kAspect) * camera.view();
+        const ZRange laser = board.scene.drawnHeights(settings)[3];  // 0.12 to 0.24 mm
+        const auto colourAt = [&](float x, float z) {
+            const glm::vec4 p = clip * glm::vec4(x, 0.0F, glm::mix(laser.z0, laser.z1, (z - 0.12F) / 0.12F), 1.0F);
+            return pixel(open, std::uint32_t((p.x / p.w + 1.0F) * 0.5F * kWidth),
+                         std::uint32_t((p.y / p.w + 1.0F) * 0.5F * kHeight));
+        };
+        const Rgb plating = bytesOf(board.styles[3].colour);
+        const Rgb dielectric = colourAt(0.12F, 0.18F);
+        QVERIFY(test::distance(plating, dielectric) > 8);
+        const auto isAt = [&](float x, float z, const Rgb& colour) {
+            const Rgb seen = colourAt(x, z);
+            const bool isThere = test::distance(seen, colour) <= 2;
+            if (!isThere) {
+                qWarning("%s at %g %g, wanted %s", describe(seen).c_str(), double(x), double(z),
+                         describe(colour).c_str());
+            }
+            return isThere;
+        };
+        for (const float side : {-1.0F, 1.0F}) {
+            QVERIFY(isAt(side * 0.044F, 0.212F, plating));     // wall at the top
+            QVERIFY(isAt(side * 0.046F, 0.146F, dielectric));  // beside the foot
+            QVERIFY(isAt(side * 0.036F, 0.160F, plating));     // wall at the foot
+        }
+        QVERIFY(isAt(0.0F, 0.148F, plating));  // on the target pad
     }
 
     void nothingShowsThroughTheCut_data() {

@@ -17,7 +17,7 @@ layout(set = 0, binding = 8, scalar) buffer FrameDataBlock { FrameData frameData
 layout(set = 0, binding = 9, scalar) buffer PushStructBlock { Push pushStruct[2]; };
 layout(set = 0, binding = 10, scalar) buffer StandardVertexBlock { StandardVertex standardVertex[2]; };
 layout(set = 0, binding = 11, scalar) buffer StandardPartBlock { StandardPartRecord standardPart[2]; };
-layout(set = 0, binding = 12, scalar) buffer CutRectangleBlock { SectionRectangle cutRectangle[2]; };
+layout(set = 0, binding = 12, scalar) buffer CutTrapezoidBlock { SectionTrapezoid cutTrapezoid[2]; };
 layout(set = 0, binding = 13, scalar) buffer RasterCopyBlock { RasterCopy rasterCopy[2]; };
 layout(set = 0, binding = 14, scalar) buffer RasterPushBlock { RasterPush rasterPush[2]; };
 layout(set = 0, binding = 15, scalar) buffer ShadowsBlock { Shadows shadows[2]; };
@@ -38,5 +38,5 @@ void main() {
     rasterPush[0] = rasterPush[1];
     shadows[0] = shadows[1];
     standardPart[0] = standardPart[1];
-    cutRectangle[0] = cutRectangle[1];
+    cutTrapezoid[0] = cutTrapezoid[1];
 }
