@@ -13,11 +13,15 @@ constexpr double kStroke = 0.15;  // mm
 constexpr double kArrow = 1.6;
 
 std::string svgPolygon(const SheetPolygon& polygon) {
-    std::string points;
-    for (const auto& [x, y] : polygon.corners) {
-        points += formatted("%s%.4f,%.4f", points.empty() ? "" : " ", x, y);
+    std::string path;
+    for (const auto& contour : polygon.contours) {
+        path += path.empty() ? "M" : " M";
+        for (const auto& [x, y] : contour) {
+            path += formatted("%s%.4f,%.4f", path.back() == 'M' ? "" : " ", x, y);
+        }
+        path += "z";
     }
-    return "<polygon points=\"" + points + formatted("\" fill=\"#%06x\"/>\n", polygon.fill);
+    return "<path d=\"" + path + formatted("\" fill=\"#%06x\"/>\n", polygon.fill);
 }
 
 /// The tip of an arrow that comes from another location.

@@ -1,11 +1,12 @@
 #include "model/export/section_sheet.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "model/export/stackup_drawing.h"
+#include "model/section/section_labels.h"
 #include "model/text/formatting.h"
 
 namespace model {
@@ -19,8 +20,11 @@ constexpr double kWidest = 250;      ///< of the cut, where the scale is ours to
 constexpr double kBoardHeight = 50;  ///< about, of the board in the cut; more where its stackup has many rows
 constexpr double kTop = kMargin + 4 * kLine;
 constexpr double kLabels = 80;
-constexpr double kLeast = 0.05;  ///< of a foil: none vanishes
-constexpr double kLetter = 1.8;  ///< of a letter, about
+constexpr double kLeast = 0.05;    ///< of a foil: none vanishes
+constexpr double kLetter = 1.8;    ///< of a letter, about
+constexpr double kBend = 1.6;      ///< width of the mark of a bend
+constexpr double kRoomOfBend = 8;  ///< bends closer together have a mark and no line
+constexpr double kDot = 0.3;       ///< radius, where a name points to
 
 /// The next smaller of 1, 2, 5, 10, 20, …
 double roundNumber(double value) {
@@ -32,6 +36,8 @@ class SheetMaker {
 public:
     SheetMaker(const Document& board, const Section& section, const SectionPicture& how)
         : m_board(board), m_section(section), m_how(how) {
+        m_drawn = merged(m_section.pieces);
+        std::ranges::stable_sort(m_drawn, {}, [](const SectionPiece& piece) { return drawOrderOf(piece.material); });
         chooseScale();
     }
 
@@ -89,8 +95,9 @@ private:
 
     void addTitle() {
         addText(kMargin, kMargin + kLine,
-                m_board.job.name + ": section from " + positionText(m_section.line.front()) + " to " +
-                    positionText(m_section.line.back()) +
+                m_board.job.name +
+                    (m_how.net.empty() ? ": section from " : ": section along net " + m_how.net + ", from ") +
+                    positionText(m_section.line.front()) + " to " + positionText(m_section.line.back()) +
                     formatted(" mm, %.7g mm long", base::toMm(m_section.stations.back())),
                 SheetAlign::Left, true);
         const double times = m_sheet.scale;
@@ -100,22 +107,42 @@ private:
                                                 : formatted(", heights %g times larger", m_sheet.heightTimes)));
     }
 
-    [[nodiscard]] std::uint32_t fillOf(const SectionPiece& piece) const {
-        return colourOf(piece.material).value_or(m_how.colours[piece.layer.row()]);
+    void addPolygon(std::vector<std::pair<double, double>> contour, std::uint32_t fill) {
+        m_sheet.polygons.push_back({{std::move(contour)}, fill});
     }
 
+    /// What has one colour is filled at once. Dielectrics of several colours lie on all of them in one, so that the
+    /// paper does not shine through between them.
     void addPieces() {
-        std::vector<SectionPiece> pieces = merged(m_section.pieces);
-        std::ranges::stable_sort(pieces, {}, [](const SectionPiece& piece) { return drawOrderOf(piece.material); });
-        for (const SectionPiece& piece : pieces) {
+        std::vector<std::pair<int, SheetPolygon>> groups;
+        for (const SectionPiece& piece : m_drawn) {
             const double top = y(piece.top);
             const double bottom = std::max(y(piece.bottom), top + kLeast);
-            m_sheet.polygons.push_back({{{x(piece.from), bottom},
-                                         {x(piece.to), bottom},
-                                         {x(piece.upperTo()), top},
-                                         {x(piece.upperFrom()), top}},
-                                        fillOf(piece)});
-            m_shown[static_cast<std::size_t>(piece.material)] = piece;
+            const auto key = std::pair(drawOrderOf(piece.material), colourOf(piece, m_how.colours));
+            auto group = std::ranges::find_if(
+                groups, [&](const auto& own) { return std::pair(own.first, own.second.fill) == key; });
+            if (group == groups.end()) {
+                group = groups.insert(groups.end(), {key.first, {{}, key.second}});
+            }
+            group->second.contours.push_back({{x(piece.from), bottom},
+                                              {x(piece.to), bottom},
+                                              {x(piece.upperTo()), top},
+                                              {x(piece.upperFrom()), top}});
+        }
+        std::ranges::stable_sort(groups, {}, [](const auto& group) { return group.first; });
+        SheetPolygon under;
+        const auto first = std::ranges::find(groups, 0, [](const auto& group) { return group.first; });
+        for (const auto& [order, polygon] : groups) {
+            if (order == 0 && polygon.fill != first->second.fill) {
+                under.contours.insert(under.contours.end(), polygon.contours.begin(), polygon.contours.end());
+            }
+        }
+        if (!under.contours.empty()) {
+            under.fill = first->second.fill;
+            m_sheet.polygons.push_back(std::move(under));
+        }
+        for (auto& [order, polygon] : groups) {
+            m_sheet.polygons.push_back(std::move(polygon));
         }
     }
 
@@ -125,8 +152,8 @@ private:
             const double left = x(run.from);
             const double right = x(run.to);
             const double top = kTop - 1.4 * kLine;
-            m_sheet.polygons.push_back({{{left, top}, {right, top}, {right, top + kLine}, {left, top + kLine}},
-                                        m_how.colours[run.layer.row()]});
+            addPolygon({{left, top}, {right, top}, {right, top + kLine}, {left, top + kLine}},
+                       m_how.colours[run.layer.row()]);
             m_sheet.lines.push_back({left, top, left, top + kLine});
             const std::string& name = m_board.layer(run.layer).name;
             if (kLetter * static_cast<double>(name.size()) < right - left) {
@@ -135,45 +162,84 @@ private:
         }
     }
 
+    /// A mark at the upper rim; where there is room a line down too, as in the window.
     void addBends() {
-        for (const double bend : bendsOf(m_section)) {
-            m_sheet.lines.push_back({x(bend), kTop - 0.3 * kLine, x(bend), kTop + cutHeight() + 0.3 * kLine, true});
+        const std::vector<double> bends = bendsOf(m_section);
+        double last = -1e9;
+        for (std::size_t i = 0; i < bends.size(); ++i) {
+            const double at = x(bends[i]);
+            const double next = i + 1 < bends.size() ? x(bends[i + 1]) : 1e9;
+            const double top = kTop - 0.3 * kLine;
+            if (at - last >= kRoomOfBend && next - at >= kRoomOfBend) {
+                m_sheet.lines.push_back({at, top, at, kTop + cutHeight() + 0.3 * kLine, true});
+            }
+            addPolygon({{at, top + kBend}, {at - kBend / 2, top}, {at + kBend / 2, top}}, 0x000000);
+            last = at;
         }
     }
 
-    /// Names, thicknesses and heights of the stackup's rows.
+    /// Names and thicknesses of the stackup's rows, each pointing to where the row ends.
     void addStackup() {
+        struct Label {
+            std::size_t row;
+            std::optional<RowMark> mark;
+            double height;  ///< of what is named, from the top of the cut
+        };
+        const SectionWindow window{0.0, m_section.stations.back(), m_bottom, m_top};
+        std::vector<Label> rows;
+        for (std::size_t i = 0; i < m_board.stackup.rows.size(); ++i) {
+            const StackupRow& row = m_board.stackup.rows[i];
+            const std::optional<RowMark> mark = markOf(m_board, m_drawn, i, window);
+            rows.push_back({i, mark, y(mark ? mark->z : double{1} * row.z + row.thickness / 2.0) - kTop});
+        }
+        std::ranges::stable_sort(rows, {}, &Label::height);
         StackupDrawing labels;
-        for (const StackupRow& row : m_board.stackup.rows) {
-            const double top = y(double{1} * row.z + row.thickness) - kTop;
-            const double bottom = y(row.z) - kTop;
-            labels.bands.push_back({top, bottom, (top + bottom) / 2});
+        for (const Label& row : rows) {
+            labels.bands.push_back({row.height, row.height, row.height});
         }
         labels.height = std::max(cutHeight(), kLine * static_cast<double>(labels.bands.size()));
         spreadLabels(kLine, labels);
         const double right = kMargin + cutWidth();
-        for (std::size_t i = 0; i < labels.bands.size(); ++i) {
-            const StackupBand& band = labels.bands[i];
-            const StackupRow& row = m_board.stackup.rows[i];
-            const double middle = kTop + (band.top + band.bottom) / 2;
-            const double label = kTop + band.label;
-            m_sheet.lines.push_back({right + 1, kTop + band.top, right + 1, kTop + band.bottom});
-            m_sheet.lines.push_back({right + 1, middle, right + 3, middle});
-            m_sheet.lines.push_back({right + 3, middle, right + 9, label});
-            m_sheet.lines.push_back({right + 9, label, right + 10, label});
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const StackupRow& row = m_board.stackup.rows[rows[i].row];
+            const double label = kTop + labels.bands[i].label;
+            if (rows[i].mark) {
+                addLeader(x(rows[i].mark->along), kTop + rows[i].height, right, label);
+            }
             const bool isAssumed = row.source == Source::Assumed;
             addText(right + 11, label + 1, row.name, SheetAlign::Left, false, isAssumed);
             addText(right + kLabels, label + 1, lengthText(row.thickness), SheetAlign::Right, false, isAssumed);
         }
     }
 
+    void addLeader(double x, double y, double right, double label) {
+        addPolygon({{x - kDot, y}, {x, y + kDot}, {x + kDot, y}, {x, y - kDot}}, 0x000000);
+        m_sheet.lines.push_back({x, y, right + 3, y});
+        m_sheet.lines.push_back({right + 3, y, right + 9, label});
+        m_sheet.lines.push_back({right + 9, label, right + 10, label});
+    }
+
+    /// Below one another where they would overlap.
     void addDimensions() {
-        for (const auto& [dimension, text] : m_how.dimensions) {
-            const auto [from, to] = dimension.ends();
-            m_sheet.lines.push_back({x(from.along), y(from.z), x(to.along), y(to.z), false, true});
-            const double aside = dimension.isUpright() ? 2.0 : 0.0;
-            addText((x(from.along) + x(to.along)) / 2 + aside, (y(from.z) + y(to.z)) / 2 + (aside > 0.0 ? 1.0 : kLine),
-                    text, aside > 0.0 ? SheetAlign::Left : SheetAlign::Middle, true);
+        struct Box {
+            double left, right, y;
+        };
+        std::vector<Box> taken;
+        for (const SheetDimension& own : m_how.dimensions) {
+            const auto [from, to] = own.dimension.ends();
+            m_sheet.lines.push_back({x(from.along), y(from.z), x(to.along), y(to.z), own.isStale, true});
+            const bool isUpright = own.dimension.isUpright();
+            const double left = (x(from.along) + x(to.along)) / 2 + (isUpright ? 2.0 : 0.0);
+            const double half = kLetter * static_cast<double>(own.text.size()) / 2;
+            Box box{isUpright ? left : left - half, isUpright ? left + 2 * half : left + half,
+                    (y(from.z) + y(to.z)) / 2 + (isUpright ? 1.0 : kLine)};
+            while (std::ranges::any_of(taken, [&](const Box& other) {
+                return box.left < other.right && other.left < box.right && std::abs(box.y - other.y) < kLine;
+            })) {
+                box.y += kLine;
+            }
+            taken.push_back(box);
+            addText(left, box.y, own.text, isUpright ? SheetAlign::Left : SheetAlign::Middle, true);
         }
     }
 
@@ -205,20 +271,21 @@ private:
     double addLegend(double y) {
         constexpr double kSwatch = 2.5;
         double left = kMargin;
-        for (const std::optional<SectionPiece>& piece : m_shown) {
-            if (!piece || piece->material == SectionMaterial::Other) {
-                continue;
-            }
-            const std::string name = toString(piece->material);
-            const double wide = kSwatch + 2.0 + kLetter * static_cast<double>(name.size()) + 3.0;
+        for (const SectionLegendRow& row : legendOf(m_drawn, m_how.colours)) {
+            const std::string name = toString(row.material);
+            const double part = std::max(kSwatch / static_cast<double>(row.colours.size()), 1.2);
+            const double swatch = part * static_cast<double>(row.colours.size());
+            const double wide = swatch + 2.0 + kLetter * static_cast<double>(name.size()) + 3.0;
             if (left + wide > kMargin + cutWidth() + kLabels && left > kMargin) {
                 left = kMargin;
                 y += kLine;
             }
             const double top = y - kSwatch;
-            m_sheet.polygons.push_back(
-                {{{left, top}, {left + kSwatch, top}, {left + kSwatch, y}, {left, y}}, fillOf(*piece)});
-            addText(left + kSwatch + 1.5, y, name);
+            for (std::size_t i = 0; i < row.colours.size(); ++i) {
+                const double from = left + part * static_cast<double>(i);
+                addPolygon({{from, top}, {from + part, top}, {from + part, y}, {from, y}}, row.colours[i]);
+            }
+            addText(left + swatch + 1.5, y, name);
             left += wide;
         }
         return y;
@@ -230,7 +297,7 @@ private:
     SectionSheet m_sheet;
     double m_top = 0.0;  ///< nm, of all that is drawn
     double m_bottom = 0.0;
-    std::array<std::optional<SectionPiece>, kSectionMaterialCount> m_shown;  ///< one of each material
+    std::vector<SectionPiece> m_drawn;  ///< what others lie in comes first
 };
 
 }  // namespace

@@ -14,16 +14,25 @@
 /// writes it (SVG here, PDF in the window) writes the same.
 namespace model {
 
+struct SheetDimension {
+    SectionDimension dimension;
+    std::string text;  ///< what is written beside it
+    bool isStale = false;
+};
+
 struct SectionPicture {
     std::vector<std::uint32_t> colours;  ///< of the layers of the board, 0xRRGGBB
     double heightTimes = 0.0;            ///< heights are drawn so many times larger than lengths; 0: as reads well
     double scale = 0.0;                  ///< so many mm of paper for a mm of the line; 0: as fits on a sheet
-    std::vector<std::pair<SectionDimension, std::string>> dimensions{};  ///< and what is written beside each
-    std::vector<LayerRun> runs{};                                        ///< of an unrolled net
+    std::vector<SheetDimension> dimensions{};
+    std::vector<LayerRun> runs{};  ///< of an unrolled net
+    std::string net{};             ///< its name
 };
 
+/// Contours that all wind the same way: what lies within any of them is filled, as one, so that nothing shines through
+/// between neighbours.
 struct SheetPolygon {
-    std::vector<std::pair<double, double>> corners;
+    std::vector<std::vector<std::pair<double, double>>> contours;
     std::uint32_t fill = 0;  ///< 0xRRGGBB
 };
 
@@ -48,7 +57,8 @@ struct SectionSheet {
 };
 
 /// Scales are those of drawings: 1, 2 or 5 times a power of ten. The sheet says which, and how much larger heights are.
-/// Parts are drawn as far as the board's thickness above and below it.
+/// Parts are drawn as far as the board's thickness above and below it. Names of the stackup's rows point to where they
+/// end.
 [[nodiscard]] SectionSheet sectionSheet(const Document& board, const Section& section, const SectionPicture& how);
 
 }  // namespace model

@@ -55,6 +55,7 @@ SectionFeature::SectionFeature(FeatureContext& context)
     connect(&m_line, &SectionLine::moved, this, [this] {
         m_panel->view().setDimensions({});
         m_panel->view().setRuns({});
+        m_net.clear();
         m_due.start();
     });
     connect(&m_line, &SectionLine::finished, this, [this] {
@@ -132,6 +133,7 @@ void SectionFeature::setBoard(const LoadedBoard& board) {
     }
     m_panel->view().setDimensions({});
     m_panel->view().setRuns({});
+    m_net.clear();
     m_panel->view().fit();
     cut();
 }
@@ -162,7 +164,8 @@ void SectionFeature::draw(bool isOn) {
     }
 }
 
-void SectionFeature::cutAlong(std::vector<base::PointD> line, std::vector<model::LayerRun> runs) {
+void SectionFeature::cutAlong(std::vector<base::PointD> line, std::vector<model::LayerRun> runs, std::string net) {
+    m_net = std::move(net);
     m_line.setLine(std::move(line));
     m_panel->view().setRuns(std::move(runs));
     m_panel->view().fit();
@@ -204,7 +207,8 @@ void SectionFeature::followNet() {
     const model::BoardNet& net = nets.front();
     if (const base::Result<model::NetLine> line =
             model::lineAlong(*m_index, {m_selection.firstCopyOf(net.step), net.net})) {
-        cutAlong(line->line, model::runsOf(*line));
+        const model::Document& step = *m_index->tree.steps[net.step];
+        cutAlong(line->line, model::runsOf(*line), step.nets[net.net.row()].name);
         onPlaced();
     } else {
         m_workspace.report(line.error().text);
@@ -318,8 +322,9 @@ base::Status SectionFeature::save(const QString& path) const {
     how.heightTimes = m_panel->heightsBox().currentData().toDouble();
     const SectionView& view = m_panel->view();
     how.runs = view.runs();
+    how.net = m_net;
     for (const model::SectionDimension& dimension : view.dimensions().all()) {
-        how.dimensions.emplace_back(dimension, dimensionText(dimension, view.unit()).toStdString());
+        how.dimensions.push_back({dimension, view.textOf(dimension).toStdString(), view.isShownStale(dimension)});
     }
     if (path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
         return writeSectionPdf(model::sectionSheet(*m_index->board, *section, how),

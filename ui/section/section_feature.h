@@ -23,9 +23,9 @@ public:
 
     /// The next drag or clicks in the 2D view draw the line, or do not: the line is then what it was.
     void draw(bool isOn);
-    /// Cuts along a line, corners in nm of the board; none: no section. `runs`: of an unrolled net. A saved section is
-    /// that section, and has its dimensions.
-    void cutAlong(std::vector<base::PointD> line, std::vector<model::LayerRun> runs = {});
+    /// Cuts along a line, corners in nm of the board; none: no section. `runs`, `net`: of an unrolled net, and its
+    /// name. A saved section is that section, and has its dimensions.
+    void cutAlong(std::vector<base::PointD> line, std::vector<model::LayerRun> runs = {}, std::string net = {});
     /// Cuts along the highlighted net, unrolled; of a net of a step that is placed often, along its first copy.
     void followNet();
     /// Writes what is shown, as PDF or as SVG by the ending. Errors: BadUsage if nothing is, OutputFailed.
@@ -67,6 +67,7 @@ private:
     SavedList<model::session::SavedSection> m_saved;
     SectionPanel* m_panel;
     std::shared_ptr<const model::BoardIndex> m_index;
+    std::string m_net;  ///< that the line follows; empty: none
     std::vector<QColor> m_colours;
     QTimer m_due;  ///< runs out once all moves of the line that are under way have come
 };

@@ -2,7 +2,6 @@
 
 #include <QPainter>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ui/section/section_view.h"
@@ -99,10 +98,18 @@ void SectionView::paintDimensions(QPainter& painter) const {
     }
 }
 
+bool SectionView::isShownStale(const model::SectionDimension& dimension) const {
+    return isStale(dimension) && dimension.to.isOnUpright + dimension.to.isOnLevel > 0;
+}
+
+QString SectionView::textOf(const model::SectionDimension& dimension) const {
+    return dimensionText(dimension, m_unit) + (isShownStale(dimension) ? tr(", no longer on an edge") : QString());
+}
+
 /// With a label at its middle, below those that are there already.
 void SectionView::paintDimension(QPainter& painter, const model::SectionDimension& dimension,
                                  std::vector<QRectF>& taken) const {
-    const bool isStale = this->isStale(dimension) && dimension.to.isOnUpright + dimension.to.isOnLevel > 0;
+    const bool isStale = isShownStale(dimension);
     const QColor ink = isStale ? kStale : palette().color(QPalette::Text);
     const auto ends = dimension.ends();
     const QPointF from = positionOf(ends.first.along, ends.first.z);
@@ -115,7 +122,7 @@ void SectionView::paintDimension(QPainter& painter, const model::SectionDimensio
     painter.setBrush(ink);
     paintArrow(painter, from, to);
     paintArrow(painter, to, from);
-    const QString text = dimensionText(dimension, m_unit) + (isStale ? tr(", no longer on an edge") : QString());
+    const QString text = textOf(dimension);
     QRectF box = QRectF(fontMetrics().boundingRect(text)).adjusted(-5, -2, 5, 2);
     const QPointF beside = dimension.isUpright() ? QPointF(box.width() / 2 + 6.0, 0.0) : QPointF(0.0, lineHeight());
     box.moveCenter((from + to) / 2.0 + beside);
@@ -141,20 +148,22 @@ void SectionView::paintDimension(QPainter& painter, const model::SectionDimensio
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
-std::vector<SectionView::LegendRow> SectionView::legend() const {
-    std::array<std::vector<QColor>, model::kSectionMaterialCount> colours;
-    for (const SectionPiece& piece : m_drawn) {  // by layer, which are in order from the top
-        std::vector<QColor>& own = colours[static_cast<std::size_t>(piece.material)];
-        if (std::ranges::find(own, colourOf(piece)) == own.end()) {
-            own.push_back(colourOf(piece));
-        }
+std::vector<std::uint32_t> SectionView::layerColours() const {
+    std::vector<std::uint32_t> colours;
+    for (const QColor& colour : m_colours) {
+        colours.push_back(colour.rgb() & 0xffffffU);
     }
+    return colours;
+}
+
+std::vector<SectionView::LegendRow> SectionView::legend() const {
     std::vector<LegendRow> rows;
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-        const auto material = static_cast<model::SectionMaterial>(i);
-        if (!colours[i].empty() && material != model::SectionMaterial::Other) {
-            rows.emplace_back(colours[i], tr(model::toString(material)));
+    for (const model::SectionLegendRow& row : model::legendOf(m_drawn, layerColours())) {
+        std::vector<QColor> colours;
+        for (const std::uint32_t colour : row.colours) {
+            colours.push_back(QColor::fromRgb(colour));
         }
+        rows.emplace_back(std::move(colours), tr(model::toString(row.material)));
     }
     return rows;
 }

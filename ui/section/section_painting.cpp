@@ -77,38 +77,56 @@ void SectionView::paintHighlighted(QPainter& painter) const {
     }
 }
 
-/// Rows of the stackup that are in sight: all that there is room to name, or else the copper, or as much of it.
-std::vector<const model::StackupRow*> SectionView::namedRows() const {
-    std::vector<const model::StackupRow*> rows;
-    for (const model::StackupRow& row : board().stackup.rows) {
-        if (positionOf(0.0, row.z).y() >= plot().top() &&
-            positionOf(0.0, double{1} * row.z + row.thickness).y() <= plot().bottom()) {
-            rows.push_back(&row);
+model::SectionWindow SectionView::window() const {
+    const double half = plot().width() / 2 / m_perNm;
+    const double high = plot().height() / 2 / m_perNm / m_times;
+    return {m_along - half, m_along + half, m_z - high, m_z + high};
+}
+
+std::optional<QPointF> SectionView::markOf(std::size_t row) const {
+    const std::optional<model::RowMark> mark = model::markOf(board(), m_drawn, row, window());
+    return mark ? std::optional(positionOf(mark->along, mark->z)) : std::nullopt;
+}
+
+/// Rows of the stackup that are in sight, from above: all that there is room to name, or else the copper, or as much of
+/// it.
+std::vector<SectionView::NamedRow> SectionView::namedRows() const {
+    std::vector<NamedRow> rows;
+    for (std::size_t i = 0; i < board().stackup.rows.size(); ++i) {
+        const model::StackupRow& row = board().stackup.rows[i];
+        const auto mark = model::markOf(board(), m_drawn, i, window());
+        const double top = positionOf(0.0, double{1} * row.z + row.thickness).y();
+        const double bottom = positionOf(0.0, row.z).y();
+        if (mark) {
+            rows.push_back({&row, mark, positionOf(0.0, mark->z).y()});
+        } else if (bottom >= plot().top() && top <= plot().bottom()) {
+            rows.push_back({&row, mark, (std::max(top, plot().top()) + std::min(bottom, plot().bottom())) / 2});
         }
     }
+    std::ranges::stable_sort(rows, {}, &NamedRow::y);
     const auto room = static_cast<std::size_t>(std::max(1.0, plot().height() / lineHeight()));
     if (rows.size() > room) {
-        std::erase_if(rows, [this](const model::StackupRow* row) {
-            return !row->layer.isValid() || !board().layer(row->layer).isCopper();
+        std::erase_if(rows, [this](const NamedRow& named) {
+            return !named.row->layer.isValid() || !board().layer(named.row->layer).isCopper();
         });
     }
     const std::size_t every = (rows.size() + room - 1) / room;
-    std::vector<const model::StackupRow*> named;
+    std::vector<NamedRow> named;
     for (std::size_t i = 0; i < rows.size(); i += every) {
         named.push_back(rows[i]);
     }
     return named;
 }
 
-/// Names, thicknesses, and how high above the bottom they lie.
+/// Names, thicknesses, and how high above the bottom they lie. A line leads from the name to where the row ends.
 void SectionView::paintLayers(QPainter& painter) const {
-    const std::vector<const model::StackupRow*> rows = namedRows();
+    constexpr double kDot = 1.8;
+    const std::vector<NamedRow> rows = namedRows();
     const QRectF area = plot();
     model::StackupDrawing labels;
-    for (const model::StackupRow* row : rows) {
-        const double top = std::max(positionOf(0.0, double{1} * row->z + row->thickness).y(), area.top());
-        const double bottom = std::min(positionOf(0.0, row->z).y(), area.bottom());
-        labels.bands.push_back({top - area.top(), bottom - area.top(), (top + bottom) / 2 - area.top()});
+    for (const NamedRow& named : rows) {
+        const double y = named.y - area.top();
+        labels.bands.push_back({y, y, y});
     }
     labels.height = std::max(area.height(), lineHeight() * static_cast<double>(rows.size()));
     model::spreadLabels(lineHeight(), labels);
@@ -116,24 +134,28 @@ void SectionView::paintLayers(QPainter& painter) const {
     const double thicknessLeft = left + (width() - left) * 0.33;
     const double heightLeft = left + (width() - left) * 0.64;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const model::StackupBand& band = labels.bands[i];
-        const double middle = area.top() + (band.top + band.bottom) / 2;
-        const double y = area.top() + band.label;
-        painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 0.7));
-        painter.drawPolyline(
-            QPolygonF{{area.right() + 2.0, middle}, {area.right() + 8.0, middle}, {left - 9.0, y}, {left - 3.0, y}});
+        const model::StackupRow& row = *rows[i].row;
+        const double y = area.top() + labels.bands[i].label;
+        if (const auto& mark = rows[i].mark) {
+            const QPointF from(positionOf(mark->along, 0.0).x(), rows[i].y);
+            painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 0.7));
+            painter.drawPolyline(QPolygonF{from, {area.right() + 8.0, from.y()}, {left - 9.0, y}, {left - 3.0, y}});
+            painter.setBrush(palette().color(QPalette::Text));
+            painter.drawEllipse(from, kDot, kDot);
+        }
         painter.setPen(palette().color(QPalette::Text));
         const auto write = [&](double from, double to, const QString& text) {
             painter.drawText(QRectF(from, y - lineHeight() / 2, to - from, lineHeight()), Qt::AlignVCenter,
                              fontMetrics().elidedText(text, Qt::ElideMiddle, static_cast<int>(to - from)));
         };
-        write(left, thicknessLeft - 6.0, QString::fromStdString(rows[i]->name));
+        write(left, thicknessLeft - 6.0, QString::fromStdString(row.name));
         QFont slanted = font();
-        slanted.setItalic(rows[i]->source == model::Source::Assumed);
+        slanted.setItalic(row.source == model::Source::Assumed);
         painter.setFont(slanted);
-        write(thicknessLeft, heightLeft - 6.0, QString::fromStdString(model::thicknessText(rows[i]->thickness)));
+        write(thicknessLeft, heightLeft - 6.0, QString::fromStdString(model::thicknessText(row.thickness)));
         painter.setFont(font());
-        write(heightLeft, width(), tr("at %1").arg(lengthText(static_cast<double>(rows[i]->z), m_unit)));
+        const auto bottom = static_cast<double>(rows[i].mark ? rows[i].mark->bottom : row.z);
+        write(heightLeft, width(), tr("at %1").arg(lengthText(bottom, m_unit)));
     }
 }
 

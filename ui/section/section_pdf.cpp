@@ -2,6 +2,7 @@
 
 #include <QBuffer>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPdfWriter>
 
 #include "ui/common/sheet_text.h"
@@ -37,13 +38,19 @@ void paint(QPainter& painter, const model::SheetLine& line) {
 
 void paint(QPainter& painter, const model::SectionSheet& sheet) {
     for (const model::SheetPolygon& polygon : sheet.polygons) {
-        QPolygonF corners;
-        for (const auto& [x, y] : polygon.corners) {
-            corners += QPointF(x, y);
+        QPainterPath path;
+        path.setFillRule(Qt::WindingFill);
+        for (const auto& contour : polygon.contours) {
+            QPolygonF corners;
+            for (const auto& [x, y] : contour) {
+                corners += QPointF(x, y);
+            }
+            path.addPolygon(corners);
+            path.closeSubpath();
         }
         painter.setPen(Qt::NoPen);
         painter.setBrush(QColor::fromRgb(polygon.fill));
-        painter.drawPolygon(corners);
+        painter.drawPath(path);
     }
     for (const model::SheetLine& line : sheet.lines) {
         paint(painter, line);

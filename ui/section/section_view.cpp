@@ -108,11 +108,16 @@ QRectF SectionView::plot() const {
 void SectionView::arrange() {
     if (m_section && m_isFitted) {
         const double length = m_section->stations.back();
-        const double thickness = std::max<double>(board().boardThickness, 1.0);
-        m_perNm = std::min(plot().width() / length, kFilled * plot().height() / thickness);
+        double low = 0.0;
+        double high = std::max<double>(board().boardThickness, 1.0);
+        for (const SectionPiece& piece : m_drawn) {  // parts stand out
+            low = std::min<double>(low, piece.bottom);
+            high = std::max<double>(high, piece.top);
+        }
+        m_perNm = std::min(plot().width() / length, kFilled * plot().height() / (high - low));
         m_along = length / 2;
-        m_z = thickness / 2;
-        m_times = std::max(1.0, std::floor(kFilled * plot().height() / (thickness * m_perNm)));
+        m_z = (low + high) / 2;
+        m_times = std::max(1.0, std::floor(kFilled * plot().height() / ((high - low) * m_perNm)));
     }
     m_times = m_wantedTimes > 0.0 ? m_wantedTimes : m_times;
     update();

@@ -7,6 +7,7 @@
 
 #include "model/section/net_line.h"
 #include "model/section/section.h"
+#include "model/section/section_labels.h"
 #include "ui/common/display_units.h"
 #include "ui/section/section_dimensions.h"
 #include "ui/workspace/selection_model.h"
@@ -56,6 +57,11 @@ public:
 
     /// Where a location of the section is drawn, in pixels; lengths along the line and heights in nm.
     [[nodiscard]] QPointF positionOf(double along, double z) const;
+    /// What is written beside a dimension, and whether it is stale as it is drawn.
+    [[nodiscard]] QString textOf(const model::SectionDimension& dimension) const;
+    [[nodiscard]] bool isShownStale(const model::SectionDimension& dimension) const;
+    /// Where the name of a row of the stackup points to; none: the row is not in sight.
+    [[nodiscard]] std::optional<QPointF> markOf(std::size_t row) const;
     /// What is drawn there: what is solid before what was drilled out of it, small before large. Null: nothing.
     [[nodiscard]] const model::SectionPiece* pieceAt(QPointF at) const;
     [[nodiscard]] QString tipAt(QPointF at) const;
@@ -96,7 +102,14 @@ private:
     void arrange();
     void paintPieces(QPainter& painter) const;
     void paintHighlighted(QPainter& painter) const;
-    [[nodiscard]] std::vector<const model::StackupRow*> namedRows() const;
+    struct NamedRow {
+        const model::StackupRow* row = nullptr;
+        std::optional<model::RowMark> mark;
+        double y = 0.0;  ///< of what is named
+    };
+    [[nodiscard]] model::SectionWindow window() const;
+    [[nodiscard]] std::vector<NamedRow> namedRows() const;
+    [[nodiscard]] std::vector<std::uint32_t> layerColours() const;
     void paintLayers(QPainter& painter) const;
     void paintRuler(QPainter& painter) const;
     void paintLegend(QPainter& painter) const;

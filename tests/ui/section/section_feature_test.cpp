@@ -267,7 +267,25 @@ private slots:
         const QByteArray svg = file.readAll();
         QVERIFY(svg.startsWith("<svg"));
         const auto count = static_cast<qsizetype>(model::merged(view().section()->pieces).size());
-        QVERIFY(svg.count("<polygon") == count + qsizetype(view().legend().size()));
+        qsizetype contours = 0;
+        const QRegularExpression fill("<path d=\"([^\"]*)\" fill=\"#(?!000000)");
+        for (const auto& match : fill.globalMatch(QString::fromUtf8(svg))) {
+            contours += match.captured(1).count('M');
+        }
+        qsizetype swatches = 0;
+        for (const auto& [colours, name] : view().legend()) {
+            swatches += qsizetype(colours.size());
+        }
+        // Dielectrics of other colours than the first lie on what has its colour.
+        qsizetype under = 0;
+        std::optional<std::uint32_t> first;
+        for (const SectionPiece& piece : model::merged(view().section()->pieces)) {
+            if (model::drawOrderOf(piece.material) == 0) {
+                first = first ? first : model::colourOf(piece.material);
+                under += model::colourOf(piece.material) != first ? 1 : 0;
+            }
+        }
+        QCOMPARE(contours, count + swatches + under);
         QVERIFY(!sections().save("/nowhere/cut.svg"));
         QVERIFY(!sections().save("/nowhere/cut.pdf"));
         QVERIFY(sections().save(m_fixture->folder() + "/cut.pdf"));
@@ -279,6 +297,80 @@ private slots:
         QVERIFY(size.hasMatch() && page.hasMatch());
         const double pointsPerMm = 72.0 / 25.4;
         QVERIFY(std::abs(size.captured(1).toDouble() * pointsPerMm - page.captured(1).toDouble()) < 1.0);
+    }
+
+    void theSheetOfAnUnrolledNetNamesIt() {
+        const QString path = m_fixture->folder() + "/net.svg";
+        for (std::size_t row = 0; row < m_index->board->nets.size() && !view().section(); ++row) {
+            window().selection().setNets({{0, model::NetId{row}}});
+            window().actions()[ActionId::SectionAlongNet].trigger();
+        }
+        QVERIFY(sections().save(path));
+        const auto nets = window().selection().nets();
+        const QString name = QString::fromStdString(m_index->board->nets[nets.front().net.row()].name);
+        const auto text = [&] {
+            QFile file(path);
+            return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+        };
+        QVERIFY(text().contains("section along net " + name.toHtmlEscaped() + ","));
+        drawLine();
+        QVERIFY(sections().save(path));
+        QVERIFY(text().contains("section from ") && !text().contains("along net"));
+        window().selection().setNets({});
+    }
+
+    /// Parts are many times as high as a board.
+    void allOfTheSectionIsInSightAndNamesPointToIt() {
+        drawLine();
+        model::Section section = *view().section();
+        SectionPiece part;
+        part.layer = section.pieces.front().layer;
+        part.at = section.pieces.front().at;
+        part.from = 1e6;
+        part.to = 3e6;
+        part.bottom = m_index->board->boardThickness;
+        part.top = 6 * part.bottom;
+        part.material = model::SectionMaterial::Part;
+        section.pieces.push_back(part);
+        view().setSection(m_index, section);
+        view().fit();
+        QVERIFY(view().positionOf(0, double(part.top)).y() > 0.0);
+        QVERIFY(view().positionOf(0, 0.0).y() < view().height());
+        const std::vector<SectionPiece> drawn = model::merged(section.pieces);
+        int marked = 0;
+        for (std::size_t row = 0; row < m_index->board->stackup.rows.size(); ++row) {
+            const model::LayerId layer = m_index->board->stackup.rows[row].layer;
+            if (!layer.isValid() || !m_index->board->layer(layer).isCopper()) {
+                continue;
+            }
+            double end = -1.0;
+            for (const SectionPiece& piece : drawn) {
+                end = piece.layer == layer ? std::max(end, piece.most()) : end;
+            }
+            const std::optional<QPointF> mark = view().markOf(row);
+            QCOMPARE(mark.has_value(), end >= 0.0);
+            if (mark) {
+                ++marked;
+                QVERIFY(std::abs(mark->x() - view().positionOf(end, 0.0).x()) < 1e-6);
+            }
+        }
+        QVERIFY(marked > 3);
+    }
+
+    /// Its films are of no element: they are described and highlighted by nothing.
+    void filmsOfARigidFlexBoardAreDescribed() {
+        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/rigid_flex")));
+        sections().cutAlong({{0.0, 10e6}, {100e6, 10e6}});
+        const auto& pieces = view().section()->pieces;
+        const auto plate = std::ranges::find(pieces, model::SectionMaterial::Stiffener, &SectionPiece::material);
+        QVERIFY(plate != pieces.end());
+        const QPointF at =
+            view().positionOf((plate->from + plate->to) / 2, (double{1} * plate->bottom + plate->top) / 2);
+        QVERIFY2(view().tipAt(at).startsWith("PLATE · stiffener"), qPrintable(view().tipAt(at)));
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, at.toPoint());
+        QVERIFY(window().selection().selected().empty());
+        QVERIFY(!view().grab().isNull());
+        QVERIFY(m_fixture->openAndWait(m_board));
     }
 
     /// Its copper, or a hole in it, is all along the line; and no stroke is longer.
