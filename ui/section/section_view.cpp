@@ -57,6 +57,7 @@ void SectionView::setRuns(std::vector<model::LayerRun> runs) {
 
 void SectionView::setMeasuring(bool isOn) {
     m_isMeasuring = isOn;
+    QToolTip::hideText();
     m_under.reset();
     m_dimensions.giveUp();
     setCursor(isOn ? Qt::CrossCursor : Qt::ArrowCursor);
@@ -260,6 +261,7 @@ void SectionView::mouseReleaseEvent(QMouseEvent* event) {
 
 void SectionView::measureAt(QPointF at) {
     const std::optional<SectionPosition> location = locationAt(at);
+    QToolTip::hideText();
     update();
     if (location && m_dimensions.add(*location)) {
         emit dimensionsChanged();
@@ -291,7 +293,8 @@ void SectionView::keyPressEvent(QKeyEvent* event) {
 bool SectionView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        QToolTip::showText(help->globalPos(), tipAt(help->pos()), this);
+        const bool isBusy = m_isMeasuring || m_dimensions.from();
+        QToolTip::showText(help->globalPos(), isBusy ? QString() : tipAt(help->pos()), this);
         return true;
     }
     return QWidget::event(event);

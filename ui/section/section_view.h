@@ -18,7 +18,8 @@ namespace ui {
 /// thicknesses and heights of the layers at the right, a ruler along the line and a legend of the materials below. Of
 /// an unrolled net a band above says on which layer it runs. While measuring is on, or with Shift, two clicks measure a
 /// distance, and Del takes the last one back. The wheel zooms, a drag pans, a double click shows all again, a click
-/// selects the element, whose pieces are highlighted as are those of highlighted nets.
+/// selects the element, whose pieces are highlighted as are those of highlighted nets. A tool tip describes what is
+/// under the pointer, but not while a distance is being measured.
 class SectionView : public QWidget {
     Q_OBJECT
 

@@ -1,8 +1,10 @@
 // Measuring in a cross-section with real mouse and key events on the sample board, and what is saved of it.
 #include "ui/section/section_dimensions.h"
 
+#include <QHelpEvent>
 #include <QListView>
 #include <QMouseEvent>
+#include <QToolTip>
 #include <QtTest>
 
 #include "tests/locations.h"
@@ -80,6 +82,28 @@ private slots:
         QVERIFY(!view().dimensions().from());
         QTest::keyClick(&view(), Qt::Key_Delete);
         QVERIFY(view().dimensions().all().empty());
+    }
+
+    void nothingIsDescribedWhileMeasuring() {
+        showOnePiece();
+        const QPoint at = pixel((m_piece.from + m_piece.to) / 2, (double(m_piece.bottom) + double(m_piece.top)) / 2);
+        const auto isDescribed = [&] {
+            QHelpEvent help(QEvent::ToolTip, at, view().mapToGlobal(at));
+            QCoreApplication::sendEvent(&view(), &help);
+            return QToolTip::isVisible() && !QToolTip::text().isEmpty();
+        };
+        QVERIFY(isDescribed());
+        m_fixture->key(Qt::Key_M);
+        QTRY_VERIFY(!QToolTip::isVisible());
+        QVERIFY(!isDescribed());
+        m_fixture->key(Qt::Key_M);
+        QVERIFY(isDescribed());
+        clickAt(m_piece.from, double(m_piece.bottom), Qt::ShiftModifier);
+        QTRY_VERIFY(!QToolTip::isVisible());
+        QVERIFY(!isDescribed());  // until the second click
+        clickAt(m_piece.to, double(m_piece.bottom), Qt::ShiftModifier);
+        QTRY_VERIFY(isDescribed());
+        QToolTip::hideText();
     }
 
     void theyAreSavedWithTheSectionAndRecalledWithIt() {
