@@ -144,6 +144,34 @@ private:
         for (auto& [order, polygon] : groups) {
             m_sheet.polygons.push_back(std::move(polygon));
         }
+        addBreaks();
+    }
+
+    /// A white zigzag through each part that is higher than the sheet shows.
+    void addBreaks() {
+        constexpr double kFromEnd = 2.0;
+        for (const SectionPiece& piece : m_drawn) {
+            const bool isPart = piece.material == SectionMaterial::Part || piece.material == SectionMaterial::Terminal;
+            if (isPart && double(piece.top) > m_top) {
+                addBreak(x(piece.from), x(piece.to), kTop + kFromEnd);
+            }
+            if (isPart && double(piece.bottom) < m_bottom) {
+                addBreak(x(piece.from), x(piece.to), kTop + cutHeight() - kFromEnd);
+            }
+        }
+    }
+
+    void addBreak(double from, double to, double y) {
+        constexpr double kTooth = 0.8;
+        const double teeth = std::max(std::round((to - from) / kTooth), 1.0);
+        std::vector<std::pair<double, double>> contour;
+        for (double i = 0.0; i <= teeth; ++i) {
+            contour.emplace_back(from + (to - from) * i / teeth, y + (std::fmod(i, 2.0) == 0.0 ? -kTooth : kTooth));
+        }
+        for (std::size_t i = contour.size(); i > 0; --i) {
+            contour.emplace_back(contour[i - 1].first, contour[i - 1].second + kTooth);
+        }
+        addPolygon(std::move(contour), 0xffffff);
     }
 
     /// On which layer an unrolled net runs.

@@ -57,8 +57,8 @@ struct SectionSheet {
 };
 
 /// Scales are those of drawings: 1, 2 or 5 times a power of ten. The sheet says which, and how much larger heights are.
-/// Parts are drawn as far as the board's thickness above and below it. Names of the stackup's rows point to where they
-/// end.
+/// Parts are drawn as far as the board's thickness above and below it; beyond they end in a break line. Names of the
+/// stackup's rows point to where they end.
 [[nodiscard]] SectionSheet sectionSheet(const Document& board, const Section& section, const SectionPicture& how);
 
 }  // namespace model

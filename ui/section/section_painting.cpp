@@ -37,6 +37,7 @@ void SectionView::paintEvent(QPaintEvent*) {
     painter.save();
     painter.setClipRect(plot());
     paintPieces(painter);
+    paintBreaks(painter);
     paintHighlighted(painter);
     paintBends(painter);
     paintDimensions(painter);
@@ -63,6 +64,25 @@ void SectionView::paintPieces(QPainter& painter) const {
         }
     }
     painter.setRenderHint(QPainter::Antialiasing);
+}
+
+/// A zigzag through each part near the rim beyond which it goes on.
+void SectionView::paintBreaks(QPainter& painter) const {
+    constexpr double kTooth = 4.0;
+    painter.setPen(QPen(palette().color(QPalette::Base), 2.5));
+    for (const QRectF& part : brokenParts()) {
+        for (const bool isTop : {true, false}) {
+            if (isTop ? part.top() >= plot().top() : part.bottom() <= plot().bottom()) {
+                continue;
+            }
+            const double y = isTop ? plot().top() + 3.0 * kTooth : plot().bottom() - 3.0 * kTooth;
+            QPolygonF line{QPointF(part.left(), y)};
+            for (double x = part.left() + kTooth; x < part.right() + kTooth; x += kTooth) {
+                line += QPointF(x, y + (line.size() % 2 == 0 ? kTooth : -kTooth));
+            }
+            painter.drawPolyline(line);
+        }
+    }
 }
 
 void SectionView::paintHighlighted(QPainter& painter) const {
@@ -120,7 +140,7 @@ std::vector<SectionView::NamedRow> SectionView::namedRows() const {
 
 /// Names, thicknesses, and how high above the bottom they lie. A line leads from the name to where the row ends.
 void SectionView::paintLayers(QPainter& painter) const {
-    constexpr double kDot = 1.8;
+    constexpr double kDot = 1.5;
     const std::vector<NamedRow> rows = namedRows();
     const QRectF area = plot();
     model::StackupDrawing labels;

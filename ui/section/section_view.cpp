@@ -19,10 +19,11 @@ using model::SectionPiece;
 using model::SectionPosition;
 
 constexpr double kMargin = 8.0;
-constexpr double kLabels = 0.34;      // of the width
-constexpr double kFilled = 0.8;       // of the plot, by a cut that is shown whole
-constexpr double kLeastPixels = 0.7;  // of a piece: none vanishes
-constexpr double kReachPixels = 2.0;  // around a piece, for the mouse
+constexpr double kLabels = 0.34;       // of the width
+constexpr double kLeastOfBoard = 0.4;  // of what is shown, beside tall parts
+constexpr double kFilled = 0.8;        // of the plot, by a cut that is shown whole
+constexpr double kLeastPixels = 0.7;   // of a piece: none vanishes
+constexpr double kReachPixels = 2.0;   // around a piece, for the mouse
 constexpr double kWheelNotch = 120.0;
 constexpr double kMostPerNm = 1e-2;  // 10 µm across a pixel times a thousand: nothing is smaller
 constexpr double kLeastPerNm = 1e-8;
@@ -105,16 +106,39 @@ QRectF SectionView::plot() const {
     return {kMargin, above, width() * (1.0 - kLabels) - kMargin, height() - above - 3.0 * lineHeight()};
 }
 
+/// From the lowest to the highest of what is drawn. Parts may be many times as high as a board: then both ends are
+/// moved in until the board has its share.
+std::pair<double, double> SectionView::fittedHeights() const {
+    const double board = std::max<double>(this->board().boardThickness, 1.0);
+    double below = 0.0;
+    double above = 0.0;
+    for (const SectionPiece& piece : m_drawn) {
+        below = std::max(below, -static_cast<double>(piece.bottom));
+        above = std::max(above, static_cast<double>(piece.top) - board);
+    }
+    const double room = board / kLeastOfBoard - board;
+    const double part = below + above > room ? room / (below + above) : 1.0;
+    return {-part * below, board + part * above};
+}
+
+std::vector<QRectF> SectionView::brokenParts() const {
+    std::vector<QRectF> broken;
+    for (const SectionPiece& piece : m_drawn) {
+        const bool isPart =
+            piece.material == model::SectionMaterial::Part || piece.material == model::SectionMaterial::Terminal;
+        const QRectF rect = rectOf(piece);
+        if (isPart && m_isFitted && (rect.top() < plot().top() || rect.bottom() > plot().bottom())) {
+            broken.push_back(rect);
+        }
+    }
+    return broken;
+}
+
 /// Lengths and heights to pixels: of the whole line unless the user has chosen a part of it.
 void SectionView::arrange() {
     if (m_section && m_isFitted) {
         const double length = m_section->stations.back();
-        double low = 0.0;
-        double high = std::max<double>(board().boardThickness, 1.0);
-        for (const SectionPiece& piece : m_drawn) {  // parts stand out
-            low = std::min<double>(low, piece.bottom);
-            high = std::max<double>(high, piece.top);
-        }
+        const auto [low, high] = fittedHeights();
         m_perNm = std::min(plot().width() / length, kFilled * plot().height() / (high - low));
         m_along = length / 2;
         m_z = (low + high) / 2;

@@ -63,6 +63,8 @@ public:
     [[nodiscard]] bool isShownStale(const model::SectionDimension& dimension) const;
     /// Where the name of a row of the stackup points to; none: the row is not in sight.
     [[nodiscard]] std::optional<QPointF> markOf(std::size_t row) const;
+    /// Parts that are too high to be shown whole beside the board while all of the line is: they end in a break line.
+    [[nodiscard]] std::vector<QRectF> brokenParts() const;
     /// What is drawn there: what is solid before what was drilled out of it, small before large. Null: nothing.
     [[nodiscard]] const model::SectionPiece* pieceAt(QPointF at) const;
     [[nodiscard]] QString tipAt(QPointF at) const;
@@ -100,8 +102,10 @@ private:
     [[nodiscard]] bool isHighlighted(const model::SectionPiece& piece) const;
     [[nodiscard]] bool isEdge(const model::SectionPosition& position) const;
     void measureAt(QPointF at);
+    [[nodiscard]] std::pair<double, double> fittedHeights() const;
     void arrange();
     void paintPieces(QPainter& painter) const;
+    void paintBreaks(QPainter& painter) const;
     void paintHighlighted(QPainter& painter) const;
     struct NamedRow {
         const model::StackupRow* row = nullptr;

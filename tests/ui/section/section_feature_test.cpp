@@ -268,7 +268,7 @@ private slots:
         QVERIFY(svg.startsWith("<svg"));
         const auto count = static_cast<qsizetype>(model::merged(view().section()->pieces).size());
         qsizetype contours = 0;
-        const QRegularExpression fill("<path d=\"([^\"]*)\" fill=\"#(?!000000)");
+        const QRegularExpression fill("<path d=\"([^\"]*)\" fill=\"#(?!000000|ffffff)");
         for (const auto& match : fill.globalMatch(QString::fromUtf8(svg))) {
             contours += match.captured(1).count('M');
         }
@@ -319,23 +319,36 @@ private slots:
         window().selection().setNets({});
     }
 
-    /// Parts are many times as high as a board.
+    /// Parts are often many times as high as a board.
     void allOfTheSectionIsInSightAndNamesPointToIt() {
         drawLine();
         model::Section section = *view().section();
+        std::erase_if(section.pieces, [](const SectionPiece& piece) {
+            return piece.material == model::SectionMaterial::Part || piece.material == model::SectionMaterial::Terminal;
+        });
         SectionPiece part;
         part.layer = section.pieces.front().layer;
         part.at = section.pieces.front().at;
         part.from = 1e6;
         part.to = 3e6;
         part.bottom = m_index->board->boardThickness;
-        part.top = 6 * part.bottom;
+        part.top = 2 * part.bottom;
         part.material = model::SectionMaterial::Part;
         section.pieces.push_back(part);
         view().setSection(m_index, section);
         view().fit();
         QVERIFY(view().positionOf(0, double(part.top)).y() > 0.0);
         QVERIFY(view().positionOf(0, 0.0).y() < view().height());
+        QVERIFY(view().brokenParts().empty());
+        section.pieces.back().top = 40 * part.bottom;  // the board would be a thin line
+        view().setSection(m_index, section);
+        QCOMPARE(view().brokenParts().size(), std::size_t{1});
+        const QImage broken = view().grab().toImage();
+        const double bottom = view().positionOf(0, 0.0).y();
+        QVERIFY(bottom < view().height() && bottom - view().positionOf(0, double(part.bottom)).y() > 20.0);
+        section.pieces.back().top = 2 * part.bottom;
+        view().setSection(m_index, section);
+        QVERIFY(differingPixels(broken, view().grab().toImage()) > 100);
         const std::vector<SectionPiece> drawn = model::merged(section.pieces);
         int marked = 0;
         for (std::size_t row = 0; row < m_index->board->stackup.rows.size(); ++row) {

@@ -130,6 +130,28 @@ private slots:
         QCOMPARE(marks, 3);
     }
 
+    void partsThatAreTooHighEndInABreakLine() {
+        Section section = cut({{0, 5e6}, {20e6, 5e6}});
+        SectionPiece part;
+        part.layer = LayerId{Top};
+        part.from = 2e6;
+        part.to = 4e6;
+        part.bottom = 1'200'000;
+        part.top = 2'000'000;
+        part.material = SectionMaterial::Part;
+        section.pieces.push_back(part);
+        QCOMPARE(filledWith(sectionSheet(*board(), section, picture()), 0xffffff), std::size_t{0});
+        section.pieces.back().top = 9'000'000;
+        const SectionSheet sheet = sectionSheet(*board(), section, picture());
+        QCOMPARE(filledWith(sheet, 0xffffff), std::size_t{1});
+        for (const SheetPolygon& polygon : sheet.polygons) {
+            if (polygon.fill == 0xffffff) {
+                const auto [least, most] = std::ranges::minmax(polygon.contours[0]);
+                QVERIFY(std::abs(least.first - 28.0) < 1e-6 && std::abs(most.first - 48.0) < 1e-6);
+            }
+        }
+    }
+
     void dimensionsAreWrittenApartAndStaleOnesDashed() {
         SectionPicture how = picture();
         const SectionDimension dimension{{5e6, 100e3, true, true}, {15e6, 100e3, true, true}};
