@@ -6,7 +6,7 @@
 #include <limits>
 #include <tuple>
 
-#include "model/geometry/box_index.h"
+#include "model/geometry/box_pairs.h"
 #include "model/geometry/edge_meetings.h"
 #include "model/geometry/vectors.h"
 
@@ -22,7 +22,6 @@ constexpr double kSame = 0.5;    ///< fragments between the same vertices nearer
 constexpr double kFlatNm = 0.1;  ///< arcs this near to their chord are lines
 constexpr double kShortestArcNm = 8.0;
 constexpr int kMostRounds = 12;
-constexpr std::size_t kFewEdges = 24;  ///< looked through without an index
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr std::array<PointD, 4> kAxes{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
@@ -220,27 +219,9 @@ void EdgeArrangement::findCuts() {
         m_edges.push_back(edgeOf(fragment));
         boxes.push_back(boxAroundEdge(m_edges.back(), m_snapNm + 1.0));
     }
-    const auto count = static_cast<std::uint32_t>(m_fragments.size());
-    if (count <= kFewEdges) {
-        for (std::uint32_t i = 0; i < count; ++i) {
-            for (std::uint32_t j = i + 1; j < count; ++j) {
-                if (boxes[i].meets(boxes[j]) && (m_fragments[i].isNew || m_fragments[j].isNew)) {
-                    compare(i, j);
-                }
-            }
-        }
-        return;
-    }
-    const BoxIndex index(boxes);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        if (m_fragments[i].isNew) {
-            index.visit(boxes[i], [&](std::uint32_t j) {
-                if (j > i || (j < i && !m_fragments[j].isNew)) {
-                    compare(i, j);
-                }
-            });
-        }
-    }
+    visitPairs(
+        boxes, [&](std::uint32_t row) { return m_fragments[row].isNew; },
+        [&](std::uint32_t i, std::uint32_t j) { compare(i, j); });
 }
 
 void EdgeArrangement::compare(std::uint32_t i, std::uint32_t j) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "model/geometry/box_index.h"
+#include "model/geometry/box_pairs.h"
 #include "model/geometry/edge_meetings.h"
 #include "model/geometry/vectors.h"
 
@@ -79,17 +79,21 @@ private:
                 loopOf.push_back(static_cast<std::uint32_t>(i));
             }
         }
-        const BoxIndex index(boxes);
-        for (std::uint32_t i = 0; i < m_edges.size() && !m_fault; ++i) {
-            index.visit(boxes[i], [&](std::uint32_t j) {
-                if (j > i && !m_fault) {
-                    compare(i, j, loopOf[i], loopOf[j]);
+        visitPairs(
+            boxes, [](std::uint32_t) { return true; },
+            [&](std::uint32_t i, std::uint32_t j) {
+                if (!m_fault) {
+                    i < j ? compare(i, j, loopOf[i], loopOf[j]) : compare(j, i, loopOf[j], loopOf[i]);
                 }
             });
+        if (m_fault || m_loops.loopCount() == 1) {
+            return;
         }
-        if (!m_fault) {
-            findMisplacedHoles(&index);
+        if (m_loops.loopCount() * m_edges.size() < kMostSwept * kMostSwept / 10) {
+            return findMisplacedHoles(nullptr);
         }
+        const BoxIndex index(boxes);
+        findMisplacedHoles(&index);
     }
 
     /// `i` before `j`.

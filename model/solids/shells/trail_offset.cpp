@@ -42,6 +42,7 @@ public:
         m_sides.reserve(2 * m_tracks.size());
         for (std::size_t i = 0; i < m_tracks.size(); ++i) {
             if (!offset(m_tracks[i]) || (i > 0 && !join(i))) {
+                m_brokenAt = i;
                 return false;
             }
             m_sides.push_back(m_side);
@@ -50,6 +51,7 @@ public:
         return true;
     }
     [[nodiscard]] std::span<const Edge> sides() const { return m_sides; }
+    [[nodiscard]] std::size_t brokenAt() const { return m_brokenAt; }
 
 private:
     bool offset(const Edge& track) {
@@ -156,6 +158,7 @@ private:
     std::span<const Edge> m_tracks;
     std::vector<Edge> m_sides;
     Edge m_side;
+    std::size_t m_brokenAt = 0;
     Edge m_whole;  ///< the last side before its end was cut
 };
 
@@ -182,12 +185,15 @@ std::vector<Edge> turned(std::span<const Edge> tracks) {
 
 }  // namespace
 
-std::optional<EdgeLoops> offsetOutline(std::span<const Edge> tracks) {
-    const std::vector<Edge> back = turned(tracks);
+Offset offsetOutline(std::span<const Edge> tracks) {
     RightSide right(tracks);
+    if (tracks.empty() || !right.build()) {
+        return {std::nullopt, right.brokenAt()};
+    }
+    const std::vector<Edge> back = turned(tracks);
     RightSide left(back);
-    if (tracks.empty() || !right.build() || !left.build()) {
-        return std::nullopt;
+    if (!left.build()) {
+        return {std::nullopt, tracks.size() - left.brokenAt()};
     }
     EdgeLoops loops;
     loops.edges.reserve(right.sides().size() + left.sides().size() + 2);
@@ -200,7 +206,10 @@ std::optional<EdgeLoops> offsetOutline(std::span<const Edge> tracks) {
     }
     addCap(loops, left.sides().back(), right.sides().front(), back.back());
     const bool isWhole = loops.endLoop() && loops.edges.front().a == right.sides().front().a;  // not turned round
-    return isWhole && !findFault(loops) ? std::optional(std::move(loops)) : std::nullopt;
+    if (!isWhole || findFault(loops)) {
+        return {std::nullopt, tracks.size() / 2};
+    }
+    return {std::move(loops), 0};
 }
 
 }  // namespace model

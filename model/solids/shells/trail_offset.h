@@ -7,10 +7,16 @@
 
 namespace model {
 
+/// What became of a row of tracks.
+struct Offset {
+    std::optional<EdgeLoops> outline;
+    std::size_t brokenAt = 0;  ///< without an outline: the track in the row at whose start the construction failed
+};
+
 /// The outline of tracks that are joined end to end with round pens, `Edge::pen` of each: both sides are moved by the
 /// pen, joined by arcs where they part and cut where they cross; steps of width follow the circle of the wider pen. No
-/// value when that is not all there is to it: a track too short for its neighbours, sharp bends of small radius, tracks
-/// that cross or touch others. Two tracks join where one ends and the next one begins, bit for bit.
-[[nodiscard]] std::optional<EdgeLoops> offsetOutline(std::span<const Edge> tracks);
+/// outline when that is not all there is to it: a track too short for its neighbours, sharp bends of small radius,
+/// tracks that cross or touch others. Two tracks join where one ends and the next one begins, bit for bit.
+[[nodiscard]] Offset offsetOutline(std::span<const Edge> tracks);
 
 }  // namespace model

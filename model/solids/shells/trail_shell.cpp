@@ -44,31 +44,56 @@ std::vector<Edge> middlesOf(const Drawn& drawn) {
     return std::move(path.edges);
 }
 
-/// No value when one of them could not be united with itself.
-std::optional<Regions> tracksOf(const Drawn& drawn) {
-    Regions tracks;
-    for (std::size_t i = 0; i < drawn.widths.size(); ++i) {
-        const PathNode& node = drawn.nodes[i];
-        const Point next = drawn.nodes[i + 1].point;
-        if (node.edge == EdgeKind::Line) {
-            tracks.push_back(lineOutline({node.point, next, drawn.widthOf(i), 0}, false));
-            continue;
+/// A trail in pieces that are plain, so that there is little to unite.
+class Pieces {
+public:
+    explicit Pieces(const Drawn& drawn) : m_drawn(drawn), m_middles(middlesOf(drawn)) {}
+
+    /// Adds a row of tracks, split where it is not plain. False when a track could not be united with itself.
+    bool add(std::size_t first, std::size_t count) {
+        while (count > 1) {
+            std::size_t split = 1;
+            if (!m_middles.empty()) {
+                Offset offset = offsetOutline(std::span(m_middles).subspan(first, count));
+                if (offset.outline) {
+                    m_regions.push_back(std::move(*offset.outline));
+                    return true;
+                }
+                split = std::clamp<std::size_t>(offset.brokenAt, 1, count - 1);
+            }
+            if (!add(first, split)) {
+                return false;
+            }
+            first += split;
+            count -= split;
         }
-        std::optional<Regions> arc = arcOutlines({node, next, drawn.widthOf(i), 0});
-        if (!arc) {
-            return std::nullopt;
-        }
-        std::ranges::move(*arc, std::back_inserter(tracks));
+        return count == 0 || addTrack(first);
     }
-    return tracks;
-}
+    [[nodiscard]] const Regions& regions() const { return m_regions; }
+
+private:
+    bool addTrack(std::size_t track) {
+        const PathNode& node = m_drawn.nodes[track];
+        const Point next = m_drawn.nodes[track + 1].point;
+        if (node.edge == EdgeKind::Line) {
+            m_regions.push_back(lineOutline({node.point, next, m_drawn.widthOf(track), 0}, false));
+            return true;
+        }
+        std::optional<Regions> arc = arcOutlines({node, next, m_drawn.widthOf(track), 0});
+        if (arc) {
+            std::ranges::move(*arc, std::back_inserter(m_regions));
+        }
+        return arc.has_value();
+    }
+
+    const Drawn& m_drawn;
+    std::vector<Edge> m_middles;
+    Regions m_regions;
+};
 
 std::optional<Regions> regionsOf(const Drawn& drawn) {
-    if (std::optional<EdgeLoops> outline = offsetOutline(middlesOf(drawn))) {
-        return Regions{std::move(*outline)};
-    }
-    const std::optional<Regions> tracks = tracksOf(drawn);
-    return tracks ? unite(*tracks) : std::nullopt;
+    Pieces pieces(drawn);
+    return pieces.add(0, drawn.widths.size()) ? unite(pieces.regions()) : std::nullopt;
 }
 
 /// The outline of the drill as a hole in that of the pen, where both are plain.

@@ -164,15 +164,16 @@ private slots:
 
     /// The local construction gives up where it does not hold.
     void offsetsOfWhatIsNotPlain() {
-        QVERIFY(!model::offsetOutline({}));
+        QVERIFY(!model::offsetOutline({}).outline);
         const Edge along = track(0, 0, 1e6, 0, 1e5);
-        QVERIFY(model::offsetOutline(std::vector{along, track(1e6, 0, 2e6, 1e5, 1e5)}).has_value());
-        QVERIFY(!model::offsetOutline(std::vector{along, track(1e6, 0, 0, 1e4, 1e5)}));       // back along itself
-        QVERIFY(!model::offsetOutline(std::vector{along, track(1e6, 0, 1.02e6, 3e4, 1e5)}));  // shorter than the pen
+        QVERIFY(model::offsetOutline(std::vector{along, track(1e6, 0, 2e6, 1e5, 1e5)}).outline.has_value());
+        QVERIFY(!model::offsetOutline(std::vector{along, track(1e6, 0, 0, 1e4, 1e5)}).outline);  // back along itself
+        QVERIFY(!model::offsetOutline(std::vector{along, track(1e6, 0, 1.02e6, 3e4, 1e5)})
+                     .outline);                       // shorter than the pen
         Edge bend = track(1e6, 0, 1.05e6, 5e4, 1e5);  // of a radius below the pen
         bend.centre = {1e6, 5e4};
         bend.radius = 5e4;
-        QVERIFY(!model::offsetOutline(std::vector{along, bend}));
+        QVERIFY(!model::offsetOutline(std::vector{along, bend}).outline);
     }
 
     void randomTrails() {
