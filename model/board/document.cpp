@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
+#include "model/geometry/outlines.h"
+#include "model/geometry/region.h"
+
 namespace model {
 
 namespace {
@@ -18,23 +21,8 @@ Box boxOfArea(const Document& document, const AreaGeometry& area) {
         const Point o = area.placement.origin;
         return {{own.min.x + o.x, own.min.y + o.y}, {own.max.x + o.x, own.max.y + o.y}};
     }
-    // Rotated shapes: place every node with its arc centre and measure again.
-    Box box;
-    std::vector<PathNode> placed;
-    for (const Contour& contour : document.shapes.contoursOf(area.shape)) {
-        placed.clear();
-        for (PathNode node : document.shapes.nodesOf(contour)) {
-            node.point = area.placement.apply(node.point);
-            node.centre = area.placement.apply(node.centre);
-            if (area.placement.isMirrored && node.edge != EdgeKind::Line) {
-                node.edge =
-                    node.edge == EdgeKind::ArcClockwise ? EdgeKind::ArcCounterClockwise : EdgeKind::ArcClockwise;
-            }
-            placed.push_back(node);
-        }
-        box.include(boxOfPath(placed, true));
-    }
-    return box;
+    // Rotated shapes are placed and measured again.
+    return boxOf(sketchOf(document.shapes, area.shape, area.placement));
 }
 
 Box boxOfTrail(const Document& document, const TrailGeometry& trail) {

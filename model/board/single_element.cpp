@@ -32,17 +32,19 @@ bool isNearer(Point a, Point b, Nm distance) {
 ShapeSketch coarse(const Document& document, ShapeId shape, Nm detail) {
     ShapeSketch sketch;
     for (const Contour& contour : document.shapes.contoursOf(shape)) {
-        const std::span<const PathNode> nodes = document.shapes.nodesOf(contour);
+        const PathNodes nodes = document.shapes.nodesOf(contour);
         const Box box = boxOfPath(nodes, true);
         if (std::max(box.width(), box.height()) < detail && !sketch.isEmpty()) {
             continue;
         }
         sketch.beginContour(contour.isHole);
         Point last = nodes.front().point;
-        EdgeKind before = EdgeKind::ArcClockwise;  // of the edge that comes to a node; arcs keep both their ends
-        for (const PathNode& node : nodes) {
+        EdgeKind before =
+            EdgeKind::ArcClockwise;  // of the edge that comes to a node; others than lines keep both their ends
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            const PathNode& node = nodes[i];
             if (node.edge != EdgeKind::Line || before != EdgeKind::Line || !isNearer(node.point, last, detail)) {
-                sketch.addNode(node);
+                sketch.addNode(nodes, i);
                 last = node.point;
             }
             before = node.edge;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/figures/tracks.h"
+#include "model/geometry/curve_edges.h"
 
 namespace model {
 
@@ -205,19 +206,18 @@ void FigureTable::addArea(const Document& document, ElementId element) {
     }
 }
 
-void FigureTable::addContour(std::span<const PathNode> nodes, bool isHole, const Placement& placement) {
+void FigureTable::addContour(const PathNodes& path, bool isHole, const Placement& placement) {
     const std::size_t first = m_edges.size();
     double area = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        Edge edge = edgeOf(nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0].point);
-        if (!edge.isArc() && nodes.size() > 1 && edge.a.x == edge.b.x && edge.a.y == edge.b.y) {
-            continue;  // a repeated point
+    forEachEdge(path, [&](Edge edge) {
+        if (!edge.isArc() && path.size() > 1 && edge.a == edge.b) {
+            return;  // a repeated point
         }
         edge = placed(edge, placement);
         edge.isHole = isHole;
         m_edges.push_back(edge);
         area += areaUnder(edge, m_edges[first].a);
-    }
+    });
     for (std::size_t i = first; i < m_edges.size(); ++i) {
         m_edges[i].winding = area < 0 ? -1 : 1;
     }

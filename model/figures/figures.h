@@ -8,7 +8,8 @@
 
 namespace model {
 
-/// What elements cover, in a form that can be measured exactly: arcs stay arcs, pens stay pens. A figure is one
+/// What elements cover, in a form that can be measured exactly: arcs stay arcs, pens stay pens,
+/// NURBS curves are rows of arcs within a quarter nanometre (geometry/curve_edges.h). A figure is one
 /// connected piece: a track (edges with a pen), or an island of an area with its holes (boundary edges around a filled
 /// inside). An area of several islands gives one figure each; holes count as filled, as far as the drill reaches.
 ///
@@ -58,7 +59,7 @@ private:
     void addSquareTrack(const LineGeometry& line);
     void addRing(const CircleGeometry& circle);
     void addArea(const Document& document, ElementId element);
-    void addContour(std::span<const PathNode> nodes, bool isHole, const Placement& placement);
+    void addContour(const PathNodes& path, bool isHole, const Placement& placement);
     void addTrack(Edge edge, double width);
     void begin(ElementId element, bool isFilled);
     void finish();

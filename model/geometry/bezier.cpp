@@ -101,6 +101,19 @@ double Bezier::boundOnChord() const {
     return hull * inner / (inner + std::min(m_controls.front().w, m_controls.back().w) * share);
 }
 
+double Bezier::bend() const {
+    double sum = 0;
+    PointD last = {0, 0};
+    for (std::size_t i = 0; i < degree(); ++i) {
+        const PointD side = minus(projected(m_controls[i + 1]), projected(m_controls[i]));
+        if (side != PointD{0, 0}) {
+            sum += last != PointD{0, 0} ? std::abs(std::atan2(cross(last, side), dot(last, side))) : 0.0;
+            last = side;
+        }
+    }
+    return sum;
+}
+
 bool Bezier::runsAlongChord() const {
     const PointD chord = minus(end(), start());
     PointD last = start();
@@ -131,12 +144,16 @@ void subdivide(std::span<const Bezier> pieces, const std::function<bool(const Be
     }
 }
 
-std::vector<double> chordParameters(std::span<const Bezier> pieces, double tolerance) {
-    std::vector<double> parameters{pieces.front().from()};
-    subdivide(
-        pieces, [&](const Bezier& piece) { return piece.boundOnChord() <= tolerance; },
-        [&](const Bezier& piece) { parameters.push_back(piece.to()); });
-    return parameters;
+std::vector<PointD> chordPoints(std::span<const Bezier> pieces, double tolerance, double mostBend) {
+    constexpr double kDot = 1.0;  // nm: what is no larger has no direction to bend
+    const auto isFine = [&](const Bezier& piece) {
+        const double hull = piece.boundOnChord();
+        const bool isDot = hull <= kDot && distance(piece.start(), piece.end()) <= kDot;
+        return hull <= tolerance && (isDot || piece.bend() <= mostBend);
+    };
+    std::vector<PointD> points{pieces.front().start()};
+    subdivide(pieces, isFine, [&](const Bezier& piece) { points.push_back(piece.end()); });
+    return points;
 }
 
 PointD pointAt(std::span<const Bezier> pieces, double parameter) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -68,6 +69,8 @@ public:
     [[nodiscard]] double boundOnChord() const;
     /// No control point lies farther from the chord.
     [[nodiscard]] double hullBesideChord() const;
+    /// The angles between the sides of the control polygon together, in radians: no curve bends by more.
+    [[nodiscard]] double bend() const;
     /// Do the control points follow one another along the chord? Then the curve passes each line across it once.
     [[nodiscard]] bool runsAlongChord() const;
 
@@ -82,9 +85,10 @@ private:
 void subdivide(std::span<const Bezier> pieces, const std::function<bool(const Bezier&)>& isFine,
                const std::function<void(const Bezier&)>& visit);
 
-/// Parameters from the first to the last of the pieces, rising, whose points joined by chords stay within `tolerance`
-/// nm of the curve and it of them: what boundOnChord guarantees.
-[[nodiscard]] std::vector<double> chordParameters(std::span<const Bezier> pieces, double tolerance);
+/// Points of the curve, both ends among them, whose chords stay within `tolerance` nm of the curve and it of them: what
+/// boundOnChord guarantees. Along none the curve bends by more than `mostBend`, in radians.
+[[nodiscard]] std::vector<PointD> chordPoints(std::span<const Bezier> pieces, double tolerance,
+                                              double mostBend = std::numeric_limits<double>::infinity());
 
 /// The point that curve pieces in a row have at a parameter.
 [[nodiscard]] PointD pointAt(std::span<const Bezier> pieces, double parameter);

@@ -69,12 +69,30 @@ std::vector<Edge> edgesAlong(std::span<const Bezier> pieces, double tolerance) {
     const auto isFine = [&](const Bezier& piece) { return (found = edgeFor(piece, tolerance)).has_value(); };
     subdivide(pieces, isFine, [&](const Bezier& piece) {
         // Where halving ends without an edge, the piece is shorter than double can tell.
-        const Edge edge = found ? *found : Edge{piece.start(), piece.end(), {}, 0.0, 0.0, false, false, 1};
+        Edge edge;
+        edge.a = piece.start();
+        edge.b = piece.end();
+        edge = found.value_or(edge);
         found.reset();
         if (edge.a != edge.b) {
             edges.push_back(edge);
         }
     });
+    return edges;
+}
+
+std::vector<Edge> edgesOf(const NurbsView& curve) {
+    std::vector<Edge> edges = edgesAlong(bezierPieces(curve), kMeasured);
+    for (Edge& edge : edges) {
+        edge.isOfCurve = true;
+    }
+    if (!edges.empty()) {
+        edges.front().isCurveStart = true;
+        edges.back().isCurveEnd = true;
+        // The very points where the neighbours in the contour end: a weight divided out may leave another last bit.
+        edges.front().a = curve.controls.front().at;
+        edges.back().b = curve.controls.back().at;
+    }
     return edges;
 }
 

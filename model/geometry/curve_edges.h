@@ -17,4 +17,21 @@ namespace model {
 /// nm: distances between two curves stay within half a nanometre.
 inline constexpr double kMeasured = 0.25;
 
+/// The edges of a curve that is part of a shape, marked as such.
+[[nodiscard]] std::vector<Edge> edgesOf(const NurbsView& curve);
+
+/// Calls `visit` for the edges of a closed path in their order, curves by what they are measured by.
+template <class Visit>
+void forEachEdge(const PathNodes& path, const Visit& visit) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        if (path[i].edge != EdgeKind::Curve) {
+            visit(edgeOf(path[i], path.endOf(i)));
+            continue;
+        }
+        for (const Edge& edge : edgesOf(path.curveAt(i))) {
+            visit(edge);
+        }
+    }
+}
+
 }  // namespace model

@@ -115,7 +115,7 @@ int chordCount(double radius, double sweep, bool isFullCircle, const Discretisat
 }
 
 double sweepOf(const PathNode& from, Point to) {
-    ASSERT(from.edge != EdgeKind::Line);
+    ASSERT(isArc(from.edge));
     const bool isClockwise = from.edge == EdgeKind::ArcClockwise;
     if (from.point == to) {
         return isClockwise ? -kFullCircle : kFullCircle;
@@ -128,6 +128,7 @@ double sweepOf(const PathNode& from, Point to) {
 }
 
 void discretiseEdge(const PathNode& from, Point to, const Discretisation& how, std::vector<Point>& out) {
+    ASSERT(from.edge != EdgeKind::Curve);
     out.push_back(from.point);
     if (from.edge == EdgeKind::Line) {
         return;
@@ -149,10 +150,42 @@ void discretiseEdge(const PathNode& from, Point to, const Discretisation& how, s
 
 namespace {
 
-void discretiseLoop(std::span<const PathNode> nodes, const Discretisation& how, std::vector<Point>& out) {
+std::vector<PointD> paperPoints(std::span<const Bezier> pieces) {
+    std::vector<PointD> points{pieces.front().start()};
+    for (const Bezier& piece : pieces) {
+        for (int i = 1; i <= Discretisation::kPaperArcSegments; ++i) {
+            const double t = static_cast<double>(i) / Discretisation::kPaperArcSegments;
+            points.push_back(piece.at(piece.from() + (piece.to() - piece.from()) * t).point);
+        }
+    }
+    return points;
+}
+
+std::vector<PointD> pointsAlong(const NurbsView& curve, const Discretisation& how) {
+    constexpr double kRounding = 1.0;  // nm: points are rounded to whole nanometres afterwards
+    const std::vector<Bezier> pieces = bezierPieces(curve);
+    const double tolerance = std::clamp(how.chordToleranceNm, Discretisation::kMinChordNm, Discretisation::kMaxChordNm);
+    return how.paperSegments ? paperPoints(pieces) : chordPoints(pieces, tolerance - kRounding, kFullCircle / 8.0);
+}
+
+}  // namespace
+
+void discretiseEdge(const PathNodes& path, std::size_t node, const Discretisation& how, std::vector<Point>& out) {
+    if (path[node].edge != EdgeKind::Curve) {
+        return discretiseEdge(path[node], path.endOf(node), how, out);
+    }
+    const std::vector<PointD> points = pointsAlong(path.curveAt(node), how);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        out.push_back({toNm(points[i].x), toNm(points[i].y)});
+    }
+}
+
+namespace {
+
+void discretiseLoop(const PathNodes& path, const Discretisation& how, std::vector<Point>& out) {
     out.clear();
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        discretiseEdge(nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0].point, how, out);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        discretiseEdge(path, i, how, out);
     }
 }
 

@@ -10,7 +10,7 @@ namespace model {
 
 /// How curves become polygons.
 struct Discretisation {
-    double chordToleranceNm = 5000.0;  ///< largest distance between arc and chord; 500 (0.5 µm) to 50,000 (50 µm)
+    double chordToleranceNm = 5000.0;  ///< largest distance between curve and chord; 500 (0.5 µm) to 50,000 (50 µm)
     /// The fixed numbers of the paper's Table 2 instead: 50 segments per full circle, 20 per arc.
     bool paperSegments = false;
 
@@ -59,8 +59,11 @@ struct PolygonSet {
 /// Sweep of the arc from `from.point` to `to` in radians, signed (counter-clockwise positive); ±2π for equal ends.
 [[nodiscard]] double sweepOf(const PathNode& from, Point to);
 
-/// Appends the points of one edge without its last point.
+/// Appends the points of one line or arc without its last point.
 void discretiseEdge(const PathNode& from, Point to, const Discretisation& how, std::vector<Point>& out);
+/// The same for one edge of a closed path, which may be a curve: no chord lies farther from it than the tolerance (with
+/// paperSegments: 20 chords for each of its Bézier pieces), nor stands for more than an eighth of a turn.
+void discretiseEdge(const PathNodes& path, std::size_t node, const Discretisation& how, std::vector<Point>& out);
 
 /// The polygons of a shape, one per island with the holes that follow it: in its own coordinates, or placed.
 [[nodiscard]] PolygonSet discretise(const ShapeTable& shapes, ShapeId shape, const Discretisation& how,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "model/base/assert.h"
 #include "model/geometry/vectors.h"
 
 namespace model {
@@ -218,6 +219,7 @@ Nm ceiled(double value) {
 }  // namespace
 
 Edge edgeOf(const PathNode& from, Point to) {
+    ASSERT(from.edge != EdgeKind::Curve);
     Edge edge;
     edge.a = base::toDouble(from.point);
     edge.b = base::toDouble(to);

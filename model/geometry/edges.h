@@ -17,12 +17,18 @@ struct Edge {
     bool isClockwise = false;
     bool isHole = false;      ///< part of a hole of its region
     std::int8_t winding = 1;  ///< 1 when its contour runs counter-clockwise, else -1
+    bool isOfCurve = false;   ///< stands for a piece of a NURBS curve: its centre and inner ends are nothing on a board
+    bool isCurveStart = false;  ///< `a` is where that curve starts
+    bool isCurveEnd = false;    ///< `b` is where it ends
 
     [[nodiscard]] bool isArc() const { return radius > 0.0; }
     [[nodiscard]] bool isFullCircle() const { return isArc() && a.x == b.x && a.y == b.y; }
+    /// Are the ends such of an edge of the board?
+    [[nodiscard]] bool startsThere() const { return !isOfCurve || isCurveStart; }
+    [[nodiscard]] bool endsThere() const { return !isOfCurve || isCurveEnd; }
 };
 
-/// The edge from a path node to the next point.
+/// The edge from a path node to the next point; not for curves, which are many (curve_edges.h).
 [[nodiscard]] Edge edgeOf(const PathNode& from, Point to);
 /// Where a placed point was before: undoes Placement::apply.
 [[nodiscard]] PointD unplaced(PointD p, const Placement& placement);

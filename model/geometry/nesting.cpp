@@ -13,10 +13,10 @@ bool contains(const Box& outer, const Box& inner) {
            outer.max.y >= inner.max.y;
 }
 
-std::vector<Point> discretised(std::span<const PathNode> nodes) {
+std::vector<Point> discretised(const PathNodes& path) {
     std::vector<Point> loop;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        discretiseEdge(nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0].point, {}, loop);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        discretiseEdge(path, i, {}, loop);
     }
     return loop;
 }
@@ -106,9 +106,7 @@ private:
 
 void copyContour(const ShapeSketch& from, std::size_t contour, ShapeSketch& to) {
     to.beginContour(from.isHole(contour));
-    for (const PathNode& node : from.contour(contour)) {
-        to.addNode(node);
-    }
+    to.addNodes(from.contour(contour));
 }
 
 bool hasSeveralIslandsAndHoles(const ShapeSketch& sketch) {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "model/base/assert.h"
+#include "model/geometry/curve_queries.h"
 #include "model/geometry/vectors.h"
 
 namespace model {
@@ -11,6 +12,32 @@ namespace model {
 void ShapeSketch::beginContour(bool isHole) {
     m_starts.push_back(static_cast<std::uint32_t>(m_nodes.size()));
     m_holes.push_back(isHole ? 1 : 0);
+}
+
+void ShapeSketch::addNode(const PathNode& node) {
+    ASSERT(node.edge != EdgeKind::Curve);
+    m_nodes.push_back(node);
+}
+
+void ShapeSketch::addCurve(Point point, const NurbsView& curve, Point end) {
+    Nurbs own{curve.degree, {curve.knots.begin(), curve.knots.end()}, {curve.controls.begin(), curve.controls.end()}};
+    own.controls.front().at = toDouble(point);
+    own.controls.back().at = toDouble(end);
+    m_nodes.push_back(PathNode::along(point, m_curves.add(own.view())));
+}
+
+void ShapeSketch::addNode(const PathNodes& path, std::size_t node) {
+    if (path[node].edge == EdgeKind::Curve) {
+        addCurve(path[node].point, path.curveAt(node), path.endOf(node));
+    } else {
+        m_nodes.push_back(path[node]);
+    }
+}
+
+void ShapeSketch::addNodes(const PathNodes& path) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        addNode(path, i);
+    }
 }
 
 void ShapeSketch::addCircle(Point centre, Nm radius, bool isHole) {
@@ -39,26 +66,43 @@ void ShapeSketch::append(const ShapeTable& table, ShapeId shape, const Placement
     }
 }
 
-void ShapeSketch::append(std::span<const PathNode> nodes, const Placement& placement) {
-    const bool isMoved = !isIdentity(placement);
-    for (const PathNode& node : nodes) {
-        addNode(isMoved ? placed(node, placement) : node);
+void ShapeSketch::append(const PathNodes& path, const Placement& placement) {
+    if (isIdentity(placement)) {
+        return addNodes(path);
+    }
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        if (path[i].edge != EdgeKind::Curve) {
+            m_nodes.push_back(placed(path[i], placement));
+            continue;
+        }
+        // Weights and knots stay as they are where control points are placed.
+        std::vector<ControlPoint> controls(path.curveAt(i).controls.begin(), path.curveAt(i).controls.end());
+        for (ControlPoint& control : controls) {
+            control.at = placement.apply(control.at);
+        }
+        addCurve(placement.apply(path[i].point), {path.curveAt(i).degree, path.curveAt(i).knots, controls},
+                 placement.apply(path.endOf(i)));
     }
 }
 
-std::span<const PathNode> ShapeSketch::contour(std::size_t index) const {
+PathNodes ShapeSketch::contour(std::size_t index) const {
     ASSERT(index < m_starts.size());
     const std::size_t end = index + 1 < m_starts.size() ? m_starts[index + 1] : m_nodes.size();
-    return std::span(m_nodes).subspan(m_starts[index], end - m_starts[index]);
+    return {std::span(m_nodes).subspan(m_starts[index], end - m_starts[index]), &m_curves};
 }
 
 ShapeId ShapeTable::add(const ShapeSketch& sketch) {
     Shape shape{static_cast<std::uint32_t>(contours.size()), static_cast<std::uint32_t>(sketch.contourCount()), {}};
     for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
-        const std::span<const PathNode> added = sketch.contour(i);
+        const PathNodes added = sketch.contour(i);
         contours.push_back(
             {static_cast<std::uint32_t>(nodes.size()), static_cast<std::uint32_t>(added.size()), sketch.isHole(i)});
-        nodes.edit().insert(nodes.end(), added.begin(), added.end());
+        std::vector<PathNode>& all = nodes.edit();
+        for (std::size_t node = 0; node < added.size(); ++node) {
+            all.push_back(added[node].edge == EdgeKind::Curve
+                              ? PathNode::along(added[node].point, curves.add(added.curveAt(node)))
+                              : added[node]);
+        }
         shape.box.include(boxOfPath(added, true));
     }
     shapes.push_back(shape);
@@ -133,6 +177,7 @@ bool isIdentity(const Placement& placement) {
 }
 
 PathNode placed(const PathNode& node, const Placement& placement) {
+    ASSERT(node.edge != EdgeKind::Curve);
     PathNode moved = node;
     moved.point = placement.apply(node.point);
     if (node.edge != EdgeKind::Line) {
@@ -144,6 +189,7 @@ PathNode placed(const PathNode& node, const Placement& placement) {
 }
 
 Box boxOfEdge(const PathNode& from, Point to) {
+    ASSERT(from.edge != EdgeKind::Curve);
     Box box;
     box.include(from.point);
     box.include(to);
@@ -174,14 +220,16 @@ Box boxOfEdge(const PathNode& from, Point to) {
     return box;
 }
 
-Box boxOfPath(std::span<const PathNode> nodes, bool isClosed) {
+Box boxOfPath(const PathNodes& nodes, bool isClosed) {
     Box box;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const bool isLast = i + 1 == nodes.size();
         if (isLast && !isClosed) {
             box.include(nodes[i].point);
+        } else if (nodes[i].edge == EdgeKind::Curve) {
+            box.include(boxOf(bezierPieces(nodes.curveAt(i))));
         } else {
-            box.include(boxOfEdge(nodes[i], nodes[isLast ? 0 : i + 1].point));
+            box.include(boxOfEdge(nodes[i], nodes.endOf(i)));
         }
     }
     return box;

@@ -97,10 +97,10 @@ private:
 };
 
 /// Twice the area of a closed path, by the polygon that it is drawn as.
-__int128 twiceAreaOf(std::span<const PathNode> nodes) {
+__int128 twiceAreaOf(const PathNodes& path) {
     std::vector<Point> points;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        discretiseEdge(nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0].point, {}, points);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        discretiseEdge(path, i, {}, points);
     }
     return twiceArea(points);
 }
@@ -116,17 +116,19 @@ bool isFlat(std::span<const PathNode> nodes) {
     });
 }
 
-void addLoop(ShapeSketch& sketch, std::span<const PathNode> nodes, bool isHole) {
+void addLoop(ShapeSketch& sketch, const PathNodes& path, bool isHole) {
     sketch.beginContour(isHole);
-    std::ranges::for_each(nodes, [&](const PathNode& node) { sketch.addNode(node); });
+    sketch.addNodes(path);
 }
 
 /// Adds the loops of a contour, first those that wind as it does, then the others. False, and none added, where areas
 /// do not tell which those are: figures of eight whose halves cancel.
-bool addLoops(ShapeSketch& sketch, Loops loops, bool isHole) {
+bool addLoops(ShapeSketch& sketch, Loops loops, const CurveTable& curves, bool isHole) {
     std::erase_if(loops, isFlat);
     std::vector<__int128> areas;
-    std::ranges::transform(loops, std::back_inserter(areas), twiceAreaOf);
+    std::ranges::transform(loops, std::back_inserter(areas), [&](const std::vector<PathNode>& loop) {
+        return twiceAreaOf({loop, &curves});
+    });
     const __int128 sum = std::accumulate(areas.begin(), areas.end(), __int128{0});
     if (sum == 0 || std::ranges::find(areas, 0) != areas.end()) {
         return false;
@@ -134,7 +136,7 @@ bool addLoops(ShapeSketch& sketch, Loops loops, bool isHole) {
     for (const bool isAgainst : {false, true}) {
         for (std::size_t i = 0; i < loops.size(); ++i) {
             if (((areas[i] > 0) != (sum > 0)) == isAgainst) {
-                addLoop(sketch, loops[i], isHole != isAgainst);
+                addLoop(sketch, {loops[i], &curves}, isHole != isAgainst);
             }
         }
     }
@@ -155,7 +157,7 @@ std::optional<ShapeSketch> healSlits(const ShapeSketch& sketch) {
     ShapeSketch healed;
     bool isHealed = false;
     for (std::size_t i = 0; i < contours.size(); ++i) {
-        if (contours[i].hasSlits() && addLoops(healed, contours[i].loops(), sketch.isHole(i))) {
+        if (contours[i].hasSlits() && addLoops(healed, contours[i].loops(), sketch.curves(), sketch.isHole(i))) {
             isHealed = true;
         } else {
             addLoop(healed, sketch.contour(i), sketch.isHole(i));

@@ -68,10 +68,10 @@ std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, Boar
     const bool isCircle = step.elements.kind[element.element.row()] == ElementKind::Circle;
     const auto edge =
         nearestEdge(index, figures, element, location, isCircle ? std::numeric_limits<double>::infinity() : reach);
-    if (edge && !isCircle && !edge->isArc()) {
+    if (edge && !isCircle && !edge->isArc() && !edge->isOfCurve) {
         return endOf(*edge, location, (step.elements.flags[element.element.row()] & kPad) != 0);
     }
-    if (!edge) {
+    if (!edge || edge->isOfCurve) {
         return std::nullopt;
     }
     return isCircle ? rimOf(*edge, location) : Round{edge->centre, edge->radius, nearestOn(*edge, location)};
@@ -80,7 +80,7 @@ std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, Boar
 std::optional<Edge> straightAt(const BoardIndex& index, FigureCache& figures, BoardElement element, PointD location,
                                double reach) {
     const auto edge = nearestEdge(index, figures, element, location, reach);
-    return edge && !edge->isArc() && lengthOf(*edge) > 0 ? edge : std::nullopt;
+    return edge && !edge->isArc() && !edge->isOfCurve && lengthOf(*edge) > 0 ? edge : std::nullopt;
 }
 
 std::optional<PointD> linesCross(const Edge& a, const Edge& b) {

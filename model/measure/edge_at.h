@@ -18,7 +18,8 @@ struct Round {
 
 /// Of discs, holes and rings the rim nearest to the location, however far, and of oval pads that of the nearer end; of
 /// others the arc nearest to it: the middle line of a track, its round end where the location is beyond it, or a side
-/// of an area. Nothing if what is nearest is straight or farther away than `reach`.
+/// of an area. Nothing if what is nearest is straight, a NURBS curve, which has no one radius, or farther away than
+/// `reach`.
 [[nodiscard]] std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, BoardElement element,
                                            PointD location, double reach);
 

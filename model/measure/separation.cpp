@@ -7,6 +7,7 @@
 #include "model/figures/distance.h"
 #include "model/figures/overlap.h"
 #include "model/geometry/box_index.h"
+#include "model/geometry/curve_edges.h"
 #include "model/text/formatting.h"
 
 namespace model {
@@ -228,11 +229,8 @@ void noteOnEdge(const BoardIndex& index, const MeasureItem& edge, const PieceDis
     const PointD location = isFromEdge ? shortest.spacing.to : shortest.spacing.from;
     int winding = 0;
     for (const Contour& contour : board.shapes.contoursOf(board.profile)) {
-        const auto nodes = board.shapes.nodesOf(contour);
         int around = 0;
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            around += windingAround(edgeOf(nodes[i], nodes[(i + 1) % nodes.size()].point), location);
-        }
+        forEachEdge(board.shapes.nodesOf(contour), [&](const Edge& side) { around += windingAround(side, location); });
         winding += around != 0 ? (contour.isHole ? -1 : 1) : 0;
     }
     if (winding <= 0) {

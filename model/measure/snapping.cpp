@@ -200,7 +200,7 @@ private:
         const auto& [edge, element, layer] = near;
         const PointD onMiddle = nearestOn(edge, m_position);
         const double beside = distance(onMiddle, m_position);
-        if (edge.isArc()) {
+        if (edge.isArc() && !edge.isOfCurve) {
             offer(SnapKind::ArcCentre, edge.centre, element, layer);
         }
         if (beside > m_reach + edge.pen) {
@@ -210,11 +210,13 @@ private:
         if (isDot && !isFilled) {
             return;
         }
-        if (!edge.isFullCircle()) {
+        if (!edge.isFullCircle() && edge.startsThere()) {
             offer(SnapKind::End, edge.a, element, layer);
+        }
+        if (!edge.isFullCircle() && edge.endsThere()) {
             offer(SnapKind::End, edge.b, element, layer);
         }
-        if (const double full = lengthOf(edge); full > 0 && !edge.isFullCircle()) {
+        if (const double full = lengthOf(edge); full > 0 && !edge.isFullCircle() && !edge.isOfCurve) {
             offer(SnapKind::Middle, pointAt(edge, full / 2), element, layer);
         }
         if (beside <= m_reach && m_near.size() < kMostCrossing) {

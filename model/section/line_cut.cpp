@@ -5,6 +5,7 @@
 
 #include "model/figures/figures.h"
 #include "model/figures/tracks.h"
+#include "model/geometry/curve_edges.h"
 
 namespace model {
 
@@ -174,10 +175,7 @@ ElementCut cutArea(const Document& document, ElementId element, const CutLine& o
         holes.clear();
     };
     for (const Contour& contour : document.shapes.contoursOf(area.shape)) {
-        const std::span<const PathNode> nodes = document.shapes.nodesOf(contour);
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            crossings.add(edgeOf(nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0].point));
-        }
+        forEachEdge(document.shapes.nodesOf(contour), [&](const Edge& edge) { crossings.add(edge); });
         const Intervals inside = crossings.take();
         if (contour.isHole) {
             holes.insert(holes.end(), inside.begin(), inside.end());

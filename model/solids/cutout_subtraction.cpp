@@ -135,12 +135,7 @@ private:
             m_result = sketchOf(left);
             return;
         }
-        for (const Contour& contour : m_shapes.contoursOf(m_from)) {
-            m_result.beginContour(contour.isHole);
-            for (const PathNode& node : m_shapes.nodesOf(contour)) {
-                m_result.addNode(node);
-            }
-        }
+        m_result.append(m_shapes, m_from, {});
     }
 
     void addGroup(std::size_t group) {

@@ -28,15 +28,6 @@ void addCapsule(ShapeSketch& sketch, Point a, Point b, Nm width) {
     sketch.addNode(at(a, -1));
 }
 
-void addShape(ShapeSketch& sketch, const ShapeTable& shapes, ShapeId shape, const Placement& placement) {
-    for (const Contour& contour : shapes.contoursOf(shape)) {
-        sketch.beginContour(contour.isHole);
-        for (const PathNode& node : shapes.nodesOf(contour)) {
-            sketch.addNode(placed(node, placement));
-        }
-    }
-}
-
 Box boxOf(const PolygonSet& set) {
     Box box;
     for (const Point& point : set.points) {
@@ -84,8 +75,8 @@ Cutouts::Capsule Cutouts::addContours(const Document& document, ElementId elemen
             return capsule;
         }
         case ElementKind::Area:
-            addShape(m_contours, document.shapes, document.areas[row].shape,
-                     placement.after(document.areas[row].placement));
+            m_contours.append(document.shapes, document.areas[row].shape,
+                              placement.after(document.areas[row].placement));
             return {};
         case ElementKind::Arc:
         case ElementKind::Trail: return {};  // only polygons
@@ -106,7 +97,7 @@ Cutouts::Capsule Cutouts::addCircle(const CircleGeometry& circle, bool isHole, c
 void Cutouts::add(const ShapeTable& shapes, ShapeId shape, const Placement& placement) {
     const PolygonSet polygons = placed(discretise(shapes, shape, {}), placement);
     if (!polygons.polygons.empty()) {
-        addShape(m_contours, shapes, shape, placement);
+        m_contours.append(shapes, shape, placement);
         addRow(polygons, {});
     }
 }
@@ -114,9 +105,7 @@ void Cutouts::add(const ShapeTable& shapes, ShapeId shape, const Placement& plac
 void Cutouts::addInverted(std::size_t row, ShapeSketch& sketch) const {
     for (std::size_t i = m_firstContour[row]; i < m_firstContour[row + 1]; ++i) {
         sketch.beginContour(!m_contours.isHole(i));
-        for (const PathNode& node : m_contours.contour(i)) {
-            sketch.addNode(node);
-        }
+        sketch.addNodes(m_contours.contour(i));
     }
     if (m_firstContour[row] == m_firstContour[row + 1]) {
         for (const PolygonSet::Polygon& polygon : polygonsOf(row)) {

@@ -6,6 +6,7 @@
 
 #include "model/base/parallel.h"
 #include "model/figures/tracks.h"
+#include "model/geometry/curve_queries.h"
 #include "model/geometry/discretise.h"
 #include "model/geometry/edges.h"
 
@@ -59,9 +60,10 @@ double shapeArea(const ShapeTable& shapes, ShapeId shape) {
     for (const Contour& contour : shapes.contoursOf(shape)) {
         const auto nodes = shapes.nodesOf(contour);
         double own = 0.0;
+        const PointD base = base::toDouble(nodes[0].point);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            own += areaUnder(edgeOf(nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0].point),
-                             base::toDouble(nodes[0].point));
+            own += nodes[i].edge == EdgeKind::Curve ? areaUnder(bezierPieces(nodes.curveAt(i)), base)
+                                                    : areaUnder(edgeOf(nodes[i], nodes.endOf(i)), base);
         }
         area += contour.isHole ? -std::abs(own) : std::abs(own);
     }

@@ -42,7 +42,7 @@ std::optional<RoundHole> circleOf(std::span<const PathNode> nodes) {
     constexpr double kFarthest = 1.9e9;  // a cell there still has coordinates
     constexpr double kRounding = 2.0;
     const auto isPart = [&](const PathNode& node) {
-        return node.edge != model::EdgeKind::Line && node.edge == nodes[0].edge && node.centre == nodes[0].centre &&
+        return model::isArc(node.edge) && node.edge == nodes[0].edge && node.centre == nodes[0].centre &&
                std::abs(radiusOf(node) - radius) <= kRounding;
     };
     const bool isThere = std::max(std::abs(double(nodes[0].centre.x)), std::abs(double(nodes[0].centre.y))) < kFarthest;
@@ -180,9 +180,9 @@ private:
     /// Adds a contour as chords; false if nothing is left of it.
     bool addContour(std::size_t contour, PolygonSet& to) {
         m_loop.clear();
-        const std::span<const PathNode> nodes = m_shapes.nodesOf(m_contours[contour]);
+        const model::PathNodes nodes = m_shapes.nodesOf(m_contours[contour]);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            model::discretiseEdge(nodes[i], nodes[i + 1 < nodes.size() ? i + 1 : 0].point, m_how, m_loop);
+            model::discretiseEdge(nodes, i, m_how, m_loop);
         }
         if (!m_contours[contour].isHole) {
             to.beginPolygon();

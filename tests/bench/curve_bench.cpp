@@ -56,10 +56,10 @@ int main(int argc, char** argv) {
                 kept += model::edgesAlong(pieces, model::kMeasured).back().a.x;
             }
         });
-        const std::size_t chordCount = model::chordParameters(pieces, 5e3).size();
+        const std::size_t chordCount = model::chordPoints(pieces, 5e3).size();
         const double chords = rateOf(repeats, static_cast<double>(chordCount) * 200, [&] {
             for (int i = 0; i < 200; ++i) {
-                kept += model::chordParameters(pieces, 5e3).back();
+                kept += model::chordPoints(pieces, 5e3).back().x;
             }
         });
         const double nearest = rateOf(repeats, kQueries, [&] {

@@ -25,6 +25,7 @@ struct Trail {
     std::vector<PathNode> nodes;  ///< the last node repeats the first one of a closed chain
     std::vector<Nm> widths;       ///< per edge
     std::optional<Nm> radius;     ///< of the circle around nodes[0], if it is one
+    CurveTable curves;            ///< what nodes name that are followed by a NURBS
 
     [[nodiscard]] std::size_t edgeCount() const { return widths.size(); }
 };
@@ -102,6 +103,9 @@ private:
             m_lexer.next();
             expect(isShape ? "SHAPEDATA" : "LINEDATA");
             record.contours.push_back(parseTrail());
+            if (!isShape && record.contours.front().curves.size() > 0) {
+                throw SyntaxError{"a LINE with a NURBS was left out: only edges of a SHAPE may be curves"};
+            }
             while (isShape && m_lexer.peek() == "VOIDDATA") {
                 m_lexer.next();
                 record.contours.push_back(parseTrail());
@@ -146,8 +150,11 @@ private:
 
     void parseSegment(Trail& trail) {
         const std::string_view kind = m_lexer.next();
+        if (kind == "NURBS") {
+            return parseCurve(trail);
+        }
         if (kind != "STRAIGHT" && kind != "ARC") {
-            throw SyntaxError{"a record with an edge that is neither STRAIGHT, ARC nor CIRCLE was left out"};
+            throw SyntaxError{"a record with an edge that is neither STRAIGHT, ARC, NURBS nor CIRCLE was left out"};
         }
         m_lexer.next();  // id
         trail.widths.push_back(length());
@@ -160,6 +167,41 @@ private:
             from.edge = m_lexer.next() == "CW" ? EdgeKind::ArcClockwise : EdgeKind::ArcCounterClockwise;
         }
         trail.nodes.push_back({to, {}, EdgeKind::Line});
+    }
+
+    /// id, width, degree, number of control points; the weight of the first one, which the chain has come to; x, y and
+    /// weight of the others; the knots.
+    void parseCurve(Trail& trail) {
+        m_lexer.next();  // id
+        trail.widths.push_back(length());
+        Nurbs curve{static_cast<int>(count(kMostDegree)), {}, {}};
+        const std::size_t controls = count(kMostControls);
+        curve.controls.push_back({toDouble(trail.nodes.back().point), number()});
+        while (curve.controls.size() < controls) {
+            const double x = coordinate();
+            const double y = coordinate();
+            curve.controls.push_back({{x, y}, number()});
+        }
+        while (curve.knots.size() < controls + static_cast<std::size_t>(curve.degree) + 1) {
+            curve.knots.push_back(number());
+        }
+        const Point to = rounded(curve.controls.back().at);
+        curve.controls.back().at = toDouble(to);
+        if (const std::string fault = faultIn(curve.view()); !fault.empty()) {
+            throw SyntaxError{"a record with a curve " + fault + " was left out"};
+        }
+        trail.nodes.back() = PathNode::along(trail.nodes.back().point, trail.curves.add(curve.view()));
+        trail.nodes.push_back({to, {}, EdgeKind::Line});
+    }
+
+    /// A whole number from 0 to `most`.
+    std::size_t count(std::size_t most) {
+        const double value = number();
+        if (!(value >= 0 && value <= static_cast<double>(most)) || value != std::floor(value)) {
+            throw SyntaxError{"a record with a curve whose degree or number of control points is not from 0 to " +
+                              std::to_string(most) + " was left out"};
+        }
+        return static_cast<std::size_t>(value);
     }
 
     void expect(std::string_view word) {
@@ -188,18 +230,23 @@ private:
         }
     }
 
-    Nm length() {
+    Nm length() { return static_cast<Nm>(std::llround(coordinate())); }
+
+    /// In nm; not rounded.
+    double coordinate() {
         const double mil = number();
         if (!(std::abs(mil) <= base::kMaxCoordinate / base::kNmPerMil)) {
             throw SyntaxError{"a record with a length or coordinate beyond 1 m was left out"};
         }
-        return milToNm(mil);
+        return mil * base::kNmPerMil;
     }
 
     Point point() {
         const Nm x = length();
         return {x, length()};
     }
+
+    static constexpr std::size_t kMostControls = 100'000;
 
     Lexer m_lexer;
     const std::string& m_file;
@@ -303,20 +350,18 @@ private:
             sketch.addCircle(trail.nodes[0].point, *trail.radius, isHole);
             return;
         }
-        std::span<const PathNode> nodes = trail.nodes;
+        PathNodes nodes(trail.nodes, &trail.curves);
         if (nodes.size() < 2) {
             m_out.diagnostics().report(Severity::Warning, m_file, line, "a contour of one point was left out");
             return;
         }
         if (nodes.back().point == nodes.front().point) {
-            nodes = nodes.first(nodes.size() - 1);
+            nodes = {nodes.first(nodes.size() - 1), &trail.curves};
         } else {
             m_out.diagnostics().report(Severity::Info, m_file, line, "an open contour was closed by a straight edge");
         }
         sketch.beginContour(isHole);
-        for (const PathNode& node : nodes) {
-            sketch.addNode(node);
-        }
+        sketch.addNodes(nodes);
     }
 
     DocumentBuilder& m_out;

@@ -8,7 +8,8 @@
 #include "model/base/result.h"
 #include "model/board/document.h"
 
-/// The text format of the paper's published models (t1.txt): layers of lines and shapes in mil, with their heights.
+/// The text format of the paper's published models (t1.txt): layers of lines and shapes in mil, with their heights; and
+/// a record of ours for NURBS edges of shapes (docs/paper-format.md).
 namespace model::paper {
 
 /// Does the text begin like a model of the paper?

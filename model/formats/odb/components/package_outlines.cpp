@@ -76,9 +76,7 @@ void PackageOutlines::endContour(ShapeSketch& into) {
     const std::uint32_t row = m_parser.endSurface();
     for (const Contour& contour : m_contour.contoursOf(ShapeId{row})) {
         into.beginContour(contour.isHole && !into.isEmpty());
-        for (const PathNode& node : m_contour.nodesOf(contour)) {
-            into.addNode(node);
-        }
+        into.addNodes(m_contour.nodesOf(contour));
     }
 }
 
