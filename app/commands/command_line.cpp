@@ -178,7 +178,7 @@ void addRender(CLI::App& parent, Command& chosen) {
 }
 
 void addGenerate(CLI::App& parent, Command& chosen) {
-    CLI::App& command = *parent.add_subcommand("generate", "Generate a board for measurements, as an ODB++ job");
+    CLI::App& command = *parent.add_subcommand("generate", "Generate a board for measurements");
     GenerateArguments& arguments = argumentsOf(command, chosen, runGenerate);
     command.add_option("--like", arguments.like, "element counts of this model of the paper's Table 3: t1 to t9")
         ->required()
@@ -186,7 +186,9 @@ void addGenerate(CLI::App& parent, Command& chosen) {
     addNumber(command, "--scale", arguments.scale, 0.01, 100.0, "factor of the element counts");
     command.add_option("--seed", arguments.seed, "another number, another board of the same kind")
         ->capture_default_str();
-    command.add_option("-o,--output", arguments.output, "the job to write (.tgz)")->required();
+    command.add_flag("--nurbs", arguments.isNurbs, "as a text model of the paper whose areas have NURBS edges");
+    command.add_option("-o,--output", arguments.output, "the ODB++ job to write (.tgz), with --nurbs the model (.txt)")
+        ->required();
 }
 
 std::string presetNames() {

@@ -5,6 +5,7 @@
 
 #include "app/common/console_progress.h"
 #include "model/generate/job_writer.h"
+#include "model/generate/model_writer.h"
 
 namespace app {
 
@@ -15,7 +16,11 @@ base::Result<model::generate::Wanted> wantedBy(const GenerateArguments& argument
     if (model == nullptr) {
         return base::Error{base::ErrorCode::BadUsage, "the paper has no model " + arguments.like};
     }
-    if (!arguments.output.ends_with(".tgz") && !arguments.output.ends_with(".tar.gz")) {
+    if (arguments.isNurbs && !arguments.output.ends_with(".txt")) {
+        return base::Error{base::ErrorCode::BadUsage,
+                           arguments.output + ": ODB++ has no NURBS; boards with them are written as .txt"};
+    }
+    if (!arguments.isNurbs && !arguments.output.ends_with(".tgz") && !arguments.output.ends_with(".tar.gz")) {
         return base::Error{base::ErrorCode::BadUsage, arguments.output + ": jobs are written as .tgz"};
     }
     model::generate::Wanted wanted{{}, model->tracksPerTrail, arguments.seed};
@@ -30,7 +35,8 @@ base::Result<model::generate::Wanted> wantedBy(const GenerateArguments& argument
 Outcome runGenerate(const GenerateArguments& arguments) {
     ASSIGN_OR_RETURN(const model::generate::Wanted wanted, wantedBy(arguments));
     ConsoleProgress console;
-    RETURN_IF_ERROR(model::generate::writeJob(wanted, arguments.output, console.progress()));
+    const auto write = arguments.isNurbs ? model::generate::writeModel : model::generate::writeJob;
+    RETURN_IF_ERROR(write(wanted, arguments.output, console.progress()));
     return int{kDone};
 }
 

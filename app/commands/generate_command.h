@@ -11,6 +11,7 @@ struct GenerateArguments {
     std::string like;  ///< a row of the paper's Table 3: "t1" to "t9"
     double scale = 1.0;
     std::uint64_t seed = 1;
+    bool isNurbs = false;  ///< as a text model whose areas have NURBS edges
     std::string output;
 };
 

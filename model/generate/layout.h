@@ -6,8 +6,8 @@
 #include <vector>
 
 /// Boards made up to measure: the element counts of the paper's Table 3, laid out like a board and written as an ODB++
-/// job (job_writer.h). Here is where their elements lie. Arithmetic only: a block is worked out whenever it is
-/// requested, so that a board of millions of elements needs no memory.
+/// job (job_writer.h), or as a text model with curves (model_writer.h). Here is where their elements lie. Arithmetic
+/// only: a block is worked out whenever it is requested, so that a board of millions of elements needs no memory.
 namespace model::generate {
 
 /// Elements by kind, in the order of model::ElementKind: line, arc, circle, trail, area.

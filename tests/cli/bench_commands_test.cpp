@@ -58,6 +58,19 @@ private slots:
         QCOMPARE(copperscope({"generate", "--like", "t1", "-o", "/nonexistent/t1.tgz"}).exitCode, 3);
     }
 
+    void generatedModelsHaveCurves() {
+        const QTemporaryDir folder;
+        const QString model = folder.filePath("t1.txt");
+        QCOMPARE(copperscope({"generate", "--nurbs", "--like", "t1", "-o", model}).exitCode, 0);
+        const QJsonObject elements =
+            QJsonDocument::fromJson(copperscope({"info", model, "--json"}).out).object()["elements"].toObject();
+        QCOMPARE(elements["circle"].toInt(), 1395);
+        QCOMPARE(elements["area"].toInt(), 823);
+        const auto job = copperscope({"generate", "--nurbs", "--like", "t1", "-o", folder.filePath("t1.tgz")});
+        QCOMPARE(job.exitCode, 1);
+        QVERIFY(job.err.contains("ODB++ has no NURBS"));
+    }
+
     void theStandardPipelineDrawsToo() {
         const QTemporaryDir folder;
         const QString picture = folder.filePath("board.png");
