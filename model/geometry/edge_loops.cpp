@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/geometry/curve_edges.h"
 #include "model/geometry/vectors.h"
 
 namespace model {
@@ -42,6 +43,30 @@ double signedArea(std::span<const Edge> loop) {
     return area;
 }
 
+Nurbs reversed(Nurbs curve) {
+    std::ranges::reverse(curve.controls);
+    std::ranges::reverse(curve.knots);
+    const double sum = curve.knots.front() + curve.knots.back();
+    for (double& knot : curve.knots) {
+        knot = sum - knot;
+    }
+    return curve;
+}
+
+/// Those of the loop that begins with the edge `first`.
+void turnCurvesRound(std::vector<EdgeLoops::CurveRun>& curves, std::uint32_t first, std::uint32_t count) {
+    const auto isOfLoop = [=](const EdgeLoops::CurveRun& run) {
+        return first <= run.firstEdge && run.firstEdge < first + count;
+    };
+    for (EdgeLoops::CurveRun& run : curves) {
+        if (isOfLoop(run)) {
+            run.firstEdge = first + (first + count - run.firstEdge - run.edgeCount);
+            run.curve = reversed(std::move(run.curve));
+        }
+    }
+    std::ranges::sort(curves, {}, &EdgeLoops::CurveRun::firstEdge);
+}
+
 void turnRound(std::span<Edge> loop) {
     std::ranges::reverse(loop);
     for (Edge& edge : loop) {
@@ -61,6 +86,18 @@ Edge reversed(const Edge& edge) {
 void EdgeLoops::clear() {
     edges.clear();
     loopStart.assign(1, 0);
+    curves.clear();
+}
+
+void EdgeLoops::addCurve(const NurbsView& curve) {
+    CurveRun run{static_cast<std::uint32_t>(edges.size()), 0, {curve.degree, {}, {}}};
+    for (const Edge& edge : edgesOf(curve)) {
+        edges.push_back(edge);
+    }
+    run.edgeCount = static_cast<std::uint32_t>(edges.size()) - run.firstEdge;
+    run.curve.knots.assign(curve.knots.begin(), curve.knots.end());
+    run.curve.controls.assign(curve.controls.begin(), curve.controls.end());
+    curves.push_back(std::move(run));
 }
 
 void EdgeLoops::addLine(PointD a, PointD b) {
@@ -90,11 +127,13 @@ bool EdgeLoops::endLoop() {
     const double area = loop.empty() ? 0.0 : signedArea(loop);
     if (area == 0.0) {
         edges.resize(loopStart.back());
+        std::erase_if(curves, [this](const CurveRun& run) { return run.firstEdge >= edges.size(); });
         return false;
     }
     const bool isHole = loopCount() > 0;
     if ((area > 0.0) == isHole) {
         turnRound(loop);
+        turnCurvesRound(curves, loopStart.back(), static_cast<std::uint32_t>(loop.size()));
     }
     for (Edge& edge : loop) {
         edge.isHole = isHole;
@@ -143,16 +182,28 @@ EdgeLoops placed(const EdgeLoops& loops, const Placement& placement) {
     for (Edge& edge : moved.edges) {
         edge = placed(edge, placement);
     }
+    for (EdgeLoops::CurveRun& run : moved.curves) {
+        for (ControlPoint& control : run.curve.controls) {
+            control.at = placement.apply(control.at);
+        }
+    }
     if (placement.isMirrored) {
         for (std::size_t i = 0; i < moved.loopCount(); ++i) {
             const std::uint32_t first = moved.loopStart[i];
-            turnRound(std::span(moved.edges).subspan(first, moved.loopStart[i + 1] - first));
+            const std::uint32_t count = moved.loopStart[i + 1] - first;
+            turnRound(std::span(moved.edges).subspan(first, count));
+            turnCurvesRound(moved.curves, first, count);
         }
     }
     for (Edge& edge : moved.edges) {
         edge.winding = edge.isHole ? -1 : 1;
     }
     return moved;
+}
+
+const EdgeLoops::CurveRun* curveAt(const EdgeLoops& loops, std::size_t row) {
+    const auto found = std::ranges::lower_bound(loops.curves, row, {}, &EdgeLoops::CurveRun::firstEdge);
+    return found != loops.curves.end() && found->firstEdge == row ? &*found : nullptr;
 }
 
 Box boxOf(const EdgeLoops& loops) {

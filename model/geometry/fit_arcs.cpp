@@ -127,6 +127,9 @@ void addFitted(EdgeLoops& fitted, std::span<const Edge> loop, double tolerance) 
 }  // namespace
 
 EdgeLoops withFittedArcs(const EdgeLoops& region, double tolerance) {
+    if (!region.curves.empty()) {
+        return region;
+    }
     EdgeLoops fitted;
     for (std::size_t i = 0; i < region.loopCount(); ++i) {
         addFitted(fitted, region.loop(i), tolerance);

@@ -103,6 +103,45 @@ void StepSolidText::addArc(Rim& rim, const Rim& next, const Edge& arc, const ZRa
         m_text.add("CYLINDRICAL_SURFACE('',", axis[Bottom], ",", StepText::Ratio{base::toMm(arc.radius)}, ")");
 }
 
+StepId StepSolidText::curveAt(const NurbsView& curve, Nm z) {
+    m_loop.clear();
+    bool isRational = false;
+    for (const ControlPoint& control : curve.controls) {
+        m_loop.push_back(m_text.point(control.at, z));
+        isRational = isRational || control.weight != curve.controls.front().weight;
+    }
+    std::vector<StepText::Ratio> knots;
+    std::vector<int> multiplicities;
+    for (const double knot : curve.knots) {
+        if (knots.empty() || knot != knots.back().value) {
+            knots.push_back({knot});
+            multiplicities.push_back(0);
+        }
+        ++multiplicities.back();
+    }
+    if (!isRational) {
+        return m_text.add("B_SPLINE_CURVE_WITH_KNOTS('',", curve.degree, ",", m_loop, ",.UNSPECIFIED.,.F.,.F.,",
+                          multiplicities, ",", knots, ",.UNSPECIFIED.)");
+    }
+    std::vector<StepText::Ratio> weights;
+    for (const ControlPoint& control : curve.controls) {
+        weights.push_back({control.weight});
+    }
+    return m_text.add("(BOUNDED_CURVE()B_SPLINE_CURVE(", curve.degree, ",", m_loop,
+                      ",.UNSPECIFIED.,.F.,.F.)B_SPLINE_CURVE_WITH_KNOTS(", multiplicities, ",", knots,
+                      ",.UNSPECIFIED.)CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE(", weights,
+                      ")REPRESENTATION_ITEM(''))");
+}
+
+void StepSolidText::addCurve(Rim& rim, const Rim& next, const NurbsView& curve, const ZRange& z) {
+    for (const Face face : {Bottom, Top}) {
+        const StepId made = curveAt(curve, face == Top ? z.top : z.bottom);
+        rim.edge[face] = m_text.add("EDGE_CURVE('',", rim.vertex[face], ",", next.vertex[face], ",", made, ",.T.)");
+        rim.surface =
+            face == Bottom ? m_text.add("SURFACE_OF_LINEAR_EXTRUSION('',", made, ",", m_upwards, ")") : rim.surface;
+    }
+}
+
 StepId StepSolidText::addWall(Rim& rim, const Rim& next, bool isInward) {
     rim.used[Bottom] = oriented(rim.edge[Bottom], false);
     rim.used[Top] = oriented(rim.edge[Top], true);
@@ -114,9 +153,9 @@ StepId StepSolidText::addWall(Rim& rim, const Rim& next, bool isInward) {
 
 StepId StepSolidText::addLid(const Shell& shell, Face face) {
     m_bounds.clear();
-    for (std::size_t i = 0; i < shell.outline.loopCount(); ++i) {
-        const std::uint32_t first = shell.outline.loopStart[i];
-        const std::uint32_t end = shell.outline.loopStart[i + 1];
+    for (std::size_t i = 0; i + 1 < m_loopStart.size(); ++i) {
+        const std::uint32_t first = m_loopStart[i];
+        const std::uint32_t end = m_loopStart[i + 1];
         m_loop.clear();
         for (std::uint32_t k = first; k < end; ++k) {
             m_loop.push_back(m_rims[face == Top ? k : end - 1 - (k - first)].used[face]);
@@ -128,25 +167,45 @@ StepId StepSolidText::addLid(const Shell& shell, Face face) {
     return m_text.add("ADVANCED_FACE('',", m_bounds, ",", plane, face == Top ? ",.T.)" : ",.F.)");
 }
 
+void StepSolidText::addEdge(const EdgeLoops& outline, std::size_t row, Rim& rim, const Rim& next, const ZRange& z) {
+    if (const EdgeLoops::CurveRun* run = model::curveAt(outline, row)) {
+        addCurve(rim, next, run->curve.view(), z);
+    } else if (outline.edges[row].isArc()) {
+        addArc(rim, next, outline.edges[row], z);
+    } else {
+        addLine(rim, next, outline.edges[row]);
+    }
+}
+
+/// Takes the edges of a loop as rims: one for each, but one for all edges of a curve.
+void StepSolidText::addRims(const EdgeLoops& outline, std::size_t loop) {
+    for (std::uint32_t row = outline.loopStart[loop]; row < outline.loopStart[loop + 1];) {
+        m_rows.push_back(row);
+        const EdgeLoops::CurveRun* run = model::curveAt(outline, row);
+        row += run != nullptr ? run->edgeCount : 1;
+    }
+    m_loopStart.push_back(static_cast<std::uint32_t>(m_rows.size()));
+}
+
 StepId StepSolidText::add(const Shell& shell) {
     const EdgeLoops& outline = shell.outline;
-    m_rims.assign(outline.edges.size(), {});
+    m_rows.clear();
+    m_loopStart.assign(1, 0);
     m_faces.clear();
     for (std::size_t i = 0; i < outline.loopCount(); ++i) {
-        const std::uint32_t first = outline.loopStart[i];
-        const std::uint32_t end = outline.loopStart[i + 1];
+        addRims(outline, i);
+    }
+    m_rims.assign(m_rows.size(), {});
+    for (std::size_t i = 0; i + 1 < m_loopStart.size(); ++i) {
+        const std::uint32_t first = m_loopStart[i];
+        const std::uint32_t end = m_loopStart[i + 1];
         for (std::uint32_t k = first; k < end; ++k) {
-            addCorner(m_rims[k], outline.edges[k].a, shell.z);
+            addCorner(m_rims[k], outline.edges[m_rows[k]].a, shell.z);
         }
         for (std::uint32_t k = first; k < end; ++k) {
-            const Edge& edge = outline.edges[k];
             const Rim& next = m_rims[k + 1 < end ? k + 1 : first];
-            if (edge.isArc()) {
-                addArc(m_rims[k], next, edge, shell.z);
-            } else {
-                addLine(m_rims[k], next, edge);
-            }
-            m_faces.push_back(addWall(m_rims[k], next, edge.isArc() && edge.isClockwise));
+            addEdge(outline, m_rows[k], m_rims[k], next, shell.z);
+            m_faces.push_back(addWall(m_rims[k], next, m_rims[k].isInward));
         }
     }
     m_faces.push_back(addLid(shell, Top));

@@ -9,9 +9,10 @@
 
 namespace model {
 
-/// Writes shells as MANIFOLD_SOLID_BREP entities: planes, cylinders, lines and circles, no curves in the parameters of
-/// surfaces (a reader makes those), a circle as one edge with a seam. A prism of n edges in k loops takes at most
-/// 24 n + 14 + 4 (k - 1) entities; the planes of faces, directions and vectors are shared by all solids.
+/// Writes shells as MANIFOLD_SOLID_BREP entities: planes, cylinders, extruded B-splines, lines and circles, no curves
+/// in the parameters of surfaces (a reader makes those), a circle as one edge with a seam. A prism of n edges in k
+/// loops takes at most 24 n + 14 + 4 (k - 1) entities; the planes of faces, directions and vectors are shared by all
+/// solids.
 class StepSolidText {
 public:
     explicit StepSolidText(StepText& text);
@@ -34,6 +35,7 @@ private:
         StepId used[2];  ///< the edge as both its wall and its lid run along it
         StepId upright;
         StepId surface;  ///< of its wall
+        bool isInward;   ///< the surface's own normal points into the solid
     };
     struct Direction {
         StepId direction;
@@ -45,8 +47,12 @@ private:
     StepId axisAt(StepId point);
     void addCorner(Rim& rim, base::PointD corner, const ZRange& z);
     void addLine(Rim& rim, const Rim& next, const Edge& line);
+    void addCurve(Rim& rim, const Rim& next, const NurbsView& curve, const ZRange& z);
+    StepId curveAt(const NurbsView& curve, Nm z);
+    void addEdge(const EdgeLoops& outline, std::size_t row, Rim& rim, const Rim& next, const ZRange& z);
     void addArc(Rim& rim, const Rim& next, const Edge& arc, const ZRange& z);
     StepId addWall(Rim& rim, const Rim& next, bool isInward);
+    void addRims(const EdgeLoops& outline, std::size_t loop);
     StepId addLid(const Shell& shell, Face face);
     StepId oriented(StepId edge, bool isForward);
 
@@ -59,6 +65,8 @@ private:
     std::unordered_map<std::uint64_t, Direction> m_directions;
     // Of the shell that is being written.
     std::vector<Rim> m_rims;
+    std::vector<std::uint32_t> m_rows;       ///< of the region's edges that rims begin; curves are one rim
+    std::vector<std::uint32_t> m_loopStart;  ///< as EdgeLoops::loopStart, of m_rims
     std::vector<StepId> m_faces;
     std::vector<StepId> m_bounds;
     std::vector<StepId> m_loop;

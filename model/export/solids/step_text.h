@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/base/point.h"
 
@@ -49,6 +50,17 @@ private:
     void put(StepId id);
     void put(Length length);
     void put(Ratio ratio);
+    void put(int number) { m_text += std::to_string(number); }
+    /// A list of whatever put() takes, in parentheses.
+    template <class Item>
+    void put(const std::vector<Item>& items) {
+        m_text += '(';
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            m_text += i > 0 ? "," : "";
+            put(items[i]);
+        }
+        m_text += ')';
+    }
     void put(std::span<const StepId> ids);
 
     std::string m_text;

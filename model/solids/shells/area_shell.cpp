@@ -4,19 +4,23 @@ namespace model {
 
 namespace {
 
-void addEdge(EdgeLoops& loops, const PathNode& node, Point next) {
-    if (node.edge == EdgeKind::Line) {
-        loops.addLine(toDouble(node.point), toDouble(next));
-    } else {
-        loops.addArc(toDouble(node.point), toDouble(next), toDouble(node.centre), node.edge == EdgeKind::ArcClockwise);
+void addEdge(EdgeLoops& loops, const PathNodes& nodes, std::size_t i) {
+    const PathNode& node = nodes[i];
+    switch (node.edge) {
+        case EdgeKind::Line: return loops.addLine(toDouble(node.point), toDouble(nodes.endOf(i)));
+        case EdgeKind::Curve: return loops.addCurve(nodes.curveAt(i));
+        case EdgeKind::ArcClockwise:
+        case EdgeKind::ArcCounterClockwise:
+            return loops.addArc(toDouble(node.point), toDouble(nodes.endOf(i)), toDouble(node.centre),
+                                node.edge == EdgeKind::ArcClockwise);
     }
 }
 
-bool isCircle(std::span<const PathNode> nodes) {
-    return nodes.size() == 1 && nodes.front().edge != EdgeKind::Line;
+bool isCircle(const PathNodes& nodes) {
+    return nodes.size() == 1 && nodes.front().edge != EdgeKind::Line && nodes.front().edge != EdgeKind::Curve;
 }
 
-bool addContour(EdgeLoops& loops, std::span<const PathNode> nodes) {
+bool addContour(EdgeLoops& loops, const PathNodes& nodes) {
     if (isCircle(nodes)) {
         const Edge circle = edgeOf(nodes.front(), nodes.front().point);
         const std::size_t before = loops.loopCount();
@@ -24,7 +28,7 @@ bool addContour(EdgeLoops& loops, std::span<const PathNode> nodes) {
         return loops.loopCount() > before;
     }
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        addEdge(loops, nodes[i], nodes[(i + 1) % nodes.size()].point);
+        addEdge(loops, nodes, i);
     }
     return loops.endLoop();
 }

@@ -150,6 +150,34 @@ private slots:
         QCOMPARE(model::reversed(model::reversed(arc)).b, arc.b);
         QCOMPARE(model::lengthOf(model::reversed(arc)), model::lengthOf(arc));
     }
+
+    void curvesStayWhatTheyAreHoweverARegionIsTurned() {
+        EdgeLoops loops;
+        const model::Nurbs bow{2, {0, 0, 0, 1, 1, 1}, {{{0, 0}, 1}, {{5e5, 2e6}, 0.7}, {{1e6, 0}, 1}}};
+        loops.addCurve(bow.view());  // clockwise, so that the loop is turned round
+        loops.addLine({1e6, 0}, {0, 0});
+        QVERIFY(loops.endLoop());
+        QCOMPARE(loops.curves.size(), std::size_t{1});
+        const auto check = [](const EdgeLoops& region) {
+            const EdgeLoops::CurveRun& run = region.curves.front();
+            QVERIFY(model::curveAt(region, run.firstEdge) == &run);
+            const model::NurbsView curve = run.curve.view();
+            QVERIFY(model::faultIn(curve).empty());
+            QCOMPARE(model::pointOn(curve, curve.from()), region.edges[run.firstEdge].a);
+            QCOMPARE(model::pointOn(curve, curve.to()), region.edges[run.firstEdge + run.edgeCount - 1].b);
+            const model::PointD middle = model::pointOn(curve, (curve.from() + curve.to()) / 2);
+            double nearest = 1e9;
+            for (std::uint32_t i = run.firstEdge; i < run.firstEdge + run.edgeCount; ++i) {
+                const model::PointD on = model::nearestOn(region.edges[i], middle);
+                nearest = std::min(nearest, std::hypot(on.x - middle.x, on.y - middle.y));
+            }
+            QVERIFY(nearest < 0.3);
+        };
+        check(loops);
+        check(model::placed(loops, {{1'000, 2'000}, 30.0, true}));
+        loops.addCurve(bow.view());
+        QVERIFY(!loops.endLoop() || loops.loopCount() == 2);
+    }
 };
 
 QTEST_APPLESS_MAIN(EdgeLoopsTest)

@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "tests/unit/model/export/solids/step_file_reading.h"
+#include "tests/unit/model/geometry/some_curves.h"
 #include "tests/unit/model/hand_made.h"
 
 using namespace hand_made;
@@ -119,6 +120,43 @@ private slots:
         const Exported merged = exported(choice);
         QCOMPARE(merged.report.solids, std::uint64_t{1});
         QCOMPARE(faultOf(merged.entities), QString());
+    }
+
+    void curvesAreWrittenAsThemselves() {
+        model::DocumentBuilder builder;
+        addLayers(builder, kStackup);
+        builder.beginLayer(model::LayerId{std::size_t{0}});
+        const model::Nurbs rational = model::testing::circleCurve({0, 0}, 1e6);
+        const model::Nurbs plain{3,
+                                 {0, 0, 0, 0, 1, 2, 2, 2, 2},
+                                 {{{4e6, 0}, 1}, {{5e6, 1e6}, 1}, {{6e6, -1e6}, 1}, {{7e6, 1e6}, 1}, {{8e6, 0}, 1}}};
+        model::ShapeSketch disc;
+        disc.beginContour(false);
+        disc.addCurve({kMm, 0}, rational.view(), {kMm, 0});
+        model::ShapeSketch bay;
+        bay.beginContour(false);
+        bay.addNode(model::Point{4 * kMm, 3 * kMm});
+        bay.addCurve({4 * kMm, 0}, plain.view(), {8 * kMm, 0});
+        bay.addNode(model::Point{8 * kMm, 0});
+        bay.addNode(model::Point{8 * kMm, 3 * kMm});
+        for (const model::ShapeSketch& sketch : {disc, bay}) {
+            builder.addArea({builder.addShape(sketch), {{0, 0}, 0.0, &sketch == &bay}}, {});
+        }
+        const auto document = builder.finish();
+        const QTemporaryDir folder;
+        base::Progress progress;
+        const SolidPlan plan = *model::planSolids(*document, {}, progress);
+        const std::filesystem::path path = folder.filePath("curves.step").toStdString();
+        QCOMPARE((*model::exportStep(plan, {}, path, progress)).solids, std::uint64_t{2});
+        QFile file(QString::fromStdString(path.string()));
+        QVERIFY(file.open(QFile::ReadOnly));
+        const QString text = file.readAll();
+        const auto entities = entitiesOf(text);
+        QCOMPARE(faultOf(entities), QString());
+        QCOMPARE(countOf(entities, "B_SPLINE_CURVE_WITH_KNOTS"), 2);
+        QCOMPARE(text.count("RATIONAL_B_SPLINE_CURVE"), 2);
+        QCOMPARE(countOf(entities, "SURFACE_OF_LINEAR_EXTRUSION"), 2);
+        QCOMPARE(countOf(entities, "CYLINDRICAL_SURFACE"), 0);
     }
 
     void whatCannotBeBuiltIsListedWithItsReason() {

@@ -1,0 +1,100 @@
+// export and verify: what leaves a board, and the proof of it.
+#include <QDir>
+#include <QJsonDocument>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "tests/cli/program.h"
+
+using namespace program;
+
+class ExportCommandsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyFormatIsWritten_data() {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<QByteArray>("begins");
+        QTest::newRow("STEP") << "step" << QByteArray("ISO-10303-21;");
+        QTest::newRow("GLB") << "glb" << QByteArray("glTF");
+        QTest::newRow("STL") << "STL" << QByteArray();
+        QTest::newRow("OBJ") << "obj" << QByteArray("#");
+        QTest::newRow("DXF") << "dxf" << QByteArray();
+        QTest::newRow("SVG") << "svg" << QByteArray("<?xml");
+        QTest::newRow("PDF") << "pdf" << QByteArray("%PDF");
+    }
+    void everyFormatIsWritten() {
+        QFETCH(QString, ending);
+        QFETCH(QByteArray, begins);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("board." + ending);
+        const Outcome done = copperscope({"export", locations::kSample, "--layers", "L01-TOP_LAYER", "-o", path});
+        QVERIFY2(done.exitCode == 0, done.err.constData());
+        QVERIFY(done.out.isEmpty());
+        QFile file(path);
+        QVERIFY(file.open(QFile::ReadOnly));
+        QVERIFY(file.size() > 1000);
+        QVERIFY(file.read(100).startsWith(begins));
+    }
+
+    void filtersMakeItSmaller() {
+        const QTemporaryDir folder;
+        const auto size = [&](const QStringList& more) {
+            const QString path = folder.filePath("board.step");
+            const int code = copperscope(QStringList{"export", locations::kSample, "-o", path} + more).exitCode;
+            return code == 0 ? QFileInfo(path).size() : -code;
+        };
+        const qint64 top = size({"--layers", "L01-TOP_LAYER"});
+        QVERIFY(top > 0);
+        QVERIFY(size({"--layers", "L01-TOP_LAYER", "--nets", "GND"}) < top);
+        QVERIFY(size({"--layers", "L01-TOP_LAYER", "--window", "0,0,5,5"}) < top);
+        QVERIFY(size({"--outer-only", "--min-hole", "0.5mm"}) > 0);
+        QCOMPARE(size({"--layers", "nowhere"}), -1);
+        QCOMPARE(size({"--nets", "nowhere"}), -1);
+        QCOMPARE(size({"--window", "3,3,3,9"}), -1);
+        QCOMPARE(size({"--min-hole", "3 apples"}), -1);
+    }
+
+    void refusesInPlainWords() {
+        const QTemporaryDir folder;
+        const Outcome unknown = copperscope({"export", locations::kSample, "-o", folder.filePath("board.xyz")});
+        QCOMPARE(unknown.exitCode, 1);
+        QVERIFY(unknown.err.contains(".step"));
+        const Outcome nowhere = copperscope({"export", locations::kSample, "-o", folder.filePath("no/board.dxf")});
+        QCOMPARE(nowhere.exitCode, 3);
+        QVERIFY(nowhere.err.contains("cannot be written"));
+        QCOMPARE(copperscope({"export", locations::kSample, "-o", "/dev/full", "--layers", "top"}).exitCode, 1);
+        QCOMPARE(copperscope({"export", locations::kSample, "-o", folder.filePath("a.dxf"), "--nets", "GND"}).exitCode,
+                 1);
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void solidsAreProvedByAnIndependentReader() {
+        const Outcome done = copperscope({"verify", locations::kSample, "--layers", "L01-TOP_LAYER", "--sample", "60",
+                                          "--points", "400", "--no-pictures", "--json"});
+        if (done.err.contains("OpenCASCADE")) {
+            QCOMPARE(done.exitCode, 1);
+            QSKIP("this build has no OpenCASCADE");
+        }
+        QVERIFY2(done.exitCode == 0, done.err.constData());
+        const QJsonDocument report = QJsonDocument::fromJson(done.out);
+        QVERIFY(report["passed"].toBool());
+        QVERIFY(report["solids"].toInt() >= 20);
+        QCOMPARE(report["solids"], report["expected"]);
+        QVERIFY(report["points"]["share"].toDouble() >= 0.9999);
+    }
+
+    void wrongSolidsAreFound() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("other.step");
+        QCOMPARE(copperscope({"export", locations::kSample, "-o", path, "--layers", "top_overlay", "--as-designed"})
+                     .exitCode,
+                 0);
+        const Outcome done = copperscope({"verify", locations::kSample, "--layers", "bottom_overlay", "--step", path,
+                                          "--points", "100", "--no-pictures"});
+        QVERIFY(done.exitCode == 4 || (done.exitCode == 1 && done.err.contains("OpenCASCADE")));
+    }
+};
+
+QTEST_APPLESS_MAIN(ExportCommandsTest)
+#include "export_commands_test.moc"
