@@ -111,34 +111,53 @@ private:
         m_sheet.polygons.push_back({{std::move(contour)}, fill});
     }
 
-    /// What has one colour is filled at once. Dielectrics of several colours lie on all of them in one, so that the
-    /// paper does not shine through between them.
+    [[nodiscard]] std::vector<std::pair<double, double>> contourOf(const SectionPiece& piece) const {
+        const double top = y(piece.top);
+        const double bottom = std::max(y(piece.bottom), top + kLeast);
+        return {{x(piece.from), bottom}, {x(piece.to), bottom}, {x(piece.upperTo()), top}, {x(piece.upperFrom()), top}};
+    }
+
+    /// All that the board is made of; without contours if none of it is a dielectric.
+    [[nodiscard]] SheetPolygon underBoard() const {
+        SheetPolygon under;
+        const auto first =
+            std::ranges::find_if(m_drawn, [](const SectionPiece& piece) { return isDielectric(piece.material); });
+        for (const SectionPiece& piece : first != m_drawn.end() ? m_drawn : std::vector<SectionPiece>{}) {
+            if (isBoard(piece.material)) {
+                under.contours.push_back(contourOf(piece));
+                under.fill = colourOf(*first, m_how.colours);
+            }
+        }
+        return under;
+    }
+
+    static bool isBoard(SectionMaterial material) {
+        switch (material) {
+            case SectionMaterial::Paste:
+            case SectionMaterial::Silkscreen:
+            case SectionMaterial::Part:
+            case SectionMaterial::Terminal:
+            case SectionMaterial::Other: return false;
+            default: return true;
+        }
+    }
+
+    /// What has one colour is filled at once. Under all that the board is made of lies the colour of its first
+    /// dielectric, so that the paper does not shine through between neighbours.
     void addPieces() {
         std::vector<std::pair<int, SheetPolygon>> groups;
         for (const SectionPiece& piece : m_drawn) {
-            const double top = y(piece.top);
-            const double bottom = std::max(y(piece.bottom), top + kLeast);
             const auto key = std::pair(drawOrderOf(piece.material), colourOf(piece, m_how.colours));
             auto group = std::ranges::find_if(
                 groups, [&](const auto& own) { return std::pair(own.first, own.second.fill) == key; });
             if (group == groups.end()) {
                 group = groups.insert(groups.end(), {key.first, {{}, key.second}});
             }
-            group->second.contours.push_back({{x(piece.from), bottom},
-                                              {x(piece.to), bottom},
-                                              {x(piece.upperTo()), top},
-                                              {x(piece.upperFrom()), top}});
+            group->second.contours.push_back(contourOf(piece));
         }
         std::ranges::stable_sort(groups, {}, [](const auto& group) { return group.first; });
-        SheetPolygon under;
-        const auto first = std::ranges::find(groups, 0, [](const auto& group) { return group.first; });
-        for (const auto& [order, polygon] : groups) {
-            if (order == 0 && polygon.fill != first->second.fill) {
-                under.contours.insert(under.contours.end(), polygon.contours.begin(), polygon.contours.end());
-            }
-        }
+        SheetPolygon under = underBoard();
         if (!under.contours.empty()) {
-            under.fill = first->second.fill;
             m_sheet.polygons.push_back(std::move(under));
         }
         for (auto& [order, polygon] : groups) {

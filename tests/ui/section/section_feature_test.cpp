@@ -276,14 +276,13 @@ private slots:
         for (const auto& [colours, name] : view().legend()) {
             swatches += qsizetype(colours.size());
         }
-        // Dielectrics of other colours than the first lie on what has its colour.
+        // All but print and parts lies on what has the colour of its first dielectric.
         qsizetype under = 0;
-        std::optional<std::uint32_t> first;
         for (const SectionPiece& piece : model::merged(view().section()->pieces)) {
-            if (model::drawOrderOf(piece.material) == 0) {
-                first = first ? first : model::colourOf(piece.material);
-                under += model::colourOf(piece.material) != first ? 1 : 0;
-            }
+            const int order = model::drawOrderOf(piece.material);
+            const bool isPrinted =
+                piece.material == model::SectionMaterial::Silkscreen || piece.material == model::SectionMaterial::Paste;
+            under += (order == 0 || order == 3) && !isPrinted ? 1 : 0;
         }
         QCOMPARE(contours, count + swatches + under);
         QVERIFY(!sections().save("/nowhere/cut.svg"));

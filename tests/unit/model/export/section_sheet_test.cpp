@@ -83,11 +83,11 @@ private slots:
     /// Two polygons of one colour would let the paper through between them.
     void whatHasOneColourIsFilledAtOnce() {
         const SectionSheet sheet = sheetOf({{-5e6, 5e6}, {25e6, 5e6}});
-        // Under the core lies what all dielectrics lie on; the legend has a swatch each.
+        // Under all lies what the paper does not shine through; the legend has a swatch each.
         QCOMPARE(filledWith(sheet, kPrepreg), std::size_t{3});
         QCOMPARE(filledWith(sheet, kCore), std::size_t{2});
         QCOMPARE(sheet.polygons[0].fill, kPrepreg);
-        QCOMPARE(sheet.polygons[0].contours.size(), std::size_t{1});  // the core
+        QCOMPARE(sheet.polygons[0].contours.size(), std::size_t{5});  // three dielectrics, copper on both sides
         QCOMPARE(sheet.polygons[1].fill, kPrepreg);
         QCOMPARE(sheet.polygons[1].contours.size(), std::size_t{2});
     }
