@@ -64,7 +64,11 @@ PointD clamped(PointD p) {
 class Cutter {
 public:
     Cutter(const BoardIndex& index, const std::vector<bool>& layers, bool isAsSolid)
-        : m_index(index), m_layers(layers), m_isAsSolid(isAsSolid), m_shaper(*index.board, isAsSolid) {}
+        : m_index(index),
+          m_layers(layers),
+          m_isAsSolid(isAsSolid),
+          m_outlines(index),
+          m_shaper(*index.board, isAsSolid) {}
 
     void cut(const Leg& leg) {
         for (std::uint32_t copy = 0; copy < m_index.tree.copies.size(); ++copy) {
@@ -76,7 +80,7 @@ public:
             }
             cutParts(placed, leg);
         }
-        for (auto [layer, locations] : layerRangesOf(m_index, leg.a, leg.b)) {
+        for (auto [layer, locations] : m_outlines.between(leg.a, leg.b)) {
             for (Interval& location : locations) {
                 location = {leg.start + location.from, leg.start + location.to};
             }
@@ -342,6 +346,7 @@ private:
     const BoardIndex& m_index;
     const std::vector<bool>& m_layers;
     bool m_isAsSolid = false;
+    LayerOutlines m_outlines;
     LegShaper m_shaper;
     PartPlans m_plans;
     LegCut m_leg;  ///< at work
