@@ -1,5 +1,6 @@
 // Sections of a rigid-flex board: what is in which zone, and at which height.
 #include <QtTest>
+#include <map>
 
 #include "model/export/section_export.h"
 #include "model/section/section.h"
@@ -9,6 +10,7 @@
 using namespace model;
 using namespace odb_testing;
 using hand_made::indexed;
+using hand_made::kMm;
 
 namespace {
 
@@ -123,6 +125,33 @@ private slots:
         }
         QCOMPARE(rigid, top.z + top.thickness);
         QCOMPARE(flexible, l2.z + l2.thickness);
+    }
+
+    /// On coverlay in the flexible part, on the outer copper's mask in the rigid one.
+    void partsStandOnWhatTheirZoneHas() {
+        Folder folder;
+        folder.copyJob("rigid_flex");
+        folder.write("matrix/matrix", readFile(folder.path() / "matrix/matrix") +
+                                          "LAYER {\n ROW=13\n CONTEXT=BOARD\n TYPE=COMPONENT\n NAME=COMP_+_TOP\n}\n");
+        folder.write("steps/board/eda/data",
+                     "UNITS=MM\nPKG BOX 4 -2 -2 2 2\nPIN 1 S -1.5 0 0 E S\nPIN 2 S 1.5 0 0 E S\n");
+        folder.write(
+            "steps/board/layers/comp_+_top/components",
+            "UNITS=MM\n@0 .comp_height\nCMP 0 20 10 0 N U1 BOX ;0=1\nTOP 0 18.5 10 0 N -1 0\nTOP 1 21.5 10 0 N "
+            "-1 0\nCMP 0 70 10 0 N U2 BOX ;0=1\nTOP 0 68.5 10 0 N -1 0\nTOP 1 71.5 10 0 N -1 0\n");
+        const auto board = read(folder.path());
+        QCOMPARE(board->bodies.size(), std::size_t{2});
+        std::map<bool, Nm> lowest{{false, 1000 * kMm}, {true, 1000 * kMm}};
+        for (const SectionPiece& piece : cut(board).pieces) {
+            if (piece.material == SectionMaterial::Part || piece.material == SectionMaterial::Terminal) {
+                Nm& own = lowest[piece.from > 40e6];
+                own = std::min(own, piece.bottom);
+            }
+        }
+        const Layer& cover = layerOf(*board, "cover");
+        QCOMPARE(lowest[true], cover.z + cover.thickness);
+        const Layer& top = layerOf(*board, "top");
+        QVERIFY(lowest[false] >= top.z + top.thickness);
     }
 
     /// What a job draws of a stiffener is where it is, on what its zone has.
