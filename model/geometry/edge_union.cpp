@@ -1,6 +1,7 @@
 #include "model/geometry/edge_union.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <tuple>
@@ -178,8 +179,24 @@ std::optional<Regions> combinedWithin(std::vector<Term> terms, double snapNm) {
     return std::nullopt;
 }
 
+/// Numbers, and within what boxes can hold.
+bool isOnBoard(const EdgeLoops& region) {
+    constexpr double kFar = 1.5 * base::kMaxCoordinate;
+    constexpr PointD kAxes[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    const auto isNear = [](PointD p) { return std::abs(p.x) <= kFar && std::abs(p.y) <= kFar; };
+    return std::ranges::all_of(region.edges, [&](const Edge& edge) {
+        return isNear(edge.a) && isNear(edge.b) && (!edge.isArc() || std::ranges::all_of(kAxes, [&](PointD axis) {
+                   return !passes(edge, axis) ||
+                          isNear({edge.centre.x + axis.x * edge.radius, edge.centre.y + axis.y * edge.radius});
+               }));
+    });
+}
+
 /// What fails with one distance for vertices that are one hardly ever fails with all.
 std::optional<Regions> combined(const std::vector<Term>& terms) {
+    if (!std::ranges::all_of(terms, isOnBoard, [](const Term& term) -> const EdgeLoops& { return *term.region; })) {
+        return std::nullopt;
+    }
     for (const double snapNm : {EdgeArrangement::kSnapNm, 3.1, 4.7}) {
         if (std::optional<Regions> regions = combinedWithin(terms, snapNm)) {
             return regions;

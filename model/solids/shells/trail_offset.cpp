@@ -50,6 +50,18 @@ public:
         }
         return true;
     }
+    /// The same of a closed row of tracks: all around.
+    bool buildAround() {
+        std::vector<Edge> around(m_tracks.begin(), m_tracks.end());
+        around.push_back(m_tracks.front());
+        m_tracks = around;
+        const bool isBuilt = build();
+        if (isBuilt) {
+            m_sides.front().a = m_sides.back().a;
+            m_sides.pop_back();
+        }
+        return isBuilt && runsForward(m_sides.front(), m_whole);
+    }
     [[nodiscard]] std::span<const Edge> sides() const { return m_sides; }
     [[nodiscard]] std::size_t brokenAt() const { return m_brokenAt; }
 
@@ -170,6 +182,21 @@ void add(EdgeLoops& loops, const Edge& edge) {
     }
 }
 
+double areaWithin(std::span<const Edge> sides) {
+    double area = 0.0;
+    for (const Edge& side : sides) {
+        area += areaUnder(side, sides.front().a);
+    }
+    return area;
+}
+
+bool addLoop(EdgeLoops& loops, std::span<const Edge> sides) {
+    for (const Edge& side : sides) {
+        add(loops, side);
+    }
+    return loops.endLoop();
+}
+
 /// Half a circle from the end of one side to the start of the other one.
 void addCap(EdgeLoops& loops, const Edge& from, const Edge& to, const Edge& track) {
     loops.addArc(from.b, to.a, track.b, false);
@@ -184,6 +211,24 @@ std::vector<Edge> turned(std::span<const Edge> tracks) {
 }
 
 }  // namespace
+
+std::optional<EdgeLoops> offsetRing(std::span<const Edge> tracks) {
+    const std::vector<Edge> back = turned(tracks);
+    RightSide right(tracks);
+    RightSide left(back);
+    if (tracks.size() < 2 || !right.buildAround() || !left.buildAround()) {
+        return std::nullopt;
+    }
+    // Of the two sides one is the outline, counter-clockwise, and the other one the hole, clockwise.
+    const bool isRightOutside = areaWithin(right.sides()) > 0.0;
+    if (isRightOutside == (areaWithin(left.sides()) > 0.0)) {
+        return std::nullopt;
+    }
+    EdgeLoops loops;
+    const bool isWhole = addLoop(loops, isRightOutside ? right.sides() : left.sides()) &&
+                         addLoop(loops, isRightOutside ? left.sides() : right.sides());
+    return isWhole && !findFault(loops) ? std::optional(std::move(loops)) : std::nullopt;
+}
 
 Offset offsetOutline(std::span<const Edge> tracks) {
     RightSide right(tracks);

@@ -18,5 +18,7 @@ struct Offset {
 /// outline when that is not all there is to it: a track too short for its neighbours, sharp bends of small radius,
 /// tracks that cross or touch others. Two tracks join where one ends and the next one begins, bit for bit.
 [[nodiscard]] Offset offsetOutline(std::span<const Edge> tracks);
+/// The same for a row of tracks that ends where it begins: an outline and a hole.
+[[nodiscard]] std::optional<EdgeLoops> offsetRing(std::span<const Edge> tracks);
 
 }  // namespace model

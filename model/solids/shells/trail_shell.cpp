@@ -51,6 +51,12 @@ public:
 
     /// Adds a row of tracks, split where it is not plain. False when a track could not be united with itself.
     bool add(std::size_t first, std::size_t count) {
+        if (isClosed(first, count)) {
+            if (std::optional<EdgeLoops> ring = offsetRing(std::span(m_middles).subspan(first, count))) {
+                m_regions.push_back(std::move(*ring));
+                return true;
+            }
+        }
         while (count > 1) {
             std::size_t split = 1;
             if (!m_middles.empty()) {
@@ -72,6 +78,10 @@ public:
     [[nodiscard]] const Regions& regions() const { return m_regions; }
 
 private:
+    [[nodiscard]] bool isClosed(std::size_t first, std::size_t count) const {
+        return count > 1 && !m_middles.empty() && m_middles[first].a == m_middles[first + count - 1].b;
+    }
+
     bool addTrack(std::size_t track) {
         const PathNode& node = m_drawn.nodes[track];
         const Point next = m_drawn.nodes[track + 1].point;

@@ -309,6 +309,15 @@ private slots:
         QCOMPARE(areaOf(*cut), 8e10);
     }
 
+    void whatIsOnNoBoardHasNoUnion() {
+        EdgeLoops loops = box(0, 0, 1e5, 1e5);
+        loops.edges[1].b.x = loops.edges[2].a.x = std::nan("");
+        QVERIFY(!model::cleaned(loops));
+        QVERIFY(!model::unite(Regions{loops, box(0, 0, 9, 9)}));
+        QVERIFY(!model::unite(Regions{box(0, 0, 1e5, 1e5), box(1, 1, 1e10, 1)}));
+        QVERIFY(!model::subtract(Regions{disc({0, 0}, 1e5)}, Regions{disc({1e9, 0}, 1e9)}));
+    }
+
     void randomUnions() {
         std::mt19937 random(11);
         int left = 0;

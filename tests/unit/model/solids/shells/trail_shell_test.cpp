@@ -176,6 +176,45 @@ private slots:
         QVERIFY(!model::offsetOutline(std::vector{along, bend}).outline);
     }
 
+    void offsetsOfRings() {
+        const std::vector<Edge> square{track(0, 0, 1e6, 0, 1e5), track(1e6, 0, 1e6, 1e6, 1e5),
+                                       track(1e6, 1e6, 0, 1e6, 1e5), track(0, 1e6, 0, 0, 1e5)};
+        const double exact = 1.2e6 * 1.2e6 - (4 - kPi) * 1e10 - 0.8e6 * 0.8e6;
+        std::vector<Edge> back(square.rbegin(), square.rend());
+        std::ranges::transform(back, back.begin(), model::reversed);
+        for (const std::vector<Edge>& tracks : {square, back}) {
+            const auto ring = model::offsetRing(tracks);
+            QVERIFY(ring && areAllSound({*ring}));
+            QCOMPARE(ring->edges.size(), 12U);
+            QVERIFY(relative(model::areaOf(*ring), exact) < 1e-9);
+        }
+        std::vector<Edge> filled = square;  // no hole is left
+        std::ranges::for_each(filled, [](Edge& edge) { edge.pen = 6e5; });
+        QVERIFY(!model::offsetRing(filled));
+        QVERIFY(!model::offsetRing(std::vector{square[0], model::reversed(square[0])}));
+    }
+
+    void randomRings() {
+        std::mt19937 random(5);
+        const auto pick = [&](int from, int to) { return std::uniform_int_distribution<int>(from, to)(random); };
+        for (int i = 0; i < (locations::isThorough() ? 20'000 : 1'000); ++i) {
+            std::vector<PathNode> nodes;
+            std::vector<Nm> widths;
+            for (int k = pick(2, 8); k > 0; --k) {
+                nodes.push_back(to(pick(0, 20) * 60'000 + k, pick(0, 20) * 60'001));
+                widths.push_back(widths.empty() || pick(0, 6) == 0 ? 40'000 * pick(1, 4) : widths.back());
+            }
+            nodes.push_back(nodes.front());
+            const Board board(nodes, widths);
+            const Regions regions = board.outlines();
+            QVERIFY2(areAllSound(regions), qPrintable(QString::number(i)));
+            QCOMPARE(regions.size(), 1U);
+            QVERIFY2(
+                relative(areaOf(regions), areaOf(board.united())) < 1e-5,
+                qPrintable(QString("%1: %2 instead of %3").arg(i).arg(areaOf(regions)).arg(areaOf(board.united()))));
+        }
+    }
+
     void randomTrails() {
         std::mt19937 random(3);
         const auto pick = [&](int from, int to) { return std::uniform_int_distribution<int>(from, to)(random); };
