@@ -63,6 +63,26 @@ PolygonSet unite(const PolygonSet& set) {
     return execute(ClipperLib::ctUnion, set, {});
 }
 
+LoopSet unitedLoops(const LoopSet& set) {
+    Paths paths(set.loopStart.size() - 1);
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        for (std::uint32_t k = set.loopStart[i]; k < set.loopStart[i + 1]; ++k) {
+            paths[i].emplace_back(set.points[k].x, set.points[k].y);
+        }
+    }
+    ClipperLib::Clipper clipper;
+    clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+    Paths united;
+    clipper.Execute(ClipperLib::ctUnion, united, ClipperLib::pftPositive, ClipperLib::pftPositive);
+    LoopSet result;
+    for (const Path& path : united) {
+        const std::vector<Point> loop = toLoop(path);
+        result.points.insert(result.points.end(), loop.begin(), loop.end());
+        result.loopStart.push_back(static_cast<std::uint32_t>(result.points.size()));
+    }
+    return result;
+}
+
 PolygonSet subtract(const PolygonSet& from, const PolygonSet& what) {
     return execute(ClipperLib::ctDifference, from, what);
 }

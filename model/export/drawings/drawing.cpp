@@ -125,7 +125,7 @@ private:
         for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
             RETURN_IF_ERROR(stateOfWork());
             const ElementOutlines drawn = drawnOutlinesOf(document, ElementId{i});
-            if (!drawn.problem.empty()) {
+            if (drawn.regions.empty() && !drawn.problem.empty()) {
                 note(step, ElementId{i}, drawn.problem);
             }
             add(drawn.regions, placements);

@@ -41,7 +41,7 @@ struct NotDrawn {
 
 struct DrawingReport {
     std::vector<DrawnLayer> layers;  ///< in the order they were written
-    std::uint64_t regions = 0;       ///< islands with their holes; a track is one per straight piece and arc
+    std::uint64_t regions = 0;       ///< islands with their holes
     std::vector<NotDrawn> notDrawn;
 };
 

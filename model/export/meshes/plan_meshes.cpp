@@ -29,7 +29,7 @@ public:
         meshes.shapes.resize(m_keys.size());
         base::parallelFor(m_keys.size(), [&](std::size_t i) {
             for (const Shell& shell : m_plan.shellsOf(m_step, m_keys[i])) {
-                static_cast<void>(appendPrism(polygonsOf(shell.outline, m_how), shell.z, meshes.shapes[i]));
+                static_cast<void>(appendPrisms(polygonsOf(shell.outline, m_how), shell.z, meshes.shapes[i]));
             }
         });
         meshes.groups.resize(m_step.groups.size());
@@ -85,7 +85,9 @@ private:
         }
         const std::size_t most = m_plan.choice.isMerged ? 0 : kTracksAtOnce;
         for (const auto& [z, polygons] : united) {
-            static_cast<void>(appendPrism(uniteNear(polygons, most), {z.first, z.second}, mesh.own));
+            for (const LoopSet& loops : uniteNear(polygons, most)) {
+                static_cast<void>(appendPrism(loops, {z.first, z.second}, mesh.own));
+            }
         }
         return mesh;
     }
@@ -107,7 +109,7 @@ private:
             const PolygonSet polygons = polygonsOf(shell.outline, m_how);
             if (isUnited(element) && !polygons.polygons.empty()) {
                 united[{shell.z.bottom, shell.z.top}].append(polygons);
-            } else if (!appendPrism(polygons, shell.z, mesh.own)) {
+            } else if (!appendPrisms(polygons, shell.z, mesh.own)) {
                 problem = kNoTriangles;
             }
         }

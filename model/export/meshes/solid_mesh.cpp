@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "model/geometry/boolean.h"
+#include "model/export/meshes/united.h"
 #include "model/geometry/vectors.h"
 #include "tri/triangulate.h"
 
@@ -50,26 +50,22 @@ void addCorners(const Edge& edge, const Discretisation& how, std::vector<Point>&
     }
 }
 
-bool triangulateAll(const PolygonSet& set, std::vector<std::uint32_t>& triangles) {
-    triangles.clear();
-    std::vector<std::uint32_t> loopStart;
-    std::vector<std::uint32_t> own;
-    for (const PolygonSet::Polygon& polygon : set.polygons) {
-        const std::uint32_t first = set.loopStart[polygon.firstLoop];
-        loopStart.clear();
-        for (std::uint32_t i = 0; i <= polygon.loopCount; ++i) {
-            loopStart.push_back(set.loopStart[polygon.firstLoop + i] - first);
+/// How often loops go through booleans: rounding may let them cross again, by a nanometre.
+constexpr int kRounds = 3;
+
+/// The loops that could be triangulated: those given, or what they cover. Empty if none could.
+LoopSet triangulated(const LoopSet& given, std::vector<std::uint32_t>& triangles) {
+    LoopSet loops = given;
+    for (int round = 0; round <= kRounds; ++round) {
+        triangles.clear();
+        const tri::Polygon flat{loops.points, loops.loopStart};
+        if (tri::triangulate(flat, tri::Triangulator::Auto, triangles).outcome != tri::Outcome::Crossing) {
+            return loops;
         }
-        own.clear();
-        const tri::Polygon flat{std::span(set.points).subspan(first, loopStart.back()), loopStart};
-        if (tri::triangulate(flat, tri::Triangulator::Auto, own).outcome == tri::Outcome::Crossing) {
-            return false;
-        }
-        for (const std::uint32_t corner : own) {
-            triangles.push_back(first + corner);
-        }
+        loops = unitedLoops(loops);
     }
-    return true;
+    triangles.clear();
+    return {};
 }
 
 /// The edges that only one triangle has, as it runs through them: what walls stand on.
@@ -150,26 +146,18 @@ PolygonSet polygonsOf(const EdgeLoops& region, const Discretisation& how) {
     return set;
 }
 
-bool appendPrism(const PolygonSet& polygons, const ZRange& z, SolidMesh& mesh) {
+bool appendPrism(const LoopSet& given, const ZRange& z, SolidMesh& mesh) {
     std::vector<std::uint32_t> flat;
-    PolygonSet repaired;
-    const PolygonSet* set = &polygons;
-    if (!triangulateAll(polygons, flat)) {
-        repaired = unite(polygons);
-        set = &repaired;
-        if (!triangulateAll(repaired, flat)) {
-            return false;
-        }
-    }
+    const LoopSet loops = triangulated(given, flat);
     if (flat.empty()) {
         return false;
     }
-    const UsedPoints used(flat, set->points.size());
+    const UsedPoints used(flat, loops.points.size());
     const auto below = static_cast<std::uint32_t>(mesh.points.size());
     const auto above = below + static_cast<std::uint32_t>(used.rows.size());
     for (const Nm height : {z.bottom, z.top}) {
         for (const std::uint32_t row : used.rows) {
-            mesh.points.push_back({set->points[row].x, set->points[row].y, height});
+            mesh.points.push_back({loops.points[row].x, loops.points[row].y, height});
         }
     }
     for (std::uint32_t& corner : flat) {
@@ -184,6 +172,14 @@ bool appendPrism(const PolygonSet& polygons, const ZRange& z, SolidMesh& mesh) {
         mesh.triangles.insert(mesh.triangles.end(), {below + a, above + b, above + a});
     }
     return true;
+}
+
+bool appendPrisms(const PolygonSet& polygons, const ZRange& z, SolidMesh& mesh) {
+    bool isWhole = !polygons.polygons.empty();
+    for (std::size_t row = 0; row < polygons.polygons.size(); ++row) {
+        isWhole = appendPrism(loopsOf(polygons, row), z, mesh) && isWhole;
+    }
+    return isWhole;
 }
 
 double volumeOf(const SolidMesh& mesh) {

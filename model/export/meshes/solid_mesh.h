@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "model/geometry/boolean.h"
 #include "model/geometry/discretise.h"
 #include "model/solids/shells/shell.h"
 
@@ -32,9 +33,11 @@ struct SolidMesh {
 /// The polygons of a region; corners are rounded to the grid, chords of arcs lie within the region where it is convex.
 [[nodiscard]] PolygonSet polygonsOf(const EdgeLoops& region, const Discretisation& how);
 
-/// Appends the closed prism over the polygons. Contours that cross go through integer booleans. False where nothing is
-/// left, or they cannot be triangulated: then nothing is appended.
-[[nodiscard]] bool appendPrism(const PolygonSet& polygons, const ZRange& z, SolidMesh& mesh);
+/// Appends the closed prism over the loops. Those that cross go through integer booleans. False where nothing is left,
+/// or they cannot be triangulated: then nothing is appended.
+[[nodiscard]] bool appendPrism(const LoopSet& loops, const ZRange& z, SolidMesh& mesh);
+/// The same over polygons, one by one.
+[[nodiscard]] bool appendPrisms(const PolygonSet& polygons, const ZRange& z, SolidMesh& mesh);
 
 /// In nm³, positive for a closed mesh whose triangles face outwards.
 [[nodiscard]] double volumeOf(const SolidMesh& mesh);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <numeric>
-#include <vector>
+#include <span>
+#include <utility>
 
-#include "model/geometry/boolean.h"
 #include "model/geometry/box_index.h"
 
 namespace model {
@@ -50,32 +50,39 @@ private:
     std::vector<std::uint32_t> m_parent;
 };
 
-void append(const PolygonSet& set, std::uint32_t row, PolygonSet& to) {
-    to.beginPolygon();
+void append(const PolygonSet& set, std::size_t row, LoopSet& to) {
     const PolygonSet::Polygon& polygon = set.polygons[row];
     for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
-        to.addLoop(set.loop(polygon.firstLoop + i));
+        const std::span<const Point> loop = set.loop(polygon.firstLoop + i);
+        to.points.insert(to.points.end(), loop.begin(), loop.end());
+        to.loopStart.push_back(static_cast<std::uint32_t>(to.points.size()));
     }
 }
 
 }  // namespace
 
-PolygonSet uniteNear(const PolygonSet& set, std::size_t atOnce) {
+LoopSet loopsOf(const PolygonSet& set, std::size_t row) {
+    LoopSet loops;
+    append(set, row, loops);
+    return loops;
+}
+
+std::vector<LoopSet> uniteNear(const PolygonSet& set, std::size_t atOnce) {
     Groups groups(boxesOf(set));
     std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // of a root, rising
     for (std::uint32_t i = 0; i < set.polygons.size(); ++i) {
         members.emplace_back(groups.rootOf(i), i);
     }
     std::ranges::sort(members);
-    PolygonSet united;
+    std::vector<LoopSet> united;
     for (std::size_t first = 0; first < members.size();) {
-        PolygonSet group;
+        LoopSet group;
         std::size_t end = first;
         while (end < members.size() && members[end].first == members[first].first &&
                (atOnce == 0 || end - first < atOnce)) {
             append(set, members[end++].second, group);
         }
-        united.append(end - first > 1 ? unite(group) : group);
+        united.push_back(end - first > 1 ? unitedLoops(group) : std::move(group));
         first = end;
     }
     return united;

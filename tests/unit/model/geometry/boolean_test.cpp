@@ -34,6 +34,26 @@ private slots:
         QCOMPARE(united.polygons.size(), 1U);
     }
 
+    /// Unsorted, they wind as what they surround says.
+    void loopsAreUnitedWithoutTheirOrder() {
+        model::LoopSet loops;
+        for (const Point p : {Point{0, 0}, {10, 0}, {10, 10}, {0, 10}, {5, 5}, {15, 5}, {15, 15}, {5, 15}}) {
+            loops.points.push_back(p);
+        }
+        for (const Point p : {Point{1, 1}, {1, 2}, {2, 2}, {2, 1}}) {  // a hole, clockwise
+            loops.points.push_back(p);
+        }
+        loops.loopStart = {0, 4, 8, 12};
+        const model::LoopSet united = model::unitedLoops(loops);
+        QCOMPARE(united.loopStart.size(), std::size_t{3});
+        __int128 twice = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const std::uint32_t first = united.loopStart[i];
+            twice += model::twiceArea(std::span(united.points).subspan(first, united.loopStart[i + 1] - first));
+        }
+        QCOMPARE(static_cast<long long>(twice / 2), 174);
+    }
+
     void differenceKeepsHolesWithTheirOutline() {
         PolygonSet holes = square(10, 10, 5);
         holes.append(square(30, 30, 5));

@@ -22,7 +22,7 @@ model::SolidMesh strip(int squares) {
     set.beginPolygon();
     set.addLoop(corners);
     model::SolidMesh mesh;
-    if (!model::appendPrism(set, {0, 1'000}, mesh)) {
+    if (!model::appendPrisms(set, {0, 1'000}, mesh)) {
         qFatal("no mesh");
     }
     return mesh;

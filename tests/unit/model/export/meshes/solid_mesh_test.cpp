@@ -37,7 +37,7 @@ class SolidMeshTest : public QObject {
 private slots:
     void aBoxHasTwelveTriangles() {
         SolidMesh mesh;
-        QVERIFY(model::appendPrism(polygons({square(0, kMm)}), kHeights, mesh));
+        QVERIFY(model::appendPrisms(polygons({square(0, kMm)}), kHeights, mesh));
         QCOMPARE(mesh.points.size(), std::size_t{8});
         QCOMPARE(mesh.triangleCount(), std::size_t{12});
         QVERIFY(isClosed(mesh.triangles));
@@ -46,7 +46,7 @@ private slots:
 
     void holesHaveWallsToo() {
         SolidMesh mesh;
-        QVERIFY(model::appendPrism(polygons({square(0, 4 * kMm), square(kMm, 2 * kMm)}), kHeights, mesh));
+        QVERIFY(model::appendPrisms(polygons({square(0, 4 * kMm), square(kMm, 2 * kMm)}), kHeights, mesh));
         QVERIFY(isClosed(mesh.triangles));
         QCOMPARE(mesh.triangleCount(), std::size_t{2 * 8 + 2 * 8});
         QVERIFY(isNear(model::volumeOf(mesh), 30 * kMm3, 1e-12));
@@ -59,7 +59,7 @@ private slots:
         disc.addCircle({0.5, 0.25}, 0.9e6);
         for (const double tolerance : {500.0, 5'000.0, 50'000.0}) {
             SolidMesh mesh;
-            QVERIFY(model::appendPrism(model::polygonsOf(disc, {tolerance}), kHeights, mesh));
+            QVERIFY(model::appendPrisms(model::polygonsOf(disc, {tolerance}), kHeights, mesh));
             QVERIFY(isClosed(mesh.triangles));
             const double exact = model::volumeOf(model::Shell{disc, kHeights});
             QVERIFY(std::abs(model::volumeOf(mesh) - exact) <= 2 * std::numbers::pi * 1.0e6 * tolerance * 2e6);
@@ -80,7 +80,7 @@ private slots:
         notch.addLine({0, 4e6}, {0, 0});
         QVERIFY(notch.endLoop());
         SolidMesh mesh;
-        QVERIFY(model::appendPrism(model::polygonsOf(notch, {500.0}), kHeights, mesh));
+        QVERIFY(model::appendPrisms(model::polygonsOf(notch, {500.0}), kHeights, mesh));
         QVERIFY(isNear(model::volumeOf(mesh), 2 * (16 - std::numbers::pi / 2) * kMm3, 1e-4));
     }
 
@@ -88,7 +88,7 @@ private slots:
     void loopsMayTouch() {
         SolidMesh mesh;
         const std::vector<Point> touching{{2 * kMm, 0}, {3 * kMm, kMm}, {kMm, kMm}};
-        QVERIFY(model::appendPrism(polygons({square(0, 4 * kMm), touching}), kHeights, mesh));
+        QVERIFY(model::appendPrisms(polygons({square(0, 4 * kMm), touching}), kHeights, mesh));
         QVERIFY(isClosed(mesh.triangles));
         QVERIFY(isNear(model::volumeOf(mesh), 30 * kMm3, 1e-12));
     }
@@ -96,15 +96,15 @@ private slots:
     void contoursThatCrossAreRepaired() {
         SolidMesh mesh;
         const std::vector<Point> bow{{0, 0}, {2 * kMm, 2 * kMm}, {2 * kMm, 0}, {0, 4 * kMm}};
-        QVERIFY(model::appendPrism(polygons({bow}), kHeights, mesh));
+        QVERIFY(model::appendPrisms(polygons({bow}), kHeights, mesh));
         QVERIFY(isClosed(mesh.triangles));
         QVERIFY(model::volumeOf(mesh) > 0.0);
     }
 
     void whatHasNoAreaIsSaid() {
         SolidMesh mesh;
-        QVERIFY(!model::appendPrism({}, kHeights, mesh));
-        QVERIFY(!model::appendPrism(polygons({{{0, 0}, {kMm, 0}, {2 * kMm, 0}}}), kHeights, mesh));
+        QVERIFY(!model::appendPrisms({}, kHeights, mesh));
+        QVERIFY(!model::appendPrisms(polygons({{{0, 0}, {kMm, 0}, {2 * kMm, 0}}}), kHeights, mesh));
         QVERIFY(mesh.points.empty() && mesh.triangles.empty());
         EdgeLoops dust;
         dust.addCircle({0.2, 0.2}, 0.1);
@@ -113,7 +113,7 @@ private slots:
 
     void appendedMeshesAreTurnedAndMoved() {
         SolidMesh box;
-        QVERIFY(model::appendPrism(polygons({{{0, 0}, {2 * kMm, 0}, {2 * kMm, kMm}, {0, kMm}}}), kHeights, box));
+        QVERIFY(model::appendPrisms(polygons({{{0, 0}, {2 * kMm, 0}, {2 * kMm, kMm}, {0, kMm}}}), kHeights, box));
         SolidMesh both = box;
         both.append(box, {{10 * kMm, 0}, 90.0, false});
         QCOMPARE(both.points.size(), std::size_t{16});

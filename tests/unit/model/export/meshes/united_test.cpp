@@ -24,6 +24,18 @@ double areaOf(const PolygonSet& set) {
     return static_cast<double>(model::twiceArea(set)) / 2;
 }
 
+double areaOf(const std::vector<model::LoopSet>& parts) {
+    double area = 0.0;
+    for (const model::LoopSet& part : parts) {
+        for (std::size_t i = 0; i + 1 < part.loopStart.size(); ++i) {
+            const auto loop =
+                std::span(part.points).subspan(part.loopStart[i], part.loopStart[i + 1] - part.loopStart[i]);
+            area += static_cast<double>(model::twiceArea(loop)) / 2;
+        }
+    }
+    return area;
+}
+
 }  // namespace
 
 class UnitedTest : public QObject {
@@ -31,27 +43,26 @@ class UnitedTest : public QObject {
 
 private slots:
     void whatIsApartStaysAsItIs() {
-        const PolygonSet set = squares(100, 20);
-        const PolygonSet united = model::uniteNear(set);
-        QCOMPARE(united.polygons.size(), std::size_t{100});
-        QCOMPARE(united.points.size(), set.points.size());
+        const std::vector<model::LoopSet> united = model::uniteNear(squares(100, 20));
+        QCOMPARE(united.size(), std::size_t{100});
+        QCOMPARE(united[7].points.size(), std::size_t{8});
         QCOMPARE(areaOf(united), 100 * 99.0);
     }
 
     void whatOverlapsBecomesOne() {
-        const PolygonSet united = model::uniteNear(squares(100, 8));
-        QCOMPARE(united.polygons.size(), std::size_t{1});
+        const std::vector<model::LoopSet> united = model::uniteNear(squares(100, 8));
+        QCOMPARE(united.size(), std::size_t{1});
         QCOMPARE(areaOf(united), areaOf(model::unite(squares(100, 8))));
     }
 
     /// Each part by itself; they overlap where they meet.
     void largeGroupsAreUnitedInParts() {
-        const PolygonSet united = model::uniteNear(squares(100, 8), 10);
-        QCOMPARE(united.polygons.size(), std::size_t{10});
+        const std::vector<model::LoopSet> united = model::uniteNear(squares(100, 8), 10);
+        QCOMPARE(united.size(), std::size_t{10});
         QCOMPARE(areaOf(united), 10 * areaOf(model::unite(squares(10, 8))));
     }
 
-    void nothingStaysNothing() { QVERIFY(model::uniteNear({}).polygons.empty()); }
+    void nothingStaysNothing() { QVERIFY(model::uniteNear({}).empty()); }
 };
 
 QTEST_GUILESS_MAIN(UnitedTest)
