@@ -125,8 +125,9 @@ base::Status sayEstimate(const Document& board, const model::ExportFormat& forma
 Outcome runExport(const ExportArguments& arguments) {
     const model::ExportFormat* format = model::exportFormatOf(arguments.output);
     if (format == nullptr) {
-        return base::Error{ErrorCode::BadUsage,
-                           arguments.output + ": the format is told by the ending, which is " + model::exportEndings()};
+        return base::Error{
+            ErrorCode::BadUsage,
+            arguments.output + ": what the name ends with is the format; it is one of " + model::exportEndings()};
     }
     ConsoleProgress console;
     const Interrupt interrupt(console.progress());

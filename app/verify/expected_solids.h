@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/export/solids/solid_plan.h"
-#include "model/geometry/split_loops.h"
+#include "model/geometry/loops/split_loops.h"
 
 namespace app {
 

@@ -7,8 +7,8 @@
 
 #include "model/formats/registry.h"
 #include "model/geometry/boolean.h"
-#include "model/geometry/edge_faults.h"
-#include "model/geometry/edge_union.h"
+#include "model/geometry/loops/edge_faults.h"
+#include "model/geometry/loops/edge_union.h"
 #include "model/solids/shells/element_shells.h"
 #include "model/solids/shells/merged_shells.h"
 #include "model/solids/shells/trail_shell.h"

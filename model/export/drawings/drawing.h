@@ -8,7 +8,7 @@
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/board/copies.h"
-#include "model/geometry/edge_loops.h"
+#include "model/geometry/loops/edge_loops.h"
 #include "model/text/file_writer.h"
 
 /// Layers of a board as drawings for others, true to scale: what dxf_drawing.h, svg_drawing.h and pdf_drawing.h have in

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "model/geometry/fit_arcs.h"
+#include "model/geometry/loops/fit_arcs.h"
 #include "model/solids/shells/area_shell.h"
 
 namespace model {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "model/geometry/discretise.h"
-#include "model/geometry/edge_union.h"
+#include "model/geometry/loops/edge_union.h"
 #include "model/geometry/vectors.h"
 
 namespace model {

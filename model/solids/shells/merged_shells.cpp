@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "model/geometry/box_index.h"
-#include "model/geometry/edge_union.h"
+#include "model/geometry/loops/edge_union.h"
 #include "model/solids/shells/element_shells.h"
 
 namespace model {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/board/document.h"
-#include "model/geometry/edge_loops.h"
+#include "model/geometry/loops/edge_loops.h"
 
 namespace model {
 

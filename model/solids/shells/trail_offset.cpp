@@ -4,8 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include "model/geometry/edge_faults.h"
-#include "model/geometry/edge_meetings.h"
+#include "model/geometry/loops/edge_faults.h"
+#include "model/geometry/loops/edge_meetings.h"
 #include "model/geometry/vectors.h"
 
 namespace model {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "model/geometry/edge_loops.h"
+#include "model/geometry/loops/edge_loops.h"
 
 namespace model {
 

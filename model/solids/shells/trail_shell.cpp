@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "model/geometry/edge_faults.h"
-#include "model/geometry/edge_union.h"
+#include "model/geometry/loops/edge_faults.h"
+#include "model/geometry/loops/edge_union.h"
 #include "model/solids/shells/arc_shell.h"
 #include "model/solids/shells/line_shell.h"
 #include "model/solids/shells/trail_offset.h"

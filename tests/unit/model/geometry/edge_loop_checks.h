@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/geometry/discretise.h"
-#include "model/geometry/edge_loops.h"
+#include "model/geometry/loops/edge_loops.h"
 #include "model/geometry/vectors.h"
 
 /// What tests say about regions of exact edges.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/geometry/edge_loops.h"
+#include "model/geometry/loops/edge_loops.h"
 #include "model/geometry/vectors.h"
 
 using model::Edge;

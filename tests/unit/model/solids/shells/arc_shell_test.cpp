@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "model/geometry/boolean.h"
-#include "model/geometry/edge_faults.h"
+#include "model/geometry/loops/edge_faults.h"
 #include "tests/unit/model/geometry/edge_loop_checks.h"
 
 using namespace edge_loop_checks;

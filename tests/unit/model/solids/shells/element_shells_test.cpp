@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "model/geometry/edge_faults.h"
+#include "model/geometry/loops/edge_faults.h"
 #include "tests/unit/model/geometry/edge_loop_checks.h"
 #include "tests/unit/model/hand_made.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <random>
 
-#include "model/geometry/edge_faults.h"
-#include "model/geometry/edge_union.h"
+#include "model/geometry/loops/edge_faults.h"
+#include "model/geometry/loops/edge_union.h"
 #include "model/solids/shells/trail_offset.h"
 #include "tests/locations.h"
 #include "tests/unit/model/geometry/edge_loop_checks.h"

@@ -1,4 +1,4 @@
-#include "model/geometry/edge_meetings.h"
+#include "model/geometry/loops/edge_meetings.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "model/geometry/edge_loops.h"
+#include "model/geometry/loops/edge_loops.h"
 
 #include <algorithm>
 #include <cmath>

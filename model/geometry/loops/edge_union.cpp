@@ -1,4 +1,4 @@
-#include "model/geometry/edge_union.h"
+#include "model/geometry/loops/edge_union.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <limits>
 #include <tuple>
 
-#include "model/geometry/boundary_edges.h"
 #include "model/geometry/box_index.h"
-#include "model/geometry/edge_faults.h"
+#include "model/geometry/loops/boundary_edges.h"
+#include "model/geometry/loops/edge_faults.h"
 #include "model/geometry/vectors.h"
 
 namespace model {

@@ -1,4 +1,4 @@
-#include "model/geometry/edge_faces.h"
+#include "model/geometry/loops/edge_faces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "model/geometry/edge_union.h"
+#include "model/geometry/loops/edge_union.h"
 
 #include <QtTest>
 #include <algorithm>
 #include <random>
 
 #include "model/geometry/boolean.h"
-#include "model/geometry/edge_faults.h"
+#include "model/geometry/loops/edge_faults.h"
 #include "tests/locations.h"
 #include "tests/unit/model/geometry/edge_loop_checks.h"
 

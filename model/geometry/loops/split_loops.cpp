@@ -1,4 +1,4 @@
-#include "model/geometry/split_loops.h"
+#include "model/geometry/loops/split_loops.h"
 
 #include <algorithm>
 #include <array>

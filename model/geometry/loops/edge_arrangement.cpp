@@ -1,4 +1,4 @@
-#include "model/geometry/edge_arrangement.h"
+#include "model/geometry/loops/edge_arrangement.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "model/geometry/box_pairs.h"
-#include "model/geometry/edge_meetings.h"
+#include "model/geometry/loops/edge_meetings.h"
 #include "model/geometry/vectors.h"
 
 namespace model {

@@ -1,4 +1,4 @@
-#include "model/geometry/edge_faults.h"
+#include "model/geometry/loops/edge_faults.h"
 
 #include <QtTest>
 #include <vector>

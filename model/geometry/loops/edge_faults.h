@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "model/geometry/edge_loops.h"
+#include "model/geometry/loops/edge_loops.h"
 
 namespace model {
 

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "model/geometry/edge_loops.h"
+#include "model/geometry/loops/edge_loops.h"
 
 namespace model {
 

@@ -1,4 +1,4 @@
-#include "model/geometry/boundary_edges.h"
+#include "model/geometry/loops/boundary_edges.h"
 
 #include <algorithm>
 #include <cmath>

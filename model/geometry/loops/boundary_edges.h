@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "model/geometry/edge_faces.h"
+#include "model/geometry/loops/edge_faces.h"
 
 namespace model {
 

@@ -1,4 +1,4 @@
-#include "model/geometry/fit_arcs.h"
+#include "model/geometry/loops/fit_arcs.h"
 
 #include <QtTest>
 #include <numbers>

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/geometry/edge_loops.h"
+#include "model/geometry/loops/edge_loops.h"
 
 namespace model {
 

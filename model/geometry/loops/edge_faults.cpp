@@ -1,11 +1,11 @@
-#include "model/geometry/edge_faults.h"
+#include "model/geometry/loops/edge_faults.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "model/geometry/box_pairs.h"
-#include "model/geometry/edge_meetings.h"
+#include "model/geometry/loops/edge_meetings.h"
 #include "model/geometry/vectors.h"
 
 namespace model {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/geometry/edge_arrangement.h"
+#include "model/geometry/loops/edge_arrangement.h"
 
 namespace model {
 

@@ -1,10 +1,10 @@
-#include "model/geometry/fit_arcs.h"
+#include "model/geometry/loops/fit_arcs.h"
 
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "model/geometry/edge_faults.h"
+#include "model/geometry/loops/edge_faults.h"
 #include "model/geometry/vectors.h"
 
 namespace model {

@@ -1,9 +1,9 @@
-#include "model/geometry/split_loops.h"
+#include "model/geometry/loops/split_loops.h"
 
 #include <QtTest>
 #include <numbers>
 
-#include "model/geometry/edge_faults.h"
+#include "model/geometry/loops/edge_faults.h"
 #include "tests/unit/model/geometry/edge_loop_checks.h"
 
 using model::EdgeLoops;

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "model/geometry/edge_loops.h"
+#include "model/geometry/loops/edge_loops.h"
 
 namespace model {
 
