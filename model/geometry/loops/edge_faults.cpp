@@ -16,6 +16,38 @@ constexpr double kLeastSpacingNm = 1.0;
 constexpr std::size_t kFewEdges = 32;  ///< looked through without an index
 constexpr std::uint32_t kNoLimit = 0x7fffffff;
 
+bool isLongEnough(PointD chord) {
+    return dot(chord, chord) >= 4 * kLeastSpacingNm * kLeastSpacingNm;
+}
+
+/// Does a line go on as an arc of at most half a circle that is tangent to it? `line` leads away from the arc's start.
+bool isTangent(PointD line, const Edge& arc) {
+    const PointD u = minus(arc.a, arc.centre);
+    const PointD w = minus(arc.b, arc.centre);
+    const double sense = arc.isClockwise ? -1.0 : 1.0;
+    const PointD tangent{-sense * u.y, sense * u.x};
+    const double across = cross(line, tangent);
+    return dot(line, tangent) > 0 && across * across < 1e-4 * dot(line, line) * dot(tangent, tangent) &&
+           sense * cross(u, w) > -1e-6 * arc.radius * arc.radius;
+}
+
+/// The usual neighbours, quickly: `e` goes on as `f` so that they have nothing but their joint in common.
+bool leadsAway(const Edge& e, const Edge& f) {
+    const PointD ofE = minus(e.b, e.a);
+    const PointD ofF = minus(f.b, f.a);
+    if (!isLongEnough(ofE) || !isLongEnough(ofF) || (e.isArc() && f.isArc())) {
+        return false;
+    }
+    if (f.isArc()) {
+        return isTangent(ofE, f);
+    }
+    if (e.isArc()) {
+        return isTangent({-ofF.x, -ofF.y}, reversed(e));
+    }
+    const double along = dot(ofE, ofF);  // turns by less than 150°
+    return along > 0 || along * along < 0.75 * dot(ofE, ofE) * dot(ofF, ofF);
+}
+
 class FaultSearch {
 public:
     explicit FaultSearch(const EdgeLoops& loops) : m_loops(loops), m_edges(loops.edges) {}
@@ -124,6 +156,9 @@ private:
     void compareNeighbours(std::uint32_t i, std::uint32_t j, bool areBothEndsCommon) {
         const Edge& e = m_edges[i];
         const Edge& f = m_edges[j];
+        if (!areBothEndsCommon && leadsAway(e, f)) {
+            return;
+        }
         if (!areBothEndsCommon && (distanceTo(e, f.b) < kLeastSpacingNm || distanceTo(f, e.a) < kLeastSpacingNm)) {
             return report("neighbouring edges fold back", e.b);
         }

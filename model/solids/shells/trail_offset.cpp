@@ -1,7 +1,7 @@
 #include "model/solids/shells/trail_offset.h"
 
 #include <cmath>
-#include <numbers>
+#include <utility>
 #include <vector>
 
 #include "model/geometry/loops/edge_faults.h"
@@ -54,8 +54,9 @@ public:
     bool buildAround() {
         std::vector<Edge> around(m_tracks.begin(), m_tracks.end());
         around.push_back(m_tracks.front());
-        m_tracks = around;
+        const std::span<const Edge> once = std::exchange(m_tracks, around);
         const bool isBuilt = build();
+        m_tracks = once;
         if (isBuilt) {
             m_sides.front().a = m_sides.back().a;
             m_sides.pop_back();
