@@ -27,14 +27,25 @@ void MessageModel::setMessages(std::shared_ptr<const model::Document> document, 
     endResetModel();
 }
 
+void MessageModel::setExported(model::Diagnostics exported) {
+    beginResetModel();
+    m_exported = std::move(exported);
+    endResetModel();
+}
+
 std::size_t MessageModel::count(model::Severity severity) const {
-    return (m_document ? m_document->diagnostics.count(severity) : 0) + m_modelling.count(severity);
+    return (m_document ? m_document->diagnostics.count(severity) : 0) + m_modelling.count(severity) +
+           m_exported.count(severity);
 }
 
 const model::Diagnostic& MessageModel::message(int row) const {
-    const auto position = static_cast<std::size_t>(row);
-    return position < readingCount() ? m_document->diagnostics.entries()[position]
-                                     : m_modelling.entries()[position - readingCount()];
+    auto position = static_cast<std::size_t>(row);
+    if (position < readingCount()) {
+        return m_document->diagnostics.entries()[position];
+    }
+    position -= readingCount();
+    const std::size_t modelling = m_modelling.entries().size();
+    return position < modelling ? m_modelling.entries()[position] : m_exported.entries()[position - modelling];
 }
 
 QString MessageModel::searchText(int row) const {

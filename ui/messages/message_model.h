@@ -8,7 +8,7 @@
 namespace ui {
 
 /// What was skipped, repaired or assumed while opening a board: the document's diagnostics, then those of the
-/// modelling. The rank of a row is its severity.
+/// modelling; then what is not in the file that was exported last. The rank of a row is its severity.
 class MessageModel : public TableModel {
     Q_OBJECT
 
@@ -19,6 +19,8 @@ public:
 
     [[nodiscard]] const model::Diagnostic& message(int row) const;
     void setMessages(std::shared_ptr<const model::Document> document, model::Diagnostics modelling);
+    /// What the last export left out.
+    void setExported(model::Diagnostics exported);
     /// How many entries have this severity.
     [[nodiscard]] std::size_t count(model::Severity severity) const;
 
@@ -26,13 +28,16 @@ public:
     [[nodiscard]] QString searchText(int row) const override;
 
 private:
-    [[nodiscard]] int rows() const override { return static_cast<int>(readingCount() + m_modelling.entries().size()); }
+    [[nodiscard]] int rows() const override {
+        return static_cast<int>(readingCount() + m_modelling.entries().size() + m_exported.entries().size());
+    }
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] QString tip(int row, int column) const override;
     [[nodiscard]] std::size_t readingCount() const { return m_document ? m_document->diagnostics.entries().size() : 0; }
 
     std::shared_ptr<const model::Document> m_document;
     model::Diagnostics m_modelling;
+    model::Diagnostics m_exported;
 };
 
 }  // namespace ui

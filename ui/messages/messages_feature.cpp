@@ -71,6 +71,8 @@ void addMessages(FeatureContext& context) {
         messages->setMessages(board.document, board.model->diagnostics);
     };
     QObject::connect(&workspace, &Workspace::boardRead, messages, setBoard);
+    QObject::connect(&workspace, &Workspace::boardRead, messages, [messages] { messages->setExported({}); });
+    QObject::connect(&workspace, &Workspace::exportListed, messages, &MessageModel::setExported);
     QObject::connect(&workspace, &Workspace::restacked, messages, setBoard);
 }
 

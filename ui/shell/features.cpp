@@ -2,6 +2,7 @@
 
 #include "ui/clearance/clearance_feature.h"
 #include "ui/element/element_feature.h"
+#include "ui/export/export_feature.h"
 #include "ui/layers/layers_feature.h"
 #include "ui/measure/measure_feature.h"
 #include "ui/messages/messages_feature.h"
@@ -39,6 +40,7 @@ constexpr void (*kFeatures[])(FeatureContext&) = {
     add<SectionFeature>,
     addStatistics,
     add<PartsFeature>,
+    add<ExportFeature>,
     addSearch,
 };
 

@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QString>
 #include <QStringList>
+#include <QVariant>
 #include <algorithm>
 
 #include "render/scene/layer_style.h"
@@ -55,6 +56,12 @@ public:
     /// Whom waivers of design rules name.
     [[nodiscard]] QString author() const { return m_store.value("waivers/author").toString(); }
     void setAuthor(const QString& name) { m_store.setValue("waivers/author", name); }
+
+    /// What was chosen in the export dialog, by the name it has there; `other` where nothing was.
+    [[nodiscard]] QVariant exportChoice(const QString& name, const QVariant& other) const {
+        return m_store.value("export/" + name, other);
+    }
+    void setExportChoice(const QString& name, const QVariant& value) { m_store.setValue("export/" + name, value); }
 
     /// Forgets everything.
     void reset() { m_store.clear(); }

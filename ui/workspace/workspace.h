@@ -49,6 +49,8 @@ public:
     void report(const std::string& text) { report(QString::fromStdString(text)); }
     /// For the message bar, where it stays.
     void reportError(const QString& text) { emit errorReported(text); }
+    /// For the list of messages, after those that the board came with: what is not in the file that was exported last.
+    void listExported(const model::Diagnostics& messages) { emit exportListed(messages); }
     /// "Saved /home/me/stackup.svg", or why not.
     void reportSaved(const base::Status& saved, const QString& path);
 
@@ -79,6 +81,7 @@ signals:
 
     void reported(const QString& text);
     void errorReported(const QString& text);
+    void exportListed(const model::Diagnostics& messages);
 
     void workBegan(const QString& name);
     void workProgressed(const QString& phase, double fraction);

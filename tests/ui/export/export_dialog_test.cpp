@@ -1,0 +1,333 @@
+// File, Export: choices that follow the format, what is written in the background and what is said about it.
+
+#include "ui/export/export_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QtTest>
+#include <algorithm>
+
+#include "tests/ui/window_fixture.h"
+#include "ui/export/export_feature.h"
+
+using ui::ActionId;
+
+class ExportDialogTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
+        QVERIFY(QDir(m_fixture->folder()).mkdir("out"));
+        m_fixture->settings().setLastFolder(folder());
+    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
+
+    void onlyWhatTheFormatKnowsIsEnabled() {
+        open();
+        for (std::size_t row = 0; row < model::exportFormats().size(); ++row) {
+            const model::ExportFormat& format = model::exportFormats()[row];
+            chooseFormat(row);
+            for (const char* name : {"exportNets", "exportArea", "exportMinHole", "outerOnly", "merge", "onePart"}) {
+                QCOMPARE(part<QWidget>(name).isEnabled(), format.isSolid);
+            }
+            QCOMPARE(box("writtenOut").isEnabled(), format.isStep);
+            QCOMPARE(box("onePage").isEnabled(), format.isPdf);
+            QVERIFY(part<QWidget>("exportLayers").isEnabled());
+            QCOMPARE(model::exportFormatOf(path().toStdString()), &format);
+        }
+    }
+
+    void whatIsDisabledDoesNotCount() {
+        open();
+        chooseFormat(rowOf("STEP"));
+        click(box("outerOnly"));
+        part<QDoubleSpinBox>("exportMinHole").setValue(0.4);
+        QVERIFY(dialog().request().choice.isOuterOnly);
+        QCOMPARE(dialog().request().choice.minHole, 400'000);
+        chooseFormat(rowOf("DXF"));
+        QVERIFY(!dialog().request().choice.isOuterOnly);
+        QCOMPARE(dialog().request().choice.minHole, 0);
+    }
+
+    void theFileIsProposedBesideTheLastFolderAndItsEndingChoosesTheFormat() {
+        open();
+        chooseFormat(rowOf("DXF"));
+        QCOMPARE(path(), folder() + "/sample.dxf");
+        auto& line = part<QLineEdit>("exportFile");
+        line.selectAll();
+        QTest::keyClicks(&line, "rev1.2.pdf");  // beside the last folder
+        QCOMPARE(QString::fromUtf8(dialog().format().name.data()), QString("PDF"));
+        QCOMPARE(dialog().path(), folder() + "/rev1.2.pdf");
+        line.selectAll();
+        QTest::keyClicks(&line, "rev1.2");
+        QCOMPARE(dialog().path(), folder() + "/rev1.2.pdf");
+    }
+
+    void buttonsSetTheLayers() {
+        open();
+        const model::Document& board = *window().document();
+        click(button("&Copper"));
+        std::vector<model::LayerId> layers = dialog().request().choice.layers;
+        QVERIFY(layers.size() >= 2);
+        QVERIFY(std::ranges::all_of(layers, [&](auto layer) { return board.layer(layer).isCopper(); }));
+        click(button("&All"));
+        QCOMPARE(dialog().request().choice.layers.size(),
+                 static_cast<std::size_t>(part<QListWidget>("exportLayers").count()));
+        window().layers().showOnly({board.layer(layers.front()).name});
+        dialog().reject();
+        open();
+        click(button("&Visible"));
+        layers.resize(1);
+        QVERIFY(dialog().request().choice.layers == layers);
+    }
+
+    void withoutALayerThereIsNothingToExport() {
+        open();
+        click(button("&Copper"));
+        auto& list = part<QListWidget>("exportLayers");
+        QVERIFY(exportButton().isEnabled());
+        for (int row = 0; row < list.count(); ++row) {
+            if (list.item(row)->checkState() == Qt::Checked) {
+                list.setCurrentRow(row);
+                QTest::keyClick(&list, Qt::Key_Space);
+            }
+        }
+        QVERIFY(dialog().request().choice.layers.empty());
+        QVERIFY(!exportButton().isEnabled());
+        QVERIFY(problem().contains("layer"));
+    }
+
+    void netsAreAllThoseOfTheSelectionOrTyped() {
+        const std::string name = window().document()->nets[netWithAName()].name;
+        open();
+        chooseFormat(rowOf("STEP"));
+        auto& which = part<QComboBox>("exportNets");
+        QVERIFY(dialog().request().choice.nets.empty());
+        QVERIFY(!(which.model()->flags(which.model()->index(1, 0)) & Qt::ItemIsEnabled));  // nothing is selected
+        which.setCurrentIndex(2);
+        QVERIFY(!exportButton().isEnabled());
+        QTest::keyClicks(&part<QLineEdit>("exportNetNames"), "no such net");
+        QCOMPARE(problem(), QString("There is no net no such net"));
+        part<QLineEdit>("exportNetNames").setText(QString::fromStdString(name) + ", ");
+        QVERIFY(exportButton().isEnabled());
+        QVERIFY(dialog().request().choice.nets == std::vector{name});
+        dialog().reject();
+        window().selection().setNets({{0, model::NetId{netWithAName()}}});
+        open();
+        part<QComboBox>("exportNets").setCurrentIndex(1);
+        QVERIFY(dialog().request().choice.nets == std::vector{name});
+    }
+
+    void theAreaIsWhatThe2dViewShows() {
+        open();
+        chooseFormat(rowOf("STEP"));
+        part<QComboBox>("exportArea").setCurrentIndex(1);
+        const std::optional<base::Box> fitted = dialog().request().choice.window;
+        QVERIFY(fitted && fitted->meets(window().document()->board));
+        dialog().reject();
+        window().views().flat().controller().show({0.0F, 0.0F, 0.0F}, {1.0F, 1.0F, 0.0F});
+        open();
+        part<QComboBox>("exportArea").setCurrentIndex(1);
+        const std::optional<base::Box> near = dialog().request().choice.window;
+        QVERIFY(near && near->max.x - near->min.x < (fitted->max.x - fitted->min.x) / 2);
+        dialog().reject();
+        window().actions()[ActionId::ShowSolid].trigger();
+        open();
+        const auto& area = part<QComboBox>("exportArea");
+        QVERIFY(!(area.model()->flags(area.model()->index(1, 0)) & Qt::ItemIsEnabled));
+    }
+
+    void theSizeIsEstimatedAMomentAfterAChange() {
+        open();
+        chooseFormat(rowOf("STEP"));
+        QTRY_VERIFY2_WITH_TIMEOUT(estimate().startsWith("About "), qPrintable(estimate()), 20000);
+        const QString all = estimate();
+        click(box("outerOnly"));
+        QCOMPARE(estimate(), QString("Estimating the size …"));
+        QTRY_VERIFY2_WITH_TIMEOUT(estimate().startsWith("About "), qPrintable(estimate()), 20000);
+        QVERIFY(estimate() != all);
+        chooseFormat(rowOf("DXF"));
+        QTRY_VERIFY_WITH_TIMEOUT(estimate().contains("once it is written"), 20000);
+    }
+
+    void drawingsAndSolidsAreWrittenAndTheirSizeSaid() {
+        for (const char* format : {"DXF", "STEP"}) {
+            open();
+            chooseFormat(rowOf(format));
+            const QString file = path();
+            click(button("&Copper"));
+            click(exportButton());
+            QVERIFY(window().workspace().isWorking());
+            QVERIFY(waitUntilWritten());
+            QVERIFY(!window().messageBar().isVisible());
+            QVERIFY2(status().startsWith("Saved " + file + ": "), qPrintable(status()));
+            QVERIFY2(status().contains("B"), qPrintable(status()));
+            QVERIFY(QFileInfo(file).size() > 10000);
+        }
+    }
+
+    void enterExports() {
+        open();
+        chooseFormat(rowOf("DXF"));
+        QTest::keyClick(&part<QLineEdit>("exportFile"), Qt::Key_Return);
+        QVERIFY(window().workspace().isWorking());
+        QVERIFY(waitUntilWritten());
+        QVERIFY(QFileInfo::exists(folder() + "/sample.dxf"));
+    }
+
+    void anExistingFileIsReplacedOnlyIfTheUserSaysSo() {
+        open();
+        chooseFormat(rowOf("SVG"));
+        const QString file = path();
+        QFile there(file);
+        QVERIFY(there.open(QIODevice::WriteOnly) && there.write("mine") == 4);
+        there.close();
+        click(exportButton());
+        auto* question = dialog().findChild<QMessageBox*>();
+        QVERIFY(question != nullptr && question->text().contains("sample.svg"));
+        click(*question->button(QMessageBox::Cancel));
+        QVERIFY(dialog().isVisible() && !window().workspace().isWorking());
+        QCOMPARE(QFileInfo(file).size(), 4);
+        QTRY_VERIFY(dialog().findChild<QMessageBox*>() == nullptr);
+        click(exportButton());
+        click(*dialog().findChild<QMessageBox*>()->button(QMessageBox::Yes));
+        QVERIFY(waitUntilWritten());
+        QVERIFY(QFileInfo(file).size() > 1000);
+    }
+
+    void whereNothingCanBeWrittenTheUserIsTold() {
+        open();
+        chooseFormat(rowOf("SVG"));
+        auto& line = part<QLineEdit>("exportFile");
+        line.setText(folder() + "/no/such/folder/a.svg");
+        QVERIFY(!exportButton().isEnabled());
+        QCOMPARE(problem(), "There is no folder " + folder() + "/no/such/folder");
+        line.setText(folder());  // a folder with the ending of the format
+        QVERIFY(QDir(folder()).mkdir("a.svg"));
+        line.setText(folder() + "/a.svg");
+        QVERIFY(problem().endsWith("is a folder"));
+        line.setText("/proc/self/a.svg");  // looks writable to an administrator
+        if (exportButton().isEnabled()) {
+            click(exportButton());
+            QVERIFY(waitUntilWritten());
+            QVERIFY(window().messageBar().isVisible());
+            QVERIFY2(window().error().contains("/proc/self/a.svg"), qPrintable(window().error()));
+        } else {
+            QVERIFY(problem().startsWith("Nothing can be written into /proc/self"));
+        }
+    }
+
+    void choicesAreRemembered() {
+        open();
+        chooseFormat(rowOf("STEP"));
+        click(box("merge"));
+        click(button("&Copper"));
+        part<QDoubleSpinBox>("exportMinHole").setValue(0.35);
+        const auto layers = dialog().request().choice.layers;
+        click(exportButton());
+        QVERIFY(waitUntilWritten());
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
+        open();
+        QCOMPARE(&dialog().format(), &model::exportFormats()[rowOf("STEP")]);
+        const model::SolidChoice choice = dialog().request().choice;
+        QVERIFY(choice.isMerged && !choice.isOnePart);
+        QVERIFY(choice.layers == layers);
+        QCOMPARE(choice.minHole, 350'000);
+        QCOMPARE(path(), folder() + "/sample.step");
+    }
+
+    void whatIsCancelledLeavesNoFile() {
+        open();
+        chooseFormat(rowOf("STEP"));
+        click(exportButton());
+        QVERIFY(window().workspace().isWorking());
+        click(*window().findChild<QWidget*>("work")->findChild<QToolButton*>());  // of the status line
+        QVERIFY(!window().workspace().isWorking());
+        QVERIFY2(status().startsWith("Stopped: ") && status().endsWith("was not written"), qPrintable(status()));
+        QTest::qWait(2000);  // the thread winds down
+        QCOMPARE(QDir(folder()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot), QStringList());
+    }
+
+    void whatIsNotInTheFileIsListed() {
+        const auto before = window().find<ui::MessageModel>().rowCount();
+        model::Diagnostics missing;
+        missing.report(model::Severity::Warning, "steps/pcb/layers/top/features", 7,
+                       "Not in a.step: it has no outline");
+        window().workspace().listExported(missing);
+        ui::MessageModel& messages = window().find<ui::MessageModel>();
+        QCOMPARE(messages.rowCount(), before + 1);
+        QCOMPARE(messages.index(before, ui::MessageModel::Location).data().toString(),
+                 QString("steps/pcb/layers/top/features:7"));
+        window().workspace().listExported({});  // of the next export
+        QCOMPARE(messages.rowCount(), before);
+    }
+
+private:
+    TestWindow& window() { return m_fixture->window(); }
+    [[nodiscard]] QString folder() const { return m_fixture->folder() + "/out"; }
+    ui::ExportDialog& dialog() { return window().find<ui::ExportDialog>(); }
+    template <class Part>
+    Part& part(const char* name) {
+        return *dialog().findChild<Part*>(name);
+    }
+    QCheckBox& box(const char* name) { return part<QCheckBox>(name); }
+    QString path() { return part<QLineEdit>("exportFile").text(); }
+    QString estimate() { return part<QLabel>("exportEstimate").text(); }
+    QString problem() { return part<QLabel>("exportProblem").text(); }
+    QString status() { return window().statusBar()->currentMessage(); }
+
+    void open() {
+        QTRY_VERIFY(window().findChild<ui::ExportDialog*>() == nullptr);  // the one before
+        window().actions()[ActionId::ExportBoard].trigger();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog()));
+    }
+    QPushButton& button(const QString& text) {
+        const auto buttons = dialog().findChildren<QPushButton*>();
+        const auto found = std::ranges::find(buttons, text, &QPushButton::text);
+        return found != buttons.end() ? **found : (qFatal("no such button"), *buttons.front());
+    }
+    QPushButton& exportButton() { return button("&Export"); }
+    static void click(QAbstractButton& button) {
+        QTest::mouseClick(&button, Qt::LeftButton, {}, {10, button.height() / 2});
+    }
+
+    static std::size_t rowOf(std::string_view format) {
+        const auto formats = model::exportFormats();
+        return static_cast<std::size_t>(std::ranges::find(formats, format, &model::ExportFormat::name) -
+                                        formats.begin());
+    }
+    void chooseFormat(std::size_t row) {
+        auto& formats = part<QComboBox>("exportFormat");
+        formats.setFocus();
+        QTest::keyClick(&formats, Qt::Key_Home);
+        for (std::size_t i = 0; i < row; ++i) {
+            QTest::keyClick(&formats, Qt::Key_Down);
+        }
+        QCOMPARE(formats.currentIndex(), static_cast<int>(row));
+    }
+    std::size_t netWithAName() {
+        const auto& nets = window().document()->nets;
+        return static_cast<std::size_t>(std::ranges::find(nets, std::string("GND"), &model::Net::name) - nets.begin());
+    }
+    bool waitUntilWritten() {
+        return QTest::qWaitFor([this] { return !window().workspace().isWorking(); }, 60000);
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+};
+
+QTEST_MAIN(ExportDialogTest)
+#include "export_dialog_test.moc"
