@@ -122,7 +122,7 @@ void ExportFeature::showEstimate() {
     if (m_dialog) {
         m_dialog->setEstimate(!bytes   ? QString::fromStdString(bytes.error().text)
                               : *bytes ? tr("About %1").arg(sizeText(**bytes))
-                                       : tr("How large the file is shows once it is written"));
+                                       : tr("The size is known once it is written"));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QListWidget>
+#include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -29,6 +30,14 @@ bool isOn(const QListWidgetItem& item) {
     return item.checkState() == Qt::Checked;
 }
 
+/// With a frame that shows on any ground.
+QPixmap swatch(const QColor& colour) {
+    QPixmap picture(12, 12);
+    picture.fill(Qt::gray);
+    QPainter(&picture).fillRect(1, 1, 10, 10, colour);
+    return picture;
+}
+
 }  // namespace
 
 ExportLayers::ExportLayers(const LayerModel& layers, QWidget* parent)
@@ -39,9 +48,7 @@ ExportLayers::ExportLayers(const LayerModel& layers, QWidget* parent)
     for (std::size_t row = 0; row < colours.size(); ++row) {
         const model::Layer& layer = layers.document()->layers[row];
         if (hasElements(layer)) {
-            QPixmap swatch(12, 12);
-            swatch.fill(colours[row]);
-            auto* item = new QListWidgetItem(swatch, QString::fromStdString(layer.name), m_list);
+            auto* item = new QListWidgetItem(swatch(colours[row]), QString::fromStdString(layer.name), m_list);
             item->setToolTip(layerTypeText(layer.type));
             item->setData(kRow, static_cast<qulonglong>(row));
             item->setCheckState(Qt::Unchecked);

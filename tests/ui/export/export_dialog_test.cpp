@@ -262,17 +262,48 @@ private slots:
     }
 
     void whatIsNotInTheFileIsListed() {
-        const auto before = window().find<ui::MessageModel>().rowCount();
-        model::Diagnostics missing;
-        missing.report(model::Severity::Warning, "steps/pcb/layers/top/features", 7,
-                       "Not in a.step: it has no outline");
-        window().workspace().listExported(missing);
-        ui::MessageModel& messages = window().find<ui::MessageModel>();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_fixture->copyOfJob("everything").string())));
+        const ui::MessageModel& messages = window().find<ui::MessageModel>();
+        const int before = messages.rowCount();
+        open();
+        chooseFormat(rowOf("DXF"));
+        click(exportButton());
+        QVERIFY(waitUntilWritten());
+        QVERIFY2(status().endsWith(". Elements that are not in it: 1, listed in Messages"), qPrintable(status()));
         QCOMPARE(messages.rowCount(), before + 1);
+        QCOMPARE(messages.index(before, ui::MessageModel::Text).data().toString(),
+                 QString("Not in everything.dxf: it has no width"));
         QCOMPARE(messages.index(before, ui::MessageModel::Location).data().toString(),
-                 QString("steps/pcb/layers/top/features:7"));
-        window().workspace().listExported({});  // of the next export
-        QCOMPARE(messages.rowCount(), before);
+                 QString("steps/board/layers/top/features:63"));
+        open();
+        click(button("&Copper"));  // the next export takes the place of that one
+        part<QLineEdit>("exportFile").setText(folder() + "/again.dxf");
+        click(exportButton());
+        QVERIFY(waitUntilWritten());
+        QCOMPARE(messages.rowCount(), before + 1);
+        QVERIFY(messages.index(before, ui::MessageModel::Text).data().toString().contains("again.dxf"));
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
+        QVERIFY(messages.rowCount() == 0 || !messages.message(messages.rowCount() - 1).text.starts_with("Not in"));
+    }
+
+    void aFileThatIsBrowsedForChoosesTheFormat() {
+        open();
+        chooseFormat(rowOf("STEP"));
+        click(button("B&rowse…"));
+        auto* files = dialog().findChild<QFileDialog*>();
+        QVERIFY(files != nullptr && files->isVisible());
+        QCOMPARE(files->nameFilters().size(), static_cast<qsizetype>(model::exportFormats().size()));
+        QCOMPARE(files->selectedNameFilter(), QString("STEP (*.step *.stp)"));
+        emit files->fileSelected(folder() + "/chosen.svg");
+        files->close();
+        QCOMPARE(&dialog().format(), &model::exportFormats()[rowOf("SVG")]);
+        QCOMPARE(dialog().path(), folder() + "/chosen.svg");
+    }
+
+    void anotherBoardEndsTheDialog() {
+        open();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_fixture->copyOfJob("drills").string())));
+        QTRY_VERIFY(window().findChild<ui::ExportDialog*>() == nullptr);
     }
 
 private:
