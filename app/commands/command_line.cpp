@@ -295,13 +295,14 @@ void addExport(CLI::App& parent, Command& chosen) {
         ->expected(4);
     command.add_option("--min-hole", arguments.minHole,
                        "leave out round holes narrower than this, with um, mm, mil or inch");
-    command.add_option("--fit-arcs", arguments.fitArcs,
-                       "runs of chords as arcs that are no further away than this, for example 5um");
+    command.add_flag("--fit-arcs", arguments.hasFittedArcs, "runs of chords as arcs, where those are within 5 um");
     command.add_flag("--outer-only", arguments.isOuterOnly,
                      "only the substrate, the bodies of components and the pads they are soldered to");
     command.add_flag("--merge", arguments.isMerged, "touching copper of one net and layer as one solid");
     command.add_flag("--one-part", arguments.isOnePart, "one part instead of a tree of layers and nets");
     command.add_flag("--as-designed", arguments.isAsDesigned, "also what is milled away beyond the board outline");
+    command.add_flag("--compress", arguments.isCompressed,
+                     "GLB: compressed meshes (EXT_meshopt_compression), which not all viewers read");
     command.add_flag("--one-page", arguments.isOnePage, "PDF: all layers on one page instead of a page each");
     command.add_flag("--written-out", arguments.isWrittenOut,
                      "equal pads and barrels one by one, for programs that do not know placed shapes");

@@ -61,9 +61,7 @@ Result<model::SolidChoice> choiceOf(const Document& board, const ExportArguments
     if (!arguments.minHole.empty()) {
         ASSIGN_OR_RETURN(choice.minHole, model::parseLength(arguments.minHole));
     }
-    if (!arguments.fitArcs.empty()) {
-        ASSIGN_OR_RETURN(choice.fitArcs, model::parseLength(arguments.fitArcs));
-    }
+    choice.hasFittedArcs = arguments.hasFittedArcs;
     choice.isOuterOnly = arguments.isOuterOnly;
     choice.isMerged = arguments.isMerged;
     choice.isOnePart = arguments.isOnePart;
@@ -107,6 +105,7 @@ Result<model::ExportRequest> requestFor(const Document& board, const ExportArgum
     request.time = now();
     request.isWrittenOut = arguments.isWrittenOut;
     request.isOnePage = arguments.isOnePage;
+    request.isCompressed = arguments.isCompressed;
     request.how = discretisationOf(arguments.board);
     return request;
 }

@@ -14,14 +14,15 @@ struct ExportArguments {
     std::vector<std::string> layers;  ///< names; empty: all that the format shows
     std::vector<std::string> nets;
     std::vector<double> window;  ///< x0, y0, x1, y1 in millimetres of the job's coordinates; empty: the board
-    std::string fitArcs;         ///< a length; empty: no
     std::string minHole;         ///< a length; empty: all holes
     bool isOuterOnly = false;
+    bool hasFittedArcs = false;
     bool isMerged = false;
     bool isOnePart = false;
     bool isAsDesigned = false;
     bool isWrittenOut = false;
     bool isOnePage = false;
+    bool isCompressed = false;
 };
 
 /// `copperscope export BOARD -o FILE`: the board as solids, or its layers as drawings (model/export/files). How large

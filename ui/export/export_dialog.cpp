@@ -45,6 +45,12 @@ constexpr Option kOptions[] = {
     {"merge", QT_TRANSLATE_NOOP("ui::ExportDialog", "&Merge touching copper"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "Touching copper of one net and layer becomes one solid"),
      &ExportFormat::isSolid, [](ExportRequest& request) -> bool& { return request.choice.isMerged; }},
+    {"fitArcs", QT_TRANSLATE_NOOP("ui::ExportDialog", "&Arcs instead of chords"),
+     QT_TRANSLATE_NOOP(
+         "ui::ExportDialog",
+         "Runs of chords become arcs, where those are within 5 µm: pours that were drawn with arcs become "
+         "small"),
+     &ExportFormat::isSolid, [](ExportRequest& request) -> bool& { return request.choice.hasFittedArcs; }},
     {"onePart", QT_TRANSLATE_NOOP("ui::ExportDialog", "One &part"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "One product with all solids instead of a tree of layers and nets"),
      &ExportFormat::isSolid, [](ExportRequest& request) -> bool& { return request.choice.isOnePart; }},
@@ -56,6 +62,9 @@ constexpr Option kOptions[] = {
                        "Every pad and barrel is written instead of one placed often: larger, for programs that do not "
                        "read placed shapes"),
      &ExportFormat::isStep, [](ExportRequest& request) -> bool& { return request.isWrittenOut; }},
+    {"compress", QT_TRANSLATE_NOOP("ui::ExportDialog", "&Compressed"),
+     QT_TRANSLATE_NOOP("ui::ExportDialog", "A third of the size, which not all viewers read (EXT_meshopt_compression)"),
+     &ExportFormat::isGlb, [](ExportRequest& request) -> bool& { return request.isCompressed; }},
     {"onePage", QT_TRANSLATE_NOOP("ui::ExportDialog", "All on one pa&ge"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "All layers on one page, which viewers switch, instead of a page per layer"),
      &ExportFormat::isPdf, [](ExportRequest& request) -> bool& { return request.isOnePage; }},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <type_traits>
 
 #include "model/export/drawings/dxf_drawing.h"
 #include "model/export/drawings/pdf_drawing.h"
@@ -59,6 +60,9 @@ Result<ExportSummary> writeMesh(const Document& board, const ExportRequest& requ
     options.looks = request.looks;
     options.name = board.job.name;
     options.how = request.how;
+    if constexpr (std::is_same_v<Options, GlbOptions>) {
+        options.packing = request.isCompressed ? GlbPacking::Compressed : GlbPacking::Plain;
+    }
     ASSIGN_OR_RETURN(const MeshReport report, Write(plan, options, path, progress));
     return ExportSummary{
         report.bytes,
@@ -109,14 +113,14 @@ Result<ExportSummary> drawPdf(const Document& board, const ExportRequest& reques
 }
 
 constexpr ExportFormat kFormats[] = {
-    {"STEP", ".step .stp", "exact solids for mechanical CAD", true, true, false, writeStep},
-    {"GLB", ".glb", "triangles with names and colours for viewers", true, false, false,
+    {"STEP", ".step .stp", "exact solids for mechanical CAD", true, true, false, false, writeStep},
+    {"GLB", ".glb", "triangles with names and colours for viewers", true, false, false, true,
      writeMesh<GlbOptions, exportGlb>},
-    {"STL", ".stl", "triangles for printers", true, false, false, writeMesh<MeshOptions, exportStl>},
-    {"OBJ", ".obj", "triangles for renderers", true, false, false, writeMesh<MeshOptions, exportObj>},
-    {"DXF", ".dxf", "outlines of layers for CAD", false, false, false, draw<writeDxf>},
-    {"SVG", ".svg", "a drawing of layers, true to scale", false, false, false, draw<writeSvg>},
-    {"PDF", ".pdf", "a drawing of layers, true to scale", false, false, true, drawPdf},
+    {"STL", ".stl", "triangles for printers", true, false, false, false, writeMesh<MeshOptions, exportStl>},
+    {"OBJ", ".obj", "triangles for renderers", true, false, false, false, writeMesh<MeshOptions, exportObj>},
+    {"DXF", ".dxf", "outlines of layers for CAD", false, false, false, false, draw<writeDxf>},
+    {"SVG", ".svg", "a drawing of layers, true to scale", false, false, false, false, draw<writeSvg>},
+    {"PDF", ".pdf", "a drawing of layers, true to scale", false, false, true, false, drawPdf},
 };
 
 std::vector<std::string> endingsOf(const ExportFormat& format) {
@@ -168,7 +172,7 @@ Result<ExportSummary> exportBoard(const Document& board, const ExportFormat& for
                                   const fs::path& path, Progress& progress) {
     const SolidChoice& choice = request.choice;
     const bool isOnlyForSolids = !choice.nets.empty() || choice.window || choice.minHole > 0 || choice.isOuterOnly ||
-                                 choice.isMerged || choice.isOnePart || choice.fitArcs > 0;
+                                 choice.isMerged || choice.isOnePart || choice.hasFittedArcs;
     if (!format.isSolid && isOnlyForSolids) {
         return base::Error{ErrorCode::BadUsage,
                            std::string(format.name) + " shows whole layers: it can be limited to layers only"};

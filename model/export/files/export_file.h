@@ -20,6 +20,7 @@ struct ExportRequest {
     std::string time;              ///< ISO 8601, for headers
     bool isWrittenOut = false;     ///< StepOptions::isWrittenOut
     bool isOnePage = false;        ///< PDF: all layers on one page
+    bool isCompressed = false;     ///< GLB: GlbPacking::Compressed
     Discretisation how;            ///< of curves in meshes
 };
 
@@ -46,6 +47,7 @@ struct ExportFormat {
     bool isSolid = false;      ///< it knows all of SolidChoice; otherwise layers only
     bool isStep = false;       ///< it knows ExportRequest::isWrittenOut
     bool isPdf = false;        ///< it knows ExportRequest::isOnePage
+    bool isGlb = false;        ///< it knows ExportRequest::isCompressed
     base::Result<ExportSummary> (*write)(const Document& board, const ExportRequest& request,
                                          const std::filesystem::path& path, base::Progress& progress) = nullptr;
 };

@@ -8,6 +8,9 @@
 
 namespace model {
 
+/// As far as programs keep the chords that they write for the arcs of pours, nm.
+inline constexpr double kArcTolerance = 5'000.0;
+
 /// Which part of a board is exported as solids, and how.
 struct SolidChoice {
     std::vector<LayerId> layers;    ///< empty: all that a finished board consists of (isSolidLayer)
@@ -20,8 +23,9 @@ struct SolidChoice {
     /// What a mechanical design needs: the substrate, the bodies of components, and the pads on both outer layers that
     /// are not part of a via. No inner layers, tracks, planes, mask or print.
     bool isOuterOnly = false;
-    /// Runs of chords become arcs that are nowhere further away than this, nm (withFittedArcs); 0: as the job has them.
-    double fitArcs = 0.0;
+    /// Runs of chords become arcs that are nowhere further away than kArcTolerance (withFittedArcs). Else they stay
+    /// what the job says.
+    bool hasFittedArcs = false;
     bool isMerged = false;      ///< touching copper of one net and layer becomes one solid
     bool isOnePart = false;     ///< one product with all solids instead of a tree of layers and nets
     bool isAsDesigned = false;  ///< with what is milled away beyond the board outline

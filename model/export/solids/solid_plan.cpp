@@ -179,8 +179,8 @@ ZRange flippedHeights(const Document& document, ElementId element) {
 
 /// A region as the choice wants it, upside down if the step lies so.
 EdgeLoops finished(EdgeLoops region, const SolidChoice& choice, bool isFlipped) {
-    if (choice.fitArcs > 0) {
-        region = withFittedArcs(region, choice.fitArcs);
+    if (choice.hasFittedArcs) {
+        region = withFittedArcs(region, kArcTolerance);
     }
     return isFlipped ? placed(region, kUpsideDown) : region;
 }
