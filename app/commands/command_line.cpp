@@ -297,7 +297,7 @@ void addExport(CLI::App& parent, Command& chosen) {
                        "leave out round holes narrower than this, with um, mm, mil or inch");
     command.add_flag("--fit-arcs", arguments.hasFittedArcs, "runs of chords as arcs, where those are within 5 um");
     command.add_flag("--outer-only", arguments.isOuterOnly,
-                     "only the substrate, the bodies of components and the pads they are soldered to");
+                     "only the substrate and the bodies of components; of outer copper in --layers the solder pads");
     command.add_flag("--merge", arguments.isMerged, "touching copper of one net and layer as one solid");
     command.add_flag("--one-part", arguments.isOnePart, "one part instead of a tree of layers and nets");
     command.add_flag("--as-designed", arguments.isAsDesigned, "also what is milled away beyond the board outline");

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "model/text/gzip_stream.h"
+
 namespace model {
 
 namespace fs = std::filesystem;
@@ -24,7 +26,8 @@ std::string endingOfPart() {
 
 }  // namespace
 
-FileWriter::FileWriter(const fs::path& named) {
+FileWriter::FileWriter(const fs::path& named, Packing packing)
+    : m_gzip(packing == Packing::Gzip ? std::make_unique<GzipStream>() : nullptr) {
     std::error_code error;
     const fs::path linked = fs::is_symlink(named, error) ? fs::weakly_canonical(named, error) : named;
     m_path = error ? named : linked;
@@ -60,6 +63,11 @@ base::Status FileWriter::status() const {
 
 base::Status FileWriter::commit() {
     flush();
+    if (m_gzip) {
+        std::string end;
+        m_gzip->finish(end);
+        pass(end);
+    }
     if (m_failure.empty() && m_isPlain && ::fsync(m_file) != 0) {
         fail(std::strerror(errno));
     }
@@ -82,7 +90,18 @@ void FileWriter::fail(const std::string& why) {
 }
 
 void FileWriter::flush() {
-    std::string_view rest = m_pending;
+    if (m_gzip) {
+        std::string packed;
+        m_gzip->add(m_pending, packed);
+        pass(packed);
+    } else {
+        pass(m_pending);
+    }
+    m_pending.clear();
+}
+
+void FileWriter::pass(std::string_view rest) {
+    m_packedSize += rest.size();
     while (m_failure.empty() && !rest.empty()) {
         const ssize_t count = ::write(m_file, rest.data(), rest.size());
         if (count < 0 && errno != EINTR) {
@@ -90,7 +109,6 @@ void FileWriter::flush() {
         }
         rest.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
     }
-    m_pending.clear();
 }
 
 void FileWriter::close() {

@@ -7,7 +7,7 @@
 set(architecture_rows
     # folder                       | namespace       | may include | libraries
     "model/base                    | base model      | | tbb"
-    "model/text                    | model           | | json"
+    "model/text                    | model           | | json zlib"
     "model/geometry                | model           | | clipper"
     "model/geometry/loops          | model           | model/geometry |"
     "model/board                   | model           | model/geometry |"

@@ -39,8 +39,8 @@ struct Option {
 constexpr Option kOptions[] = {
     {"outerOnly", QT_TRANSLATE_NOOP("ui::ExportDialog", "&Outside only"),
      QT_TRANSLATE_NOOP("ui::ExportDialog",
-                       "What a mechanical design needs: the substrate, bodies of components and the pads on both outer "
-                       "layers, without vias"),
+                       "What a mechanical design needs: the substrate and the bodies of components; of outer copper "
+                       "layers that are named also the solder pads"),
      &ExportFormat::isSolid, [](ExportRequest& request) -> bool& { return request.choice.isOuterOnly; }},
     {"merge", QT_TRANSLATE_NOOP("ui::ExportDialog", "&Merge touching copper"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "Touching copper of one net and layer becomes one solid"),

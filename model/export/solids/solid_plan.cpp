@@ -5,6 +5,7 @@
 #include <set>
 
 #include "model/geometry/loops/fit_arcs.h"
+#include "model/geometry/loops/needless_corners.h"
 #include "model/solids/shells/area_shell.h"
 
 namespace model {
@@ -22,10 +23,11 @@ public:
 
     [[nodiscard]] bool takes(LayerId id) const {
         const Layer& layer = m_document.layer(id);
-        if (m_choice.isOuterOnly && !isOutside(layer)) {
+        const bool isChosen = std::ranges::count(m_choice.layers, id) > 0;
+        if (m_choice.isOuterOnly && !isOutside(layer, isChosen)) {
             return false;
         }
-        return m_choice.layers.empty() ? isSolidLayer(layer) : std::ranges::count(m_choice.layers, id) > 0;
+        return m_choice.layers.empty() ? isSolidLayer(layer) : isChosen;
     }
 
     [[nodiscard]] bool takes(ElementId element) const {
@@ -46,10 +48,10 @@ public:
     }
 
 private:
-    static bool isOutside(const Layer& layer) {
+    static bool isOutside(const Layer& layer, bool isChosen) {
         const bool isOuterCopper =
             layer.isCopper() && (layer.side == LayerSide::Top || layer.side == LayerSide::Bottom);
-        return isOuterCopper || layer.type == LayerType::Body || layer.type == LayerType::ComponentBody;
+        return (isOuterCopper && isChosen) || layer.type == LayerType::Body || layer.type == LayerType::ComponentBody;
     }
 
     [[nodiscard]] bool isSolderPad(std::size_t row) const {
@@ -179,6 +181,7 @@ ZRange flippedHeights(const Document& document, ElementId element) {
 
 /// A region as the choice wants it, upside down if the step lies so.
 EdgeLoops finished(EdgeLoops region, const SolidChoice& choice, bool isFlipped) {
+    region = withoutNeedlessCorners(region, kCornerTolerance);
     if (choice.hasFittedArcs) {
         region = withFittedArcs(region, kArcTolerance);
     }

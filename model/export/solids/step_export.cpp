@@ -220,10 +220,10 @@ StepEstimate estimateStep(const SolidPlan& plan) {
 base::Result<SolidReport> exportStep(const SolidPlan& plan, const StepOptions& options,
                                      const std::filesystem::path& path, base::Progress& progress) {
     progress.beginPhase("Writing solids");
-    FileWriter file(path);
+    FileWriter file(path, options.isPacked ? FileWriter::Packing::Gzip : FileWriter::Packing::None);
     StepWriter writer(plan, options, file, progress);
     RETURN_IF_ERROR(writer.write());
-    writer.report.bytes = file.size();
+    writer.report.bytes = file.packedSize();
     return std::move(writer.report);
 }
 

@@ -22,6 +22,7 @@ struct StepOptions {
     std::string time;              ///< ISO 8601, in the file's header
     /// Writes every pad and barrel out instead of placing one shape often, for readers without mapped items.
     bool isWrittenOut = false;
+    bool isPacked = false;  ///< gzip, as readers of .stpz want it
     /// Planes with more edges or holes are written in several solids side by side (splitLarge).
     RegionLimits limits;
 };

@@ -1,6 +1,7 @@
 #include "model/text/file_writer.h"
 
 #include <sys/resource.h>
+#include <zlib.h>
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -32,6 +33,17 @@ private:
     void (*m_handler)(int) = nullptr;
 };
 
+std::string unpacked(const std::string& path) {
+    std::string bytes;
+    std::string piece(1U << 16U, '\0');
+    gzFile file = gzopen(path.c_str(), "rb");
+    for (int count = 0; (count = gzread(file, piece.data(), static_cast<unsigned>(piece.size()))) > 0;) {
+        bytes.append(piece, 0, static_cast<std::size_t>(count));
+    }
+    gzclose(file);
+    return bytes;
+}
+
 QStringList filesIn(const QTemporaryDir& folder) {
     return QDir(folder.path()).entryList(QDir::Files);
 }
@@ -57,6 +69,33 @@ private slots:
         }
         QCOMPARE(std::filesystem::file_size(path), std::uintmax_t{2'000'000});
         QCOMPARE(filesIn(folder), QStringList{"board.step"});
+    }
+
+    void packedPiecesUnpackToWhatWasWritten() {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath("board.stpz").toStdString();
+        std::string all;
+        model::FileWriter writer(path, model::FileWriter::Packing::Gzip);
+        for (int i = 0; i < 40'000; ++i) {
+            const std::string piece = "#" + std::to_string(i) + "=CARTESIAN_POINT('',(1.,2.,3.));\n";
+            QVERIFY(writer.write(piece));
+            all += piece;
+        }
+        QVERIFY(writer.commit());
+        QCOMPARE(writer.size(), std::uint64_t{all.size()});
+        QCOMPARE(writer.packedSize(), std::uint64_t{std::filesystem::file_size(path)});
+        QVERIFY(writer.packedSize() * 3 < writer.size());
+        QVERIFY(unpacked(path) == all);
+        QCOMPARE(filesIn(folder), QStringList{"board.stpz"});
+    }
+
+    void packedFilesOfNothingAreWhole() {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath("empty.stpz").toStdString();
+        model::FileWriter writer(path, model::FileWriter::Packing::Gzip);
+        QVERIFY(writer.commit());
+        QCOMPARE(unpacked(path), std::string());
+        QCOMPARE(writer.packedSize(), std::uint64_t{std::filesystem::file_size(path)});
     }
 
     void whatIsNotCommittedLeavesNothing() {
