@@ -28,7 +28,7 @@ public:
         }
         meshes.shapes.resize(m_keys.size());
         base::parallelFor(m_keys.size(), [&](std::size_t i) {
-            for (const Shell& shell : m_plan.shellsOf(m_step, m_keys[i])) {
+            for (const Shell& shell : m_plan.shellsOf(m_step, m_keys[i]).shells) {
                 static_cast<void>(appendPrisms(polygonsOf(shell.outline, m_how), shell.z, meshes.shapes[i]));
             }
         });

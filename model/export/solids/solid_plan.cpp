@@ -307,12 +307,14 @@ std::optional<MergedShells> SolidPlan::mergedShellsOf(const StepSolids& step, co
     return merged;
 }
 
-std::vector<Shell> SolidPlan::shellsOf(const StepSolids& step, const ShapeKey& key) const {
-    std::vector<Shell> shells;
-    for (EdgeLoops& region : outlinesOf(*step.document, key)) {
-        shells.push_back({finished(std::move(region), choice, step.isFlipped), {key.bottom, key.top}});
+ElementShells SolidPlan::shellsOf(const StepSolids& step, const ShapeKey& key) const {
+    ElementOutlines outlines = outlinesOf(*step.document, key);
+    ElementShells result;
+    result.problem = outlines.problem;
+    for (EdgeLoops& region : outlines.regions) {
+        result.shells.push_back({finished(std::move(region), choice, step.isFlipped), {key.bottom, key.top}});
     }
-    return shells;
+    return result;
 }
 
 base::Result<SolidPlan> planSolids(const Document& board, const SolidChoice& choice, const base::Progress& progress) {

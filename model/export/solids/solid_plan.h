@@ -69,7 +69,7 @@ struct SolidPlan {
     /// nothing: then its elements are written one by one.
     [[nodiscard]] std::optional<MergedShells> mergedShellsOf(const StepSolids& step, const SolidGroup& group) const;
     /// The solids of such a shape, where SharedShape::placement is none.
-    [[nodiscard]] std::vector<Shell> shellsOf(const StepSolids& step, const ShapeKey& key) const;
+    [[nodiscard]] ElementShells shellsOf(const StepSolids& step, const ShapeKey& key) const;
 };
 
 /// Errors: BadUsage for a net that is not there, or when nothing is left to write; Cancelled.

@@ -41,6 +41,12 @@ public:
     SolidReport report;
 
 private:
+    /// A shape that is placed often.
+    struct WrittenShape {
+        StepId id = 0;             ///< 0: it has no solid
+        std::string_view problem;  ///< ElementShells::problem
+    };
+
     [[nodiscard]] bool isStopped() const { return m_progress.isCancelled() || !m_file.status().ok(); }
 
     void passOn(std::size_t atLeast) {
@@ -117,12 +123,7 @@ private:
     void addElement(const StepSolids& step, ElementId element, const StepColour& colour) {
         const auto shared = m_options.isWrittenOut ? std::nullopt : m_plan.sharedShapeOf(step, element);
         if (shared) {
-            StepId& shape = m_shapes[shared->key];
-            if (shape == 0) {
-                shape = m_assembly.addShape(addShells(m_plan.shellsOf(step, shared->key), colour));
-            }
-            m_items.push_back(m_assembly.addCopy(shape, m_solids.placementOf(shared->placement)));
-            ++report.copies;
+            addPlaced(step, element, *shared, colour);
             return;
         }
         const ElementShells made = m_plan.shellsOf(step, element);
@@ -130,6 +131,22 @@ private:
         m_items.insert(m_items.end(), solids.begin(), solids.end());
         if (!made.problem.empty()) {
             report.missing.push_back({m_step, element, made.problem});
+        }
+    }
+
+    void addPlaced(const StepSolids& step, ElementId element, const SharedShape& shared, const StepColour& colour) {
+        const auto [found, isNew] = m_shapes.try_emplace(shared.key);
+        if (isNew) {
+            const ElementShells made = m_plan.shellsOf(step, shared.key);
+            found->second.problem = made.problem;
+            found->second.id = made.shells.empty() ? 0 : m_assembly.addShape(addShells(made.shells, colour));
+        }
+        if (found->second.id != 0) {
+            m_items.push_back(m_assembly.addCopy(found->second.id, m_solids.placementOf(shared.placement)));
+            ++report.copies;
+        }
+        if (!found->second.problem.empty()) {
+            report.missing.push_back({m_step, element, found->second.problem});
         }
     }
 
@@ -167,7 +184,7 @@ private:
     StepText m_text;
     StepSolidText m_solids{m_text};
     StepAssembly m_assembly{m_text, m_solids.origin()};
-    std::unordered_map<ShapeKey, StepId, ShapeKeyHash> m_shapes;  ///< of the step that is being written
+    std::unordered_map<ShapeKey, WrittenShape, ShapeKeyHash> m_shapes;  ///< of the step that is being written
     std::uint32_t m_step = 0;
     std::vector<StepId> m_items;
     std::uint64_t m_done = 0;
@@ -195,7 +212,7 @@ double bytesOf(const std::vector<Shell>& shells) {
 double estimatedBytes(const SolidPlan& plan, const StepSolids& step) {
     double bytes = kBytesOfGroup * static_cast<double>(step.groups.size());
     for (const auto& [key, uses] : step.uses) {
-        bytes += uses > 1 ? bytesOf(plan.shellsOf(step, key)) : 0.0;
+        bytes += uses > 1 ? bytesOf(plan.shellsOf(step, key).shells) : 0.0;
     }
     const std::size_t stride = step.elements.size() / kSampled + 1;
     for (std::size_t i = 0; i < step.elements.size(); i += stride) {

@@ -70,18 +70,23 @@ bool clean(std::vector<EdgeLoops>& regions) {
 }
 
 ElementOutlines placedArea(const Document& document, const AreaGeometry& area) {
-    ElementOutlines outlines{areaOutlines(document.shapes, area.shape), {}};
-    const bool isClean = clean(outlines.regions);
+    ElementOutlines outlines = outlinesOf(document, area.shape);
     if (!isIdentity(area.placement)) {
         for (EdgeLoops& region : outlines.regions) {
             region = placed(region, area.placement);
         }
     }
-    outlines.problem = outlines.regions.empty() ? kNoArea : isClean ? std::string_view{} : kCrossesItself;
     return outlines;
 }
 
 }  // namespace
+
+ElementOutlines outlinesOf(const Document& document, ShapeId shape) {
+    ElementOutlines outlines{areaOutlines(document.shapes, shape), {}};
+    const bool isClean = clean(outlines.regions);
+    outlines.problem = outlines.regions.empty() ? kNoArea : isClean ? std::string_view{} : kCrossesItself;
+    return outlines;
+}
 
 ElementOutlines outlinesOf(const Document& document, ElementId element) {
     const std::uint32_t row = document.elements.geometry[element.row()];

@@ -22,6 +22,8 @@ struct ElementOutlines {
 };
 
 [[nodiscard]] ElementOutlines outlinesOf(const Document& document, ElementId element);
+/// Those of a shape where no placement lays it.
+[[nodiscard]] ElementOutlines outlinesOf(const Document& document, ShapeId shape);
 /// From where to where the element is solid: its layer, its body, or what is left of the plating of its hole; empty
 /// (equal heights) when that is nothing.
 [[nodiscard]] ZRange solidHeightsOf(const Document& document, ElementId element);

@@ -34,18 +34,18 @@ std::optional<SharedShape> sharedShapeOf(const Document& document, ElementId ele
                        {area.placement.origin, angle, false}};
 }
 
-std::vector<EdgeLoops> outlinesOf(const Document& document, const ShapeKey& key) {
+ElementOutlines outlinesOf(const Document& document, const ShapeKey& key) {
     if (key.kind == ElementKind::Circle) {
-        const EdgeLoops loops = circleOutline({{}, static_cast<Nm>(key.first), static_cast<Nm>(key.second)});
-        return loops.loopCount() > 0 ? std::vector{loops} : std::vector<EdgeLoops>{};
+        EdgeLoops loops = circleOutline({{}, static_cast<Nm>(key.first), static_cast<Nm>(key.second)});
+        return loops.loopCount() > 0 ? ElementOutlines{{std::move(loops)}, {}} : ElementOutlines{};
     }
-    std::vector<EdgeLoops> regions = areaOutlines(document.shapes, ShapeId{static_cast<std::uint32_t>(key.first)});
+    ElementOutlines outlines = outlinesOf(document, ShapeId{static_cast<std::uint32_t>(key.first)});
     if (key.second != 0) {
-        for (EdgeLoops& region : regions) {
+        for (EdgeLoops& region : outlines.regions) {
             region = placed(region, {{}, 0.0, true});
         }
     }
-    return regions;
+    return outlines;
 }
 
 }  // namespace model

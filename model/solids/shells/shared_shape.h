@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/solids/shells/shell.h"
+#include "model/solids/shells/element_shells.h"
 
 namespace model {
 
@@ -32,6 +32,6 @@ struct SharedShape {
 /// Without a value for lines, arcs and trails, of which hardly two are equal, and for what has no height.
 [[nodiscard]] std::optional<SharedShape> sharedShapeOf(const Document& document, ElementId element);
 /// The regions of such a shape where `SharedShape::placement` is none.
-[[nodiscard]] std::vector<EdgeLoops> outlinesOf(const Document& document, const ShapeKey& key);
+[[nodiscard]] ElementOutlines outlinesOf(const Document& document, const ShapeKey& key);
 
 }  // namespace model
