@@ -1,6 +1,7 @@
 #include "model/formats/common/board_outline.h"
 
 #include <numeric>
+#include <string>
 
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
@@ -89,6 +90,20 @@ std::optional<ShapeSketch> outlineOfCopper(const Document& soFar) {
     ShapeSketch sketch;
     addBox(sketch, box);
     return sketch;
+}
+
+void setOutline(DocumentBuilder& builder, std::optional<ShapeSketch> sketch, std::string_view whyNone,
+                std::string_view file) {
+    if (!sketch || !fitsCopper(*sketch, builder.soFar())) {
+        const std::string why = sketch ? "the profile does not enclose the copper" : std::string(whyNone);
+        sketch = outlineOfCopper(builder.soFar());
+        builder.diagnostics().report(Severity::Warning, file, 0,
+                                     why + (sketch ? "; the box around all copper is used as the board's outline"
+                                                   : "; the board has no outline"));
+    }
+    if (sketch) {
+        builder.setProfile(builder.addShape(*sketch));
+    }
 }
 
 PolygonSet withoutCopies(const Document& document, const PolygonSet& region, const Discretisation& how) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "model/board/document_builder.h"
 #include "model/geometry/discretise.h"
@@ -14,6 +15,11 @@ namespace model::formats {
 
 /// The box around all copper, as a stand-in for a missing or wrong outline. Nothing without copper.
 [[nodiscard]] std::optional<ShapeSketch> outlineOfCopper(const Document& soFar);
+
+/// Makes `sketch` the board's outline if it fits the copper, else the box around the copper, which is reported with
+/// `file`; `whyNone` says why there is none in the job.
+void setOutline(DocumentBuilder& builder, std::optional<ShapeSketch> sketch, std::string_view whyNone,
+                std::string_view file);
 
 /// What a panel leaves to the copies it holds: `region` of the document minus the outlines of its copies, which have
 /// substrates and planes of their own. A copy without an outline lies on the panel's; then its holes are cut, and so

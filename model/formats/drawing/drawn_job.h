@@ -73,7 +73,7 @@ struct DrawnLayer {
     std::string useName;
     LayerFacts facts;              ///< thickness, material
     std::vector<DrillTool> tools;  ///< layers of holes; DrillTool::layer is set by the assembly
-    ShapeSketch outline;           ///< where the layer exists (rigid-flex); empty: all over the board
+    ShapeSketch outline;           ///< where the layer exists (rigid-flex), in steps without copies; empty: all over
 };
 
 struct DrawnPin {
@@ -159,8 +159,10 @@ struct DrawnStep {
     std::vector<DrawnNetlist> netlists;  ///< compared with the nets of the copper
     std::vector<DrawnZone> zones;
     std::vector<DrawnCopy> copies;
-    ShapeSketch profile;      ///< islands and cut-outs; empty: derived from the copper, with a message
-    std::string profileFile;  ///< for messages about the profile
+    ShapeSketch profile;         ///< islands and cut-outs; empty: derived from the copper, with a message
+    std::string profileFile;     ///< for messages about the profile
+    std::string componentsFile;  ///< for messages about components, as their `line`
+    std::string copiesFile;      ///< for messages about copies
 };
 
 struct DrawnJob {

@@ -8,9 +8,6 @@ namespace model::odb {
 
 namespace {
 
-/// Panels nest two or three deep; more is a broken file.
-constexpr int kMaxDepth = 8;
-
 /// The placement that rotates a step around its datum and lays the datum on `location`.
 Placement onDatum(Point location, const StepRepeat& repeat, Point datum) {
     Placement placement{{}, repeat.clockwiseDeg, repeat.isMirrored};
@@ -24,7 +21,7 @@ public:
     CopyPlanner(const Steps& steps, Diagnostics& diagnostics)
         : m_steps(steps), m_diagnostics(diagnostics), m_plans(steps.size()), m_states(steps.size(), State::Untouched) {}
 
-    std::vector<CopyPlan> plan() {
+    std::vector<formats::CopyPlan> plan() {
         visit(0, 0);
         return std::move(m_plans);
     }
@@ -40,7 +37,7 @@ private:
             if (child == m_steps.size()) {
                 continue;  // reported when the steps were collected
             }
-            if (m_states[child] == State::Open || depth >= kMaxDepth) {
+            if (m_states[child] == State::Open || depth >= formats::kMaxStepDepth) {
                 report(step, repeat, "the step contains itself or nests too deep; its copies are missing");
                 continue;
             }
@@ -53,7 +50,7 @@ private:
     }
 
     void addBlock(std::size_t step, const StepRepeat& repeat, std::size_t child) {
-        CopyPlan& plan = m_plans[step];
+        formats::CopyPlan& plan = m_plans[step];
         plan.height = std::max(plan.height, m_plans[child].height + 1);
         for (int row = 0; row < repeat.rows; ++row) {
             for (int column = 0; column < repeat.columns; ++column) {
@@ -75,13 +72,13 @@ private:
 
     const Steps& m_steps;
     Diagnostics& m_diagnostics;
-    std::vector<CopyPlan> m_plans;
+    std::vector<formats::CopyPlan> m_plans;
     std::vector<State> m_states;
 };
 
 }  // namespace
 
-std::vector<CopyPlan> planCopies(const Steps& steps, Diagnostics& diagnostics) {
+std::vector<formats::CopyPlan> planCopies(const Steps& steps, Diagnostics& diagnostics) {
     return CopyPlanner(steps, diagnostics).plan();
 }
 

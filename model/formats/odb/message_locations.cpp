@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "model/board/copies.h"
-#include "model/formats/odb/parts.h"
+#include "model/formats/steps/elements_of_feature.h"
 
 namespace model::odb {
 
@@ -52,30 +51,13 @@ void locateMessages(DocumentBuilder& builder, const LayerTable& layers, const St
             } else if (layer.features.isPresent() && message.file == layer.features.path) {
                 const std::size_t record = recordAt(file, message.line);
                 if (record < file.features.size()) {
-                    const std::vector<ElementId> made = elementsOf(builder.soFar(), layers.id(row), record);
+                    const std::vector<ElementId> made = formats::elementsOf(builder.soFar(), layers.id(row), record);
                     const ElementId element = made.empty() ? ElementId{} : made.front();
                     messages.locate(i, element, element.isValid() ? std::nullopt : locationOf(file, record));
                 }
             }
         }
     }
-}
-
-Diagnostics messagesOfCopies(const Document& step, const Document& board) {
-    const StepTree tree = unfoldCopies(board);
-    const auto first =
-        std::ranges::find_if(tree.copies, [&](const StepCopy& copy) { return tree.steps[copy.step] == &step; });
-    Diagnostics messages = step.diagnostics;
-    for (std::size_t i = 0; i < messages.entries().size(); ++i) {
-        const Diagnostic& message = messages.entries()[i];
-        std::optional<Point> location = message.location;
-        if (message.element.isValid()) {
-            location = step.boxOf(message.element).middle();
-        }
-        const bool isPlaced = location && first != tree.copies.end();
-        messages.locate(i, {}, isPlaced ? std::optional(first->placement.apply(*location)) : std::nullopt);
-    }
-    return messages;
 }
 
 }  // namespace model::odb

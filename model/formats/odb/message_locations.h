@@ -11,8 +11,4 @@ namespace model::odb {
 /// records that name no location, or lines that are no record, stay without.
 void locateMessages(DocumentBuilder& builder, const LayerTable& layers, const StepData& step);
 
-/// The messages of a step that is placed as copies, as they read on the board: its elements are not the board's, so
-/// each message points to where its element lies in the first copy.
-[[nodiscard]] Diagnostics messagesOfCopies(const Document& step, const Document& board);
-
 }  // namespace model::odb

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "model/formats/odb/text/records.h"
+#include "model/formats/steps/elements_of_feature.h"
 #include "model/geometry/outlines.h"
 #include "model/packages/body_size.h"
 
@@ -191,23 +192,6 @@ private:
 
 }  // namespace
 
-std::vector<ElementId> elementsOf(const Document& document, LayerId layer, std::size_t feature) {
-    const Range range = document.layer(layer).elements;
-    const auto features = std::span(document.elements.firstFeature).subspan(range.first, range.count);
-    std::vector<ElementId> elements;
-    const auto next = std::ranges::upper_bound(features, feature);
-    for (auto row = next; row != features.begin() && (--row == next - 1 || *row == feature);) {
-        const ElementId id{range.first + static_cast<std::size_t>(row - features.begin())};
-        const bool isTrail = document.elements.kind[id.row()] == ElementKind::Trail;
-        const std::size_t tracks = isTrail ? document.trails[document.elements.geometry[id.row()]].nodeCount - 1 : 1;
-        if (feature >= *row + tracks) {
-            break;
-        }
-        elements.insert(elements.begin(), id);
-    }
-    return elements;
-}
-
 void addParts(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step,
               const NetLinks& nets) {
     PartsMaker(builder, matrix, layers, step, nets).run();
@@ -266,7 +250,7 @@ void addGroups(DocumentBuilder& builder, const Matrix& matrix, const LayerTable&
                                              "FID: a group names a feature that is not there");
                 continue;
             }
-            const auto made = elementsOf(builder.soFar(), layers.id(row), eda.features[i].feature);
+            const auto made = formats::elementsOf(builder.soFar(), layers.id(row), eda.features[i].feature);
             elements.insert(elements.end(), made.begin(), made.end());
         }
         std::ranges::sort(elements);

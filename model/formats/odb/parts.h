@@ -23,8 +23,4 @@ void addParts(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& 
 /// Brings groups of features (FGR records) into the document, once all its elements are there.
 void addGroups(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step);
 
-/// The elements made from a feature, rising. Elements of a layer are in the order of their features; only a trail comes
-/// from several, one per track.
-[[nodiscard]] std::vector<ElementId> elementsOf(const Document& document, LayerId layer, std::size_t feature);
-
 }  // namespace model::odb

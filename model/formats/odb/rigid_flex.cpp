@@ -1,11 +1,10 @@
 #include "model/formats/odb/rigid_flex.h"
 
 #include <algorithm>
-#include <map>
 
 #include "model/formats/odb/features/features.h"
 #include "model/formats/odb/text/records.h"
-#include "model/geometry/boolean.h"
+#include "model/formats/steps/zone_outlines.h"
 #include "model/geometry/region.h"
 
 namespace model::odb {
@@ -50,46 +49,6 @@ std::string outlineKey(const StepData& step, const ZoneRows& zones, const Matrix
     }
     return isPhysical(matrix.layers[row]) ? zonesWith(step.zones.value, zones, row) : "";
 }
-
-/// Where layers exist by the zones of a document (Document::zones), which must all be there before.
-class ZoneOutlines {
-public:
-    explicit ZoneOutlines(DocumentBuilder& builder) : m_builder(builder) {}
-
-    /// What the zones that have the layer cover together; zones that share an edge become one region. None if all or
-    /// none of the zones with an outline have it: it is bounded by none of them.
-    [[nodiscard]] ShapeId of(LayerId layer) {
-        std::vector<ShapeId> shapes;
-        bool isMixed = false;
-        for (const Zone& zone : m_builder.soFar().zones) {
-            if (zone.shape.isValid() && zone.has(layer)) {
-                shapes.push_back(zone.shape);
-            }
-            isMixed = isMixed || (zone.shape.isValid() && !zone.has(layer));
-        }
-        if (!isMixed || shapes.empty()) {
-            return {};
-        }
-        const auto [location, isNew] = m_unions.try_emplace(shapes);
-        if (isNew) {
-            location->second = shapes.size() == 1 ? shapes.front() : united(shapes);
-        }
-        return location->second;
-    }
-
-private:
-    [[nodiscard]] ShapeId united(const std::vector<ShapeId>& shapes) {
-        PolygonSet all;
-        for (const ShapeId shape : shapes) {
-            all.append(discretise(m_builder.shapes(), shape, kBooleanChords));
-        }
-        const ShapeSketch sketch = sketchOf(unite(all));
-        return sketch.isEmpty() ? ShapeId{} : m_builder.addShape(sketch);
-    }
-
-    DocumentBuilder& m_builder;
-    std::map<std::vector<ShapeId>, ShapeId> m_unions;  ///< by the shapes that are united
-};
 
 /// Gives the layers of one step their outlines.
 class OutlineMaker {
@@ -179,7 +138,7 @@ private:
     const StepData& m_step;
     const ZoneFile& m_file;
     ZoneRows m_zones;
-    ZoneOutlines m_outlines;
+    formats::ZoneOutlines m_outlines;
 };
 
 }  // namespace
@@ -210,15 +169,8 @@ std::vector<std::uint32_t> outlineGroups(const Steps& steps, const Matrix& matri
             keys[row] += outlineKey(step, zones, matrix, row) + "|";
         }
     }
-    const std::string none(steps.size(), '|');
-    std::map<std::string, std::uint32_t> groups;
-    std::vector<std::uint32_t> result;
-    for (const std::string& key : keys) {
-        const bool isBounded = key != none;
-        result.push_back(
-            isBounded ? groups.try_emplace(key, static_cast<std::uint32_t>(groups.size() + 1)).first->second : 0);
-    }
-    return result;
+    std::ranges::replace(keys, std::string(steps.size(), '|'), std::string());
+    return formats::outlineGroups(keys);
 }
 
 void addOutlines(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step) {
