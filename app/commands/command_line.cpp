@@ -301,6 +301,8 @@ void addExport(CLI::App& parent, Command& chosen) {
     command.add_flag("--merge", arguments.isMerged, "touching copper of one net and layer as one solid");
     command.add_flag("--one-part", arguments.isOnePart, "one part instead of a tree of layers and nets");
     command.add_flag("--as-designed", arguments.isAsDesigned, "also what is milled away beyond the board outline");
+    command.add_flag("--instancing", arguments.isInstanced,
+                     "GLB: equal pads of a net as one node (EXT_mesh_gpu_instancing), which not all viewers show");
     command.add_flag("--compress", arguments.isCompressed,
                      "GLB: compressed meshes (EXT_meshopt_compression), which not all viewers read");
     command.add_flag("--one-page", arguments.isOnePage, "PDF: all layers on one page instead of a page each");

@@ -106,6 +106,7 @@ Result<model::ExportRequest> requestFor(const Document& board, const ExportArgum
     request.isWrittenOut = arguments.isWrittenOut;
     request.isOnePage = arguments.isOnePage;
     request.isCompressed = arguments.isCompressed;
+    request.isInstanced = arguments.isInstanced;
     request.how = discretisationOf(arguments.board);
     return request;
 }

@@ -22,6 +22,7 @@ struct ExportArguments {
     bool isAsDesigned = false;
     bool isWrittenOut = false;
     bool isOnePage = false;
+    bool isInstanced = false;
     bool isCompressed = false;
 };
 

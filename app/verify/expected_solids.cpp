@@ -14,10 +14,11 @@ using model::StepSolids;
 
 namespace {
 
-bool hasArcs(const Document& document, model::ShapeId shape) {
+template <class IsWanted>
+bool hasEdge(const Document& document, model::ShapeId shape, const IsWanted& isWanted) {
     return std::ranges::any_of(document.shapes.contoursOf(shape), [&](const model::Contour& contour) {
         return std::ranges::any_of(document.shapes.nodesOf(contour),
-                                   [](const model::PathNode& node) { return node.edge != model::EdgeKind::Line; });
+                                   [&](const model::PathNode& node) { return isWanted(node.edge); });
     });
 }
 
@@ -28,8 +29,11 @@ std::string_view shapeOfArea(const Document& document, ElementId element) {
         case LayerType::SolderMask: return "solder mask";
         default: break;
     }
-    const model::AreaGeometry& area = document.areas[document.elements.geometry[element.row()]];
-    return hasArcs(document, area.shape) ? "area with arcs" : "area of lines";
+    const model::ShapeId shape = document.areas[document.elements.geometry[element.row()]].shape;
+    const auto isCurve = [](model::EdgeKind edge) { return edge == model::EdgeKind::Curve; };
+    return hasEdge(document, shape, isCurve)        ? "area with NURBS edges"
+           : hasEdge(document, shape, model::isArc) ? "area with arcs"
+                                                    : "area of lines";
 }
 
 void addSolids(const SolidPlan& plan, const StepSolids& step, const model::RegionLimits& limits,

@@ -62,6 +62,10 @@ constexpr Option kOptions[] = {
                        "Every pad and barrel is written instead of one placed often: larger, for programs that do not "
                        "read placed shapes"),
      &ExportFormat::isStep, [](ExportRequest& request) -> bool& { return request.isWrittenOut; }},
+    {"instancing", QT_TRANSLATE_NOOP("ui::ExportDialog", "&Instances"),
+     QT_TRANSLATE_NOOP("ui::ExportDialog",
+                       "Equal pads of a net as one node, which not all viewers show (EXT_mesh_gpu_instancing)"),
+     &ExportFormat::isGlb, [](ExportRequest& request) -> bool& { return request.isInstanced; }},
     {"compress", QT_TRANSLATE_NOOP("ui::ExportDialog", "&Compressed"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "A third of the size, which not all viewers read (EXT_meshopt_compression)"),
      &ExportFormat::isGlb, [](ExportRequest& request) -> bool& { return request.isCompressed; }},

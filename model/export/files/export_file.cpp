@@ -67,6 +67,7 @@ Result<ExportSummary> writeMesh(const Document& board, const ExportRequest& requ
     options.how = request.how;
     if constexpr (std::is_same_v<Options, GlbOptions>) {
         options.packing = request.isCompressed ? GlbPacking::Compressed : GlbPacking::Plain;
+        options.isInstanced = request.isInstanced;
     }
     ASSIGN_OR_RETURN(const MeshReport report, Write(plan, options, path, progress));
     return ExportSummary{

@@ -21,6 +21,7 @@ struct ExportRequest {
     bool isWrittenOut = false;     ///< StepOptions::isWrittenOut
     bool isOnePage = false;        ///< PDF: all layers on one page
     bool isCompressed = false;     ///< GLB: GlbPacking::Compressed
+    bool isInstanced = false;      ///< GLB: GlbOptions::isInstanced
     Discretisation how;            ///< of curves in meshes
 };
 
@@ -47,7 +48,7 @@ struct ExportFormat {
     bool isSolid = false;      ///< it knows all of SolidChoice; otherwise layers only
     bool isStep = false;       ///< it knows ExportRequest::isWrittenOut
     bool isPdf = false;        ///< it knows ExportRequest::isOnePage
-    bool isGlb = false;        ///< it knows ExportRequest::isCompressed
+    bool isGlb = false;        ///< it knows ExportRequest::isCompressed and isInstanced
     base::Result<ExportSummary> (*write)(const Document& board, const ExportRequest& request,
                                          const std::filesystem::path& path, base::Progress& progress) = nullptr;
 };

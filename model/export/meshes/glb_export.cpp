@@ -113,25 +113,52 @@ private:
                 node.children.push_back(m_scene.addNode({{}, {}, own->row, own->transform, {}}));
             }
         }
-        for (const PlacedMesh& placed : mesh.placed) {
-            node.children.push_back(addPlaced(row, group, placed));
+        if (m_options.isInstanced) {
+            addInstances(row, group, mesh.placed, node.children);
+        } else {
+            for (const PlacedMesh& placed : mesh.placed) {
+                node.children.push_back(addPlaced(row, group, placed));
+            }
         }
         return node.mesh || !node.children.empty() ? std::optional(m_scene.addNode(node)) : std::nullopt;
     }
 
-    std::uint32_t addPlaced(std::uint32_t row, const SolidGroup& group, const PlacedMesh& placed) {
-        const StepSolids& step = m_plan.steps[row];
-        const std::uint32_t material = materialOf(step, group.layer);
+    std::uint32_t meshOf(std::uint32_t row, const SolidGroup& group, std::uint32_t shape) {
+        const std::uint32_t material = materialOf(m_plan.steps[row], group.layer);
         auto& shapes = m_made[row].shapes;
-        auto found = shapes.find({placed.shape, material});
+        auto found = shapes.find({shape, material});
         if (found == shapes.end()) {
-            const SolidMesh& shape = m_meshes[row].shapes[placed.shape];
-            found = shapes.emplace(std::pair{placed.shape, material}, m_scene.addMesh(shape, material, false)).first;
+            const SolidMesh& mesh = m_meshes[row].shapes[shape];
+            found = shapes.emplace(std::pair{shape, material}, m_scene.addMesh(mesh, material, false)).first;
         }
+        return found->second.row;
+    }
+
+    std::uint32_t addPlaced(std::uint32_t row, const SolidGroup& group, const PlacedMesh& placed) {
         ++m_copies;
-        GltfNode node{{}, {}, found->second.row, gltfPlacement(placed.placement), {}};
-        describePad(*step.document, placed.element, node);
+        GltfNode node{{}, {}, meshOf(row, group, placed.shape), gltfPlacement(placed.placement), {}};
+        describePad(*m_plan.steps[row].document, placed.element, node);
         return m_scene.addNode(node);
+    }
+
+    /// One node for each shape, single ones as addPlaced has them.
+    void addInstances(std::uint32_t row, const SolidGroup& group, const std::vector<PlacedMesh>& all,
+                      std::vector<std::uint32_t>& children) {
+        std::map<std::uint32_t, std::vector<Placement>> byShape;
+        for (const PlacedMesh& placed : all) {
+            byShape[placed.shape].push_back(placed.placement);
+        }
+        for (const PlacedMesh& placed : all) {
+            std::vector<Placement>& placements = byShape[placed.shape];
+            if (placements.size() == 1) {
+                children.push_back(addPlaced(row, group, placed));
+            } else if (!placements.empty()) {
+                m_copies += placements.size();
+                const std::uint32_t mesh = meshOf(row, group, placed.shape);
+                children.push_back(m_scene.addNode({{}, {}, mesh, m_scene.addInstances(placements), {}}));
+                placements.clear();
+            }
+        }
     }
 
     /// "U1-3" for the pad of a pin.

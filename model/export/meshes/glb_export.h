@@ -7,6 +7,9 @@ namespace model {
 
 struct GlbOptions : MeshOptions {
     GlbPacking packing = GlbPacking::Plain;
+    /// Equal pads and barrels of a net as one node (EXT_mesh_gpu_instancing): far fewer nodes, none of which names its
+    /// pad, and not all viewers show them.
+    bool isInstanced = false;
 };
 
 /// Writes the plan as glTF 2.0 in one binary file: metres, y up. Nodes as a tree: the board or a step, its layers (all

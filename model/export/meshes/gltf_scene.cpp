@@ -69,6 +69,11 @@ Extent extentOf(const std::vector<MeshPoint>& points) {
     return extent;
 }
 
+/// Half the angle of a placement around z, radians: what its quaternion is made of.
+double halfTurnOf(const Placement& placement) {
+    return std::remainder(-placement.clockwiseDeg, 360.0) * std::numbers::pi / 360;
+}
+
 void pad(std::string& bytes, char with) {
     bytes.append((4 - bytes.size() % 4) % 4, with);
 }
@@ -123,7 +128,7 @@ std::string jsonString(std::string_view text) {
 std::string gltfPlacement(const Placement& placement) {
     std::string out = ",\"translation\":";
     appendList(out, std::array{placement.origin.x / kNmPerMetre, placement.origin.y / kNmPerMetre, 0.0}, kSignificant);
-    const double half = std::remainder(-placement.clockwiseDeg, 360.0) * std::numbers::pi / 360;
+    const double half = halfTurnOf(placement);
     if (half != 0.0) {
         out += ",\"rotation\":";
         appendList(out, std::array{0.0, 0.0, std::sin(half), std::cos(half)}, kSignificant);
@@ -177,6 +182,25 @@ std::uint32_t GltfScene::addNode(const GltfNode& node) {
     }
     m_nodes += '{' + members.substr(members.empty() ? 0 : 1) + '}';
     return m_nodeCount++;
+}
+
+std::string GltfScene::addInstances(std::span<const Placement> placements) {
+    const std::uint64_t shifts = m_floats.bytes.size();
+    const std::uint64_t turns = m_quads.bytes.size();
+    for (const Placement& placement : placements) {
+        const double half = halfTurnOf(placement);
+        for (const double value : {placement.origin.x / kNmPerMetre, placement.origin.y / kNmPerMetre, 0.0}) {
+            append(m_floats.bytes, static_cast<float>(value));
+        }
+        for (const double value : {0.0, 0.0, std::sin(half), std::cos(half)}) {
+            append(m_quads.bytes, static_cast<float>(value));
+        }
+    }
+    m_hasInstances = true;
+    const std::uint32_t shift = addAccessor(m_floats, shifts, kFloat, placements.size(), ",\"type\":\"VEC3\"");
+    const std::uint32_t turn = addAccessor(m_quads, turns, kFloat, placements.size(), ",\"type\":\"VEC4\"");
+    return ",\"extensions\":{\"EXT_mesh_gpu_instancing\":{\"attributes\":{\"TRANSLATION\":" + std::to_string(shift) +
+           ",\"ROTATION\":" + std::to_string(turn) + "}}}";
 }
 
 std::uint32_t GltfScene::addFloats(const SolidMesh& mesh) {
@@ -257,7 +281,7 @@ std::uint32_t GltfScene::addAccessor(Stream& stream, std::uint64_t offset, int c
 
 void GltfScene::packStreams(std::string& views, std::string& buffers, std::string& binary) {
     std::vector<Stream*> streams;
-    for (Stream* stream : {&m_floats, &m_words, &m_short, &m_long}) {
+    for (Stream* stream : {&m_floats, &m_quads, &m_words, &m_short, &m_long}) {
         if (stream->view >= 0) {
             streams.push_back(stream);
         }
@@ -302,6 +326,10 @@ std::vector<std::string> GltfScene::finish(std::uint32_t root, std::string_view 
     if (m_packing == GlbPacking::Compressed) {
         separate(extensions);
         extensions += "\"EXT_meshopt_compression\"";
+    }
+    if (m_hasInstances) {
+        separate(extensions);
+        extensions += "\"EXT_mesh_gpu_instancing\"";
     }
     std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":" + jsonString(generator) + '}' +
                        member("extensionsUsed", extensions) + member("extensionsRequired", extensions) +

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,7 +23,7 @@ struct GltfNode {
     std::string name;
     std::string extras;  ///< members of a JSON object; empty: none
     std::optional<std::uint32_t> mesh;
-    std::string transform;  ///< members of the node: gltfPlacement
+    std::string transform;  ///< members of the node: gltfPlacement, GltfScene::addInstances
     std::vector<std::uint32_t> children;
 };
 
@@ -46,6 +47,8 @@ public:
     };
     Mesh addMesh(const SolidMesh& mesh, std::uint32_t material, bool isQuantised);
     std::uint32_t addNode(const GltfNode& node);
+    /// GltfNode::transform of a node whose mesh is there once for each placement (EXT_mesh_gpu_instancing).
+    [[nodiscard]] std::string addInstances(std::span<const Placement> placements);
 
     /// The whole file, "glTF" and all; `root` is the node that holds all others. Empty when it would be larger than GLB
     /// allows (4 GiB).
@@ -80,11 +83,13 @@ private:
     std::uint32_t m_accessorCount = 0;
     int m_viewCount = 0;
     Stream m_floats{{}, 12, false};
+    Stream m_quads{{}, 16, false};
     Stream m_words{{}, 8, false};
     Stream m_short{{}, 2, true};
     Stream m_long{{}, 4, true};
     std::uint64_t m_triangles = 0;
     bool m_hasQuantised = false;
+    bool m_hasInstances = false;
 };
 
 }  // namespace model

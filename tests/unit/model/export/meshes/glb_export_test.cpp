@@ -187,11 +187,14 @@ model::GlbOptions options(GlbPacking packing) {
     return chosen;
 }
 
-Glb exported(const model::Document& document, const model::SolidChoice& choice, GlbPacking packing) {
+Glb exported(const model::Document& document, const model::SolidChoice& choice, GlbPacking packing,
+             bool isInstanced = false) {
     const QTemporaryDir folder;
     const std::string path = folder.filePath("board.glb").toStdString();
     base::Progress progress;
-    const auto report = model::exportGlb(planOf(document, choice), options(packing), path, progress);
+    model::GlbOptions how = options(packing);
+    how.isInstanced = isInstanced;
+    const auto report = model::exportGlb(planOf(document, choice), how, path, progress);
     if (!report || report->bytes != std::filesystem::file_size(path)) {
         qFatal("not written");
     }
@@ -225,6 +228,31 @@ private slots:
         QCOMPARE(glb.model.meshes.size(), std::size_t{5});
         const auto& pads = glb.node({"bottom", "B"}).children;
         QVERIFY(std::abs(glb.model.nodes.at(static_cast<std::size_t>(pads[1])).rotation.at(2) + std::sqrt(0.5)) < 1e-8);
+    }
+
+    void equalPadsAreInstancesOfOneNode() {
+        const Glb plain = exported(*board(), {}, GlbPacking::Plain);
+        const Glb instanced = exported(*board(), {}, GlbPacking::Plain, true);
+        QCOMPARE(instanced.model.extensionsRequired, std::vector<std::string>{"EXT_mesh_gpu_instancing"});
+        QCOMPARE(instanced.model.meshes.size(), plain.model.meshes.size());
+        for (const auto& path : {std::vector<std::string>{"top", "A \"1\""}, {"bottom", "B"}}) {
+            const std::vector<int>& pads = plain.node(path).children;
+            QCOMPARE(instanced.node(path).children.size(), std::size_t{1});
+            const auto& node = instanced.model.nodes.at(static_cast<std::size_t>(instanced.node(path).children[0]));
+            const auto& attributes = node.extensions.at("EXT_mesh_gpu_instancing").Get("attributes");
+            const auto shifts = instanced.numbers<float>(attributes.Get("TRANSLATION").GetNumberAsInt(), 3, 12);
+            const auto turns = instanced.numbers<float>(attributes.Get("ROTATION").GetNumberAsInt(), 4, 16);
+            QCOMPARE(shifts.size(), 3 * pads.size());
+            QCOMPARE(turns.size(), 4 * pads.size());
+            for (std::size_t i = 0; i < pads.size(); ++i) {
+                const auto& pad = plain.model.nodes.at(static_cast<std::size_t>(pads[i]));
+                const bool isTurned = !pad.rotation.empty();
+                QVERIFY(std::abs(shifts[3 * i] - pad.translation[0]) < 1e-9);
+                QVERIFY(std::abs(shifts[3 * i + 1] - pad.translation[1]) < 1e-9);
+                QVERIFY(std::abs(turns[4 * i + 2] - (isTurned ? pad.rotation[2] : 0.0)) < 1e-6);
+                QVERIFY(std::abs(turns[4 * i + 3] - (isTurned ? pad.rotation[3] : 1.0)) < 1e-6);
+            }
+        }
     }
 
     void volumesAreThoseOfTheBoard_data() {
