@@ -174,6 +174,7 @@ void addRender(CLI::App& parent, Command& chosen) {
     command.add_flag("--as-designed", arguments.isAsDesigned,
                      "in 3D, draw also what is milled away beyond the board outline");
     command.add_flag("--outlines", arguments.isOutlined, "in 2D, outlines without fill");
+    command.add_flag("--transparent", arguments.isTransparent, "without background");
     command.add_flag("--mono", arguments.isMono, "shapes white on black, neither shaded nor smoothed");
 }
 

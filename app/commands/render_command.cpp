@@ -7,6 +7,7 @@
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
 #include "model/board/copies.h"
+#include "render/frame/transparent.h"
 #include "render/scene/explosion.h"
 #include "render/standard/standard_model.h"
 
@@ -169,8 +170,16 @@ Result<render::Image> draw(const RenderArguments& arguments, const Model& board,
     render::OffscreenPresenter presenter(device);
     render::ViewSettings settings = settingsFor(arguments);
     settings.section = scenery.cut;
-    return presenter.render(scene, cameraFor(arguments, board, scenery.view), settings, arguments.width,
-                            arguments.height);
+    const render::Camera camera = cameraFor(arguments, board, scenery.view);
+    const auto render = [&] { return presenter.render(scene, camera, settings, arguments.width, arguments.height); };
+    if (!arguments.isTransparent) {
+        return render();
+    }
+    settings.background = glm::vec3(0.0F);
+    ASSIGN_OR_RETURN(const render::Image onBlack, render());
+    settings.background = glm::vec3(1.0F);
+    ASSIGN_OR_RETURN(const render::Image onWhite, render());
+    return render::withoutBackground(onBlack, onWhite);
 }
 
 Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Document& document, const Scenery& scenery) {
@@ -198,6 +207,9 @@ base::Status checkArguments(const RenderArguments& arguments) {
     if (!arguments.window.empty() &&
         (arguments.window[0] == arguments.window[2] || arguments.window[1] == arguments.window[3])) {
         return base::Error{ErrorCode::BadUsage, "the window is empty"};
+    }
+    if (arguments.isMono && arguments.isTransparent) {
+        return base::Error{ErrorCode::BadUsage, "--mono is white on black; it cannot be transparent"};
     }
     if (!arguments.clip.empty() && arguments.mode == "2d") {
         return base::Error{ErrorCode::BadUsage, "--clip sets a section plane in 3D; see copperscope section"};

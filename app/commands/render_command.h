@@ -31,6 +31,7 @@ struct RenderArguments {
     std::vector<double> clip;  ///< x0, y0, x1, y1 likewise: cut by a section plane there, what is to the left is gone
     bool isMono = false;
     bool isOutlined = false;
+    bool isTransparent = false;  ///< the picture has no background
     bool hasComponents = false;  ///< the bodies of components too
     bool isAsDesigned = false;   ///< in 3D with what is milled away; the standard pipeline and 2D always are
 };
