@@ -5,6 +5,7 @@
 
 #include "app/bench/bench_command.h"
 #include "app/bench/triangulation_bench.h"
+#include "app/commands/agree_command.h"
 #include "app/commands/clearance_command.h"
 #include "app/commands/export_command.h"
 #include "app/commands/generate_command.h"
@@ -16,6 +17,7 @@
 #include "app/commands/workbench_command.h"
 #include "app/common/commit.h"
 #include "app/common/exit_code.h"
+#include "model/agreement/agreement.h"
 #include "model/board/board_colours.h"
 #include "model/clearance/rule_presets.h"
 #include "model/export/files/export_file.h"
@@ -344,6 +346,34 @@ void addMeasure(CLI::App& parent, Command& chosen) {
     addReportFormat(command, arguments.format);
 }
 
+std::vector<std::string> aspectNames() {
+    std::vector<std::string> names;
+    for (std::size_t aspect = 0; aspect < model::kAspectCount; ++aspect) {
+        names.emplace_back(model::toString(static_cast<model::Aspect>(aspect)));
+    }
+    return names;
+}
+
+void addAgree(CLI::App& parent, Command& chosen) {
+    CLI::App& command =
+        *parent.add_subcommand("agree", "Say whether two jobs describe the same board; exit code 4 if they do not");
+    AgreeArguments& arguments = argumentsOf(command, chosen, runAgree);
+    command.add_option("A", arguments.a, model::describeFormats())->required();
+    command.add_option("B", arguments.b, "the same, in this or another format")->required();
+    addStep(command, arguments.board.request);
+    addNetOptions(command, arguments.board.request);
+    command
+        .add_option("--tolerance", arguments.tolerance,
+                    "length of a pixel: what layers differ in counts where it is wider than about three of them")
+        ->capture_default_str();
+    addNumber(command, "--allow", arguments.allowedPercent, 0.0, 100.0,
+              "percent of a layer's area that may differ and still agree");
+    addNumber<std::size_t>(command, "--worst", arguments.most, 0, 1'000'000, "how many differences of each are listed");
+    addList(command, "--aspects", arguments.aspects, "only these, separated by commas: ")
+        ->check(CLI::IsMember(aspectNames()));
+    command.add_flag("--json", arguments.asJson, "as JSON");
+}
+
 /// What `bench` measures with --triangulation, with options of its own.
 void addTriangulationBench(CLI::App& command, bool& isWanted, TriangulationBenchArguments& arguments) {
     CLI::Option* wanted =
@@ -403,8 +433,8 @@ std::string versionText() {
     return "Copperscope " COPPERSCOPE_VERSION + (commit.empty() ? "" : ", commit " + commit);
 }
 
-constexpr void (*kCommands[])(CLI::App&, Command&) = {addInfo,    addRender,  addGenerate, addBench, addClearance,
-                                                      addSection, addMeasure, addExport,   addVerify};
+constexpr void (*kCommands[])(CLI::App&, Command&) = {addInfo,    addRender,  addGenerate, addBench,  addClearance,
+                                                      addSection, addMeasure, addExport,   addVerify, addAgree};
 
 }  // namespace
 

@@ -41,6 +41,43 @@ private slots:
         QCOMPARE(through({"--nets", "nowhere,nothing"}).exitCode, 1);
     }
 
+    void jobsOfOneBoardAgree() {
+        const Outcome same = copperscope({"agree", locations::kSample, locations::kSample});
+        QVERIFY2(same.exitCode == 0, same.err.constData());
+        QVERIFY(same.out.contains("The jobs agree."));
+        const QString breakout = QString::fromStdString((locations::boards() / "opencellular_breakout.tgz").string());
+        const Outcome other = copperscope({"agree", locations::kSample, breakout, "--json", "--worst", "1"});
+        QCOMPARE(other.exitCode, 4);
+        const QJsonObject report = QJsonDocument::fromJson(other.out).object();
+        QCOMPARE(report["agree"].toBool(true), false);
+        const QJsonObject copper = report["comparisons"][0].toObject();
+        QCOMPARE(copper["aspect"].toString(), QString("copper"));
+        QCOMPARE(copper["verdict"].toString(), QString("differ"));
+        QVERIFY(copper["only_nm2"][0].toDouble() > 0.0);
+        QCOMPARE(copper["differences"].toArray().size(), 1);
+    }
+
+    void aChangedJobDiffersInTheLayerThatChanged() {
+        const QTemporaryDir folder;
+        const std::filesystem::path job = folder.filePath("job").toStdString();
+        const std::filesystem::path original = std::filesystem::path(locations::kTestData) / "odb" / "drills";
+        std::filesystem::copy(original, job, std::filesystem::copy_options::recursive);
+        QFile file(QString::fromStdString((job / "steps/board/layers/l1/features").string()));
+        QVERIFY(file.open(QIODevice::Append));
+        QVERIFY(file.write("L 1 1 4 1 0 P 0\n") > 0);
+        file.close();
+        const QStringList both{QString::fromStdString(original.string()), QString::fromStdString(job.string())};
+        const Outcome all = copperscope(QStringList{"agree"} + both);
+        QCOMPARE(all.exitCode, 4);
+        QCOMPARE(all.out.count("DIFFER"), 1);
+        QVERIFY(all.out.contains("DIFFER        copper         L1"));
+        QCOMPARE(copperscope(QStringList{"agree", "--aspects", "holes,nets"} + both).exitCode, 0);
+        QCOMPARE(copperscope(QStringList{"agree", "--allow", "100"} + both).exitCode, 0);
+        QCOMPARE(copperscope(QStringList{"agree", "--aspects", "colour"} + both).exitCode, 1);
+        QCOMPARE(copperscope(QStringList{"agree", "--tolerance", "3 apples"} + both).exitCode, 1);
+        QCOMPARE(copperscope({"agree", both[0], "nowhere.tgz"}).exitCode, 2);
+    }
+
     void clearanceTellsABuildWhatIsTooClose() {
         const Outcome all = copperscope({"clearance", locations::kSample, "--worst", "3", "--format", "json"});
         QVERIFY2(all.exitCode == 0, all.err.constData());

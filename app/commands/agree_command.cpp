@@ -1,0 +1,153 @@
+#include "app/commands/agree_command.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/common/console_progress.h"
+#include "model/agreement/agreement.h"
+#include "model/base/thickness_units.h"
+#include "model/text/formatting.h"
+#include "model/text/json_text.h"
+
+namespace app {
+
+using model::Accord;
+using model::Agreement;
+using model::Comparison;
+using nlohmann::ordered_json;
+
+namespace {
+
+base::Result<model::AgreementRequest> requestFrom(const AgreeArguments& arguments) {
+    model::AgreementRequest request;
+    ASSIGN_OR_RETURN(request.tolerance, model::parseLength(arguments.tolerance));
+    if (request.tolerance < 1'000 || request.tolerance > 1'000'000) {
+        return base::Error{base::ErrorCode::BadUsage, "--tolerance is 1 um to 1 mm, not " + arguments.tolerance};
+    }
+    request.allowed = arguments.allowedPercent / 100.0;
+    request.most = arguments.most;
+    for (const std::string& name : arguments.aspects) {
+        request.aspects.push_back(*model::aspectNamed(name));  // the command line knows the names
+    }
+    return request;
+}
+
+base::Result<std::shared_ptr<const model::Document>> open(const AgreeArguments& arguments, const std::string& path,
+                                                          base::Progress& progress) {
+    BoardArguments board = arguments.board;
+    board.request.path = path;
+    board.request.noSession = true;
+    return openDocument(board, progress);
+}
+
+// ---- JSON ----
+
+ordered_json pointJson(const std::optional<base::Point>& point) {
+    return point ? ordered_json({point->x, point->y}) : ordered_json(nullptr);
+}
+
+void addRegion(ordered_json& json, const model::RegionDifference& region) {
+    json["area_nm2"] = {region.areas[0], region.areas[1]};
+    json["only_nm2"] = {region.only[0], region.only[1]};
+    json["share"] = region.share();
+    json["box_nm"] = nullptr;
+    if (!region.box.isEmpty()) {
+        json["box_nm"] = {region.box.min.x, region.box.min.y, region.box.max.x, region.box.max.y};
+    }
+}
+
+ordered_json comparisonJson(const Comparison& comparison) {
+    const bool hasLayers = !comparison.layers[0].empty() || !comparison.layers[1].empty();
+    const bool hasCounts = comparison.counts[0] + comparison.counts[1] > 0;
+    ordered_json json = {{"aspect", toString(comparison.aspect)}, {"verdict", toString(comparison.accord)}};
+    json["layers"] = hasLayers ? ordered_json(comparison.layers) : ordered_json(nullptr);
+    json["counts"] = hasCounts ? ordered_json(comparison.counts) : ordered_json(nullptr);
+    json["note"] = comparison.note;
+    if (comparison.region) {
+        addRegion(json, *comparison.region);
+    }
+    json["differing"] = comparison.differing;
+    json["differences"] = ordered_json::array();
+    for (const model::Difference& difference : comparison.differences) {
+        json["differences"].push_back({{"text", difference.text}, {"at_nm", pointJson(difference.location)}});
+    }
+    return json;
+}
+
+void printJson(const AgreeArguments& arguments, const Agreement& agreement) {
+    ordered_json json = {{"a", arguments.a},
+                         {"b", arguments.b},
+                         {"agree", agreement.isAgreed()},
+                         {"shift_nm", {agreement.shift.x, agreement.shift.y}},
+                         {"comparisons", ordered_json::array()}};
+    for (const Comparison& comparison : agreement.comparisons) {
+        json["comparisons"].push_back(comparisonJson(comparison));
+    }
+    std::fputs(model::jsonText(json).c_str(), stdout);
+}
+
+// ---- text ----
+
+const char* accordWord(Accord verdict) {
+    constexpr const char* kWords[] = {"agree", "DIFFER", "not compared"};
+    return kWords[static_cast<std::size_t>(verdict)];
+}
+
+std::string bothNames(const Comparison& comparison) {
+    const auto& [a, b] = comparison.layers;
+    return a == b ? a : a.empty() ? b : b.empty() ? a : a + ", " + b;
+}
+
+std::string sizesOf(const Comparison& comparison) {
+    if (comparison.region) {
+        const model::RegionDifference& region = *comparison.region;
+        return model::formatted("%.3f and %.3f mm²", region.areas[0] / 1e12, region.areas[1] / 1e12);
+    }
+    const auto& [a, b] = comparison.counts;
+    return a + b == 0 ? "" : a == b ? std::to_string(a) : std::to_string(a) + " and " + std::to_string(b);
+}
+
+void printComparison(const Comparison& comparison) {
+    std::printf("%-13s %-13s", accordWord(comparison.accord), toString(comparison.aspect));
+    for (const std::string& text : {bothNames(comparison), sizesOf(comparison), comparison.note}) {
+        std::printf("%s%s", text.empty() ? "" : "  ", text.c_str());
+    }
+    std::printf("\n");
+    for (const model::Difference& difference : comparison.differences) {
+        std::printf("  %s", difference.text.c_str());
+        if (difference.location) {
+            std::printf(", at %.4f, %.4f mm", base::toMm(difference.location->x), base::toMm(difference.location->y));
+        }
+        std::printf("\n");
+    }
+    if (comparison.differing > comparison.differences.size()) {
+        std::printf("  and %zu more\n", comparison.differing - comparison.differences.size());
+    }
+}
+
+void printText(const AgreeArguments& arguments, const Agreement& agreement) {
+    std::printf("A  %s\nB  %s\n", arguments.a.c_str(), arguments.b.c_str());
+    if (agreement.shift != base::Point{}) {
+        std::printf("B counts from another origin: %.4f, %.4f mm were added\n", base::toMm(agreement.shift.x),
+                    base::toMm(agreement.shift.y));
+    }
+    std::printf("\n");
+    for (const Comparison& comparison : agreement.comparisons) {
+        printComparison(comparison);
+    }
+    std::printf("\n%s\n", agreement.isAgreed() ? "The jobs agree." : "The jobs differ.");
+}
+
+}  // namespace
+
+Outcome runAgree(const AgreeArguments& arguments) {
+    ConsoleProgress console;
+    ASSIGN_OR_RETURN(const model::AgreementRequest request, requestFrom(arguments));
+    ASSIGN_OR_RETURN(const auto a, open(arguments, arguments.a, console.progress()));
+    ASSIGN_OR_RETURN(const auto b, open(arguments, arguments.b, console.progress()));
+    ASSIGN_OR_RETURN(const Agreement agreement, model::compareBoards(*a, *b, request, console.progress()));
+    arguments.asJson ? printJson(arguments, agreement) : printText(arguments, agreement);
+    return agreement.isAgreed() ? int{kDone} : int{kTooClose};
+}
+
+}  // namespace app

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "model/agreement/part_agreement.h"
+
+namespace model {
+
+/// The comparisons of nets and of their names, by the pins that both boards have and by pads that lie on one another.
+/// Pins and pads alone in their net are the same as without a net.
+[[nodiscard]] std::vector<Comparison> compareNets(const FlatBoard& a, const FlatBoard& b, const MatchedParts& parts,
+                                                  const AgreementRequest& request);
+
+}  // namespace model
