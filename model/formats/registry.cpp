@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "model/formats/file_kinds.h"
+#include "model/formats/ipc2581/ipc_reader.h"
 #include "model/formats/odb/odb_reader.h"
 #include "model/formats/paper/paper_reader.h"
 #include "model/nets/net_inference.h"
@@ -31,6 +32,26 @@ bool isOdb(const BoardInput& input) {
 
 Board readOdb(const BoardInput& input, const ReadOptions& options, base::Progress& progress) {
     return odb::readJob(*input.archive, input.path, options, input.unpacking, progress, input.reading);
+}
+
+base::Result<std::string> wholeFile(const fs::path& path) {
+    std::error_code error;
+    std::string text(fs::file_size(path, error), '\0');
+    std::ifstream in(path, std::ios::binary);
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    return !error && in ? base::Result<std::string>(std::move(text)) : badInput(path, "the file cannot be read");
+}
+
+bool isIpc(const BoardInput& input) {
+    return input.archive ? ipc2581::holdsIpc2581(*input.archive) : ipc2581::looksLikeIpc2581(input.head);
+}
+
+Board readIpc(const BoardInput& input, const ReadOptions& options, base::Progress& progress) {
+    if (input.archive) {
+        return ipc2581::readJob(*input.archive, input.path, options, input.unpacking, progress, input.reading);
+    }
+    const base::Result<std::string> text = wholeFile(input.path);
+    return text ? ipc2581::readJob(*text, input.path, options, input.unpacking, progress, input.reading) : text.error();
 }
 
 bool isPaper(const BoardInput& input) {
@@ -112,6 +133,7 @@ Board readAsItIs(const fs::path& path, const ReadOptions& options, base::Progres
 std::span<const BoardFormat> knownFormats() {
     static const std::array kFormats = {
         BoardFormat{"ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", isOdb, readOdb},
+        BoardFormat{"IPC-2581", {".xml", ".cvg"}, "an IPC-2581 file", isIpc, readIpc},
         BoardFormat{"model of the paper", {".txt"}, "", isPaper, readPaper},
     };
     return kFormats;

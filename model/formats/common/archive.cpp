@@ -115,7 +115,13 @@ base::Result<Archive> Archive::openFile(const fs::path& path, const ArchiveLimit
         return badInput(path, error ? "the file cannot be read" : "the file is empty");
     }
     ArchiveStream stream(path, ArchiveStream::Formats::Containers);
-    return readAll(stream, fileSize, path, limits, progress, diagnostics);
+    base::Result<Archive> tree = readAll(stream, fileSize, path, limits, progress, diagnostics);
+    if (tree || stream.hasEntries() || tree.error().code != base::ErrorCode::BadInput) {
+        return tree;
+    }
+    ArchiveStream member(path, ArchiveStream::Formats::Member);
+    std::optional<Archive> lone = readLone(member, path, limits);
+    return lone ? base::Result<Archive>(*std::move(lone)) : std::move(tree);
 }
 
 base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& name, const ArchiveLimits& limits,
@@ -124,7 +130,25 @@ base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& na
         return badInput(name, "the file is empty");
     }
     ArchiveStream stream(bytes, ArchiveStream::Formats::Containers);
-    return readAll(stream, bytes.size(), name, limits, progress, diagnostics);
+    base::Result<Archive> tree = readAll(stream, bytes.size(), name, limits, progress, diagnostics);
+    if (tree || stream.hasEntries() || tree.error().code != base::ErrorCode::BadInput) {
+        return tree;
+    }
+    ArchiveStream member(bytes, ArchiveStream::Formats::Member);
+    std::optional<Archive> lone = readLone(member, name, limits);
+    return lone ? base::Result<Archive>(*std::move(lone)) : std::move(tree);
+}
+
+std::optional<Archive> Archive::readLone(ArchiveStream& stream, const fs::path& path, const ArchiveLimits& limits) {
+    Entry entry{path.stem().string(), {}, {}, 0};
+    if (!stream.next() || !stream.isPacked() || !stream.read(entry.data, limits.totalBytes)) {
+        return std::nullopt;
+    }
+    entry.size = entry.data.size();
+    Archive tree;
+    Diagnostics none;
+    tree.add(std::move(entry), none);
+    return tree;
 }
 
 base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t packedBytes, const fs::path& path,

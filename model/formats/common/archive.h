@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,7 +39,8 @@ private:
     std::string_view m_borrowed;
 };
 
-/// The files of a board as one tree, whatever they came in: a folder, a .tgz, .tar.gz, .tar (V7 included) or .zip.
+/// The files of a board as one tree, whatever they came in: a folder, a .tgz, .tar.gz, .tar (V7 included) or .zip, or
+/// a file that is packed by itself (board.xml.gz), which is then the only one and named without its last ending.
 /// Names are found whatever their case. Archives are held in memory and nothing is ever written to disk; permissions in
 /// the archive are not looked at. Entries with `..` or an absolute path are left out with an error in the diagnostics.
 /// Reading is safe from several threads.
@@ -81,6 +83,9 @@ private:
     [[nodiscard]] static base::Result<Archive> readAll(ArchiveStream& stream, std::uint64_t packedBytes,
                                                        const std::filesystem::path& path, const ArchiveLimits& limits,
                                                        base::Progress& progress, Diagnostics& diagnostics);
+    /// A packed file that is no container; nothing if it is none, or broken.
+    [[nodiscard]] static std::optional<Archive> readLone(ArchiveStream& stream, const std::filesystem::path& path,
+                                                         const ArchiveLimits& limits);
     void add(Entry entry, Diagnostics& diagnostics);
 
     std::vector<Entry> m_entries;

@@ -45,7 +45,9 @@ bool ArchiveStream::next() {
     const int status = archive_read_next_header(m_archive.get(), &m_entry);
     // A warning is about names or times we do not use; the data that follows is sound.
     m_failed = status != ARCHIVE_OK && status != ARCHIVE_WARN && status != ARCHIVE_EOF;
-    return status == ARCHIVE_OK || status == ARCHIVE_WARN;
+    const bool isEntry = status == ARCHIVE_OK || status == ARCHIVE_WARN;
+    m_hasEntries = m_hasEntries || isEntry;
+    return isEntry;
 }
 
 std::string ArchiveStream::errorText() const {

@@ -27,6 +27,8 @@ public:
     /// Moves to the next entry. False at the end or on an error; `failed` says which.
     [[nodiscard]] bool next();
     [[nodiscard]] bool failed() const { return m_failed; }
+    /// Was any entry found so far?
+    [[nodiscard]] bool hasEntries() const { return m_hasEntries; }
     [[nodiscard]] std::string errorText() const;
 
     [[nodiscard]] std::string name() const;
@@ -49,6 +51,7 @@ private:
     archive_entry* m_entry = nullptr;
     bool m_isOpen = false;
     bool m_failed = false;
+    bool m_hasEntries = false;
 };
 
 /// Most bytes that one packed file of a job may unpack to. The largest real one we know holds 34 MB.

@@ -1,0 +1,353 @@
+#include "model/formats/ipc2581/feature_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/formats/ipc2581/xml/xml_values.h"
+
+namespace model::ipc2581 {
+
+namespace {
+
+using formats::DrawnFeature;
+using formats::kNoRow;
+
+/// Tools with tolerances that a layer's list keeps; more are no list of tools.
+constexpr std::size_t kMostTools = 200;
+
+bool isFiducial(std::string_view name) {
+    return name.ends_with("Fiducial") || name == "BadBoardMark" || name == "GoodPanelMark";
+}
+
+bool isShapeOfNet(std::string_view name) {
+    return name == "Contour" || name == "Polygon" || name == "Outline";
+}
+
+Plating platingNamed(std::string_view status) {
+    return status == "PLATED"          ? Plating::Plated
+           : status == "NONPLATED"     ? Plating::NonPlated
+           : status.starts_with("VIA") ? Plating::Via
+                                       : Plating::NotSaid;
+}
+
+}  // namespace
+
+void FeatureReader::beginLayer(std::size_t layer) {
+    m_layer = layer;
+    if (m_step.features.size() <= layer) {
+        m_step.features.resize(layer + 1);
+    }
+    const SourceLayer& source = m_layers[layer];
+    m_canvas.beginLayer(m_step.features[layer], !source.isCopper() && !source.isHoles());
+}
+
+void FeatureReader::addPadStackDef(XmlCursor& at) {
+    std::vector<PadDefinition>& pads = m_definitions[at.value("name")];
+    forEachChild(at, [&] {
+        if (at.name() == "PadstackPadDef" || at.name() == "PadStackPadDef") {
+            const std::string_view use = at.value("padUse");
+            PadDefinition pad{at.value("layerRef"), {}, false};
+            forEachChild(at, [&] {
+                if (at.name().ends_with("PrimitiveRef")) {
+                    pad.shape = at.value("id");
+                    pad.isUser = at.name() == "UserPrimitiveRef";
+                }
+            });
+            if (use.empty() || use == "REGULAR") {
+                pads.push_back(pad);
+            }
+        }
+    });
+}
+
+void FeatureReader::readLayerFeature(XmlCursor& at) {
+    const std::string_view name = at.value("layerRef");
+    if (m_layers.find(name) < 0) {
+        m_reading.report(Severity::Warning, at.line(),
+                         "a LayerFeature names a layer that is not listed; it is taken for a drawing");
+    }
+    beginLayer(m_layers.findOrAdd(name, LayerType::Document, at.line()));
+    const std::size_t layer = m_layer;
+    forEachChild(at, [&] {
+        if (at.name() == "Set") {
+            readSet(at);
+            beginLayer(layer);  // holes lie on layers of their own
+        } else {
+            m_reading.reportUnknown(at);
+        }
+    });
+}
+
+void FeatureReader::setNet(std::int32_t net) {
+    m_canvas.ink().net = m_layers[m_layer].isCopper() || m_layers[m_layer].isHoles() ? net : kNoRow;
+}
+
+void FeatureReader::readSet(XmlCursor& at) {
+    Set set;
+    set.net = m_nets.row(at.value("net"));
+    set.firstFeature = m_canvas.count();
+    set.isText = at.value("geometryUsage") == "TEXT";
+    for (const std::string_view name : {"geometry", "geometryUsage", "padUsage", "componentRef"}) {
+        const std::string_view value = at.value(name);
+        if (!value.empty() && value != "NONE") {
+            set.words.emplace_back(std::string(name), textOf(value));
+        }
+    }
+    if (isTrue(at.value("testPoint"))) {
+        set.words.emplace_back("testPoint", "true");
+    }
+    m_isVia = at.value("padUsage") == "VIA";
+    m_canvas.ink() = {};
+    m_canvas.ink().isNegative = at.value("polarity") == "NEGATIVE";
+    setNet(set.net);
+    m_shapes.setPen({});
+    forEachChild(at, [&] { readPart(at, set); });
+    endSet(set);
+}
+
+void FeatureReader::readPart(XmlCursor& at, Set& set) {
+    const std::string_view name = at.name();
+    LineStyle pen;
+    FillStyle fill;
+    m_canvas.setLine(at.line());
+    if (name == "Pad") {
+        readPad(at);
+    } else if (name == "Features") {
+        readFeatures(at);
+    } else if (name == "Hole") {
+        readHole(at);
+    } else if (name == "SlotCavity") {
+        readSlot(at);
+    } else if (name == "NonstandardAttribute") {
+        set.words.emplace_back(textOf(at.value("name")), textOf(at.value("value")));
+    } else if (isFiducial(name)) {
+        readPad(at);
+    } else if (m_dictionaries.readStyle(at, m_reading.unitNm(), pen, fill)) {
+        m_shapes.setPen(pen.width > 0.0 ? pen : LineStyle{});
+    } else if (name != "SpecRef" && name != "NetShort") {
+        setKind(isShapeOfNet(name) ? SubnetKind::Plane : SubnetKind::Trace);
+        if (m_shapes.draw(at, {}, m_reading.unitNm())) {
+            m_reading.report(Severity::Info, at.line(), "shapes right in a Set are read as those in Features");
+        } else {
+            m_reading.reportUnknown(at);
+        }
+    }
+}
+
+void FeatureReader::endSet(const Set& set) {
+    const std::size_t end = m_canvas.count();
+    if (set.firstFeature == end) {
+        return;
+    }
+    const std::int32_t attributes = attributesOf(set.words);
+    for (std::size_t i = set.firstFeature; i < end; ++i) {
+        m_canvas.feature(i).attributes = attributes;
+    }
+    const auto text = std::ranges::find(set.words, "TEXT", [](const auto& word) { return word.first; });
+    if (set.isText && text != set.words.end()) {
+        formats::DrawnGroup group;
+        group.type = "TEXT";
+        group.properties.push_back(*text);
+        for (std::size_t i = set.firstFeature; i < end; ++i) {
+            group.features.emplace_back(static_cast<std::int32_t>(m_layer), static_cast<std::uint32_t>(i));
+        }
+        m_step.groups.push_back(std::move(group));
+    }
+}
+
+std::int32_t FeatureReader::attributesOf(const formats::Words& words) {
+    if (words.empty()) {
+        return kNoRow;
+    }
+    std::string key;
+    for (const auto& [name, value] : words) {
+        key.append(name).append(1, '\0').append(value).append(1, '\0');
+    }
+    const auto [found, isNew] =
+        m_attributes.try_emplace(std::move(key), static_cast<std::int32_t>(m_step.attributes.size()));
+    if (isNew) {
+        m_step.attributes.push_back(words);
+    }
+    return found->second;
+}
+
+void FeatureReader::readPlaced(XmlCursor& at, Placed& placed) {
+    forEachChild(at, [&] {
+        Turn location;
+        if (at.name() == "Location") {
+            placed.locations.push_back(m_reading.point(at, m_reading.unitNm()));
+        } else if (at.name() == "PinRef") {
+            placed.pins.push_back({at.value("componentRef"), at.value("pin")});
+        } else if (!readTurn(m_reading, at, m_reading.unitNm(), placed.turn) && at.name() != "NonstandardAttribute") {
+            placed.shapes.push_back(at);  // Locations may follow
+        }
+    });
+    if (placed.locations.empty()) {
+        placed.locations.push_back({});
+    }
+}
+
+void FeatureReader::drawPlaced(Placed& placed) {
+    for (const PointD location : placed.locations) {
+        Turn turn = placed.turn;
+        turn.origin = {turn.origin.x + location.x, turn.origin.y + location.y};
+        for (const XmlCursor& shape : placed.shapes) {
+            XmlCursor at = shape;
+            if (!m_shapes.draw(at, turn, m_reading.unitNm())) {
+                m_reading.reportUnknown(at);
+            }
+        }
+    }
+}
+
+void FeatureReader::readPad(XmlCursor& at) {
+    setKind(m_isVia ? SubnetKind::Via : SubnetKind::Other);
+    const std::string_view definition = at.value("padstackDefRef");
+    const std::uint32_t line = at.line();
+    Placed placed;
+    placed.turn.origin = {m_reading.lengthOr(at, "x", m_reading.unitNm(), 0.0),
+                          m_reading.lengthOr(at, "y", m_reading.unitNm(), 0.0)};
+    readPlaced(at, placed);
+    const std::size_t first = m_canvas.count();
+    drawPlaced(placed);
+    if (placed.shapes.empty()) {
+        Turn turn = placed.turn;
+        turn.origin = {turn.origin.x + placed.locations[0].x, turn.origin.y + placed.locations[0].y};
+        drawDefinition(definition, turn, line);
+    }
+    if (!placed.pins.empty() && m_canvas.count() > first) {
+        m_parts.addPad({m_layer, first, placed.pins[0].component, placed.pins[0].pin, m_layers[m_layer].isCopper()});
+    }
+}
+
+/// The shape that a padstack has on this layer.
+void FeatureReader::drawDefinition(std::string_view name, const Turn& turn, std::uint32_t line) {
+    const auto found = m_definitions.find(name);
+    const std::string layer = m_layers[m_layer].drawn.name;
+    if (found != m_definitions.end()) {
+        for (const PadDefinition& pad : found->second) {
+            if (textOf(pad.layer) == layer && !pad.isUser && m_shapes.drawStandard(pad.shape, turn)) {
+                return;
+            }
+        }
+    }
+    if (!m_shapes.drawStandard(name, turn)) {  // some name the shape itself
+        m_reading.report(Severity::Warning, line,
+                         "a pad has no shape, nor its padstack on that layer; it draws nothing");
+    }
+}
+
+void FeatureReader::readFeatures(XmlCursor& at) {
+    Placed placed;
+    readPlaced(at, placed);
+    const bool isPlane =
+        std::ranges::any_of(placed.shapes, [](const XmlCursor& shape) { return isShapeOfNet(shape.name()); });
+    setKind(isPlane ? SubnetKind::Plane : SubnetKind::Trace);
+    drawPlaced(placed);
+}
+
+void FeatureReader::setPlating(const XmlCursor& at) {
+    DrawnFeature& ink = m_canvas.ink();
+    ink.plating = platingNamed(at.value("platingStatus"));
+    ink.subnet = ink.plating == Plating::Via ? SubnetKind::Via : SubnetKind::Other;
+}
+
+void FeatureReader::readHole(XmlCursor& at) {
+    if (!m_layers[m_layer].isHoles()) {
+        beginLayer(m_layers.holesLayer({}, {}, at.line()));
+    }
+    setPlating(at);
+    const Point size = m_reading.rounded({m_reading.length(at, "diameter", m_reading.unitNm()), 0.0}, at.line());
+    if (size.x <= 0) {
+        return m_reading.report(Severity::Warning, at.line(), "a hole without a diameter was left out");
+    }
+    m_canvas.addPad(m_canvas.roundSymbol(size.x), {m_reading.point(at, m_reading.unitNm()), 0.0, false, 1.0});
+    addTool(at, size.x);
+}
+
+void FeatureReader::addTool(const XmlCursor& at, Nm diameter) {
+    const auto tolerance = [&](const char* name) {
+        return m_reading.rounded({std::abs(m_reading.lengthOr(at, name, m_reading.unitNm(), 0.0)), 0.0}, at.line()).x;
+    };
+    DrillTool tool;
+    tool.plating = platingNamed(at.value("platingStatus"));
+    tool.finishedSize = isPlated(tool.plating) ? diameter : 0;
+    tool.drillSize = isPlated(tool.plating) ? 0 : diameter;
+    tool.minTolerance = tolerance("minusTol");
+    tool.maxTolerance = tolerance("plusTol");
+    std::vector<DrillTool>& tools = m_layers[m_layer].drawn.tools;
+    const auto isSame = [&](const DrillTool& other) {
+        return other.plating == tool.plating && other.finishedSize == tool.finishedSize &&
+               other.drillSize == tool.drillSize && other.minTolerance == tool.minTolerance &&
+               other.maxTolerance == tool.maxTolerance;
+    };
+    const bool saysMore = tool.minTolerance > 0 || tool.maxTolerance > 0;
+    if (saysMore && tools.size() < kMostTools && std::ranges::none_of(tools, isSame)) {
+        tool.number = static_cast<int>(tools.size()) + 1;
+        tools.push_back(tool);
+    }
+}
+
+void FeatureReader::readSlot(XmlCursor& at) {
+    if (!m_layers[m_layer].isHoles()) {
+        beginLayer(m_layers.holesLayer({}, {}, at.line()));
+    }
+    setPlating(at);
+    Placed placed;
+    readPlaced(at, placed);
+    std::erase_if(placed.shapes, [this](const XmlCursor& shape) {
+        const bool isDepth = shape.name() == "Z_AxisDim" || shape.name() == "Fill" || shape.name() == "MaterialCut" ||
+                             shape.name() == "MaterialLeft";
+        if (isDepth) {
+            m_reading.report(Severity::Info, shape.line(),
+                             "depths of slots are not read; they pass the span of their layer");
+        }
+        return isDepth;
+    });
+    m_shapes.setOutlines(OutlineMeaning::Area);
+    drawPlaced(placed);
+    m_shapes.setOutlines(OutlineMeaning::Line);
+}
+
+void FeatureReader::readPadStack(XmlCursor& at) {
+    const std::int32_t net = m_nets.row(at.value("net"));
+    bool isVia = false;
+    std::vector<XmlCursor> pads;
+    forEachChild(at, [&] {
+        m_canvas.ink() = {};
+        m_canvas.setLine(at.line());
+        if (at.name() == "LayerHole") {
+            XmlCursor inside = at;
+            std::string_view from;
+            std::string_view to;
+            forEachChild(inside, [&] {
+                from = inside.name() == "Span" ? inside.value("fromLayer") : from;
+                to = inside.name() == "Span" ? inside.value("toLayer") : to;
+            });
+            beginLayer(m_layers.holesLayer(from, to, at.line()));
+            setNet(net);
+            isVia = isVia || platingNamed(at.value("platingStatus")) == Plating::Via;
+            readHole(at);
+        } else if (at.name() == "LayerPad") {
+            pads.push_back(at);
+        } else {
+            m_reading.reportUnknown(at);
+        }
+    });
+    for (XmlCursor& pad : pads) {
+        const std::string_view layer = pad.value("layerRef");
+        if (m_layers.find(layer) < 0) {
+            m_reading.report(Severity::Warning, pad.line(),
+                             "a LayerPad names a layer that is not listed; it was left out");
+            continue;
+        }
+        beginLayer(m_layers.findOrAdd(layer, LayerType::Document, pad.line()));
+        m_canvas.ink() = {};
+        m_canvas.setLine(pad.line());
+        setNet(net);
+        m_isVia = isVia;
+        readPad(pad);
+    }
+}
+
+}  // namespace model::ipc2581

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "model/formats/ipc2581/canvas.h"
+#include "model/formats/ipc2581/layer_list.h"
+#include "model/formats/ipc2581/net_table.h"
+#include "model/formats/ipc2581/part_table.h"
+#include "model/formats/ipc2581/shape_reader.h"
+
+namespace model::ipc2581 {
+
+/// Reads what is on the layers of a step: the Sets of its LayerFeatures, and the PadStacks of revisions A and B.
+class FeatureReader {
+public:
+    FeatureReader(Reading& reading, const Dictionaries& dictionaries, LayerList& layers, Canvas& canvas, NetTable& nets,
+                  PartTable& parts, formats::DrawnStep& step)
+        : m_reading(reading),
+          m_dictionaries(dictionaries),
+          m_layers(layers),
+          m_canvas(canvas),
+          m_shapes(reading, dictionaries, canvas),
+          m_nets(nets),
+          m_parts(parts),
+          m_step(step) {}
+
+    /// A PadStackDef: the shapes that pads without a shape of their own mean.
+    void addPadStackDef(XmlCursor& at);
+    void readLayerFeature(XmlCursor& at);
+    /// A PadStack with its net, holes and pads on several layers.
+    void readPadStack(XmlCursor& at);
+
+private:
+    /// What the attributes of a Set say, and what it draws.
+    struct Set {
+        std::int32_t net = formats::kNoRow;
+        formats::Words words;
+        std::size_t firstFeature = 0;
+        bool isText = false;
+    };
+    struct PinRef {
+        std::string_view component;
+        std::string_view pin;
+    };
+    /// A Pad, LayerPad, Features or fiducial: where it is and what it draws there.
+    struct Placed {
+        Turn turn;
+        std::vector<PointD> locations;
+        std::vector<XmlCursor> shapes;
+        std::vector<PinRef> pins;
+    };
+    struct PadDefinition {
+        std::string_view layer;
+        std::string_view shape;  ///< id of a standard shape
+        bool isUser = false;
+    };
+
+    void beginLayer(std::size_t layer);
+    void readSet(XmlCursor& at);
+    void readPart(XmlCursor& at, Set& set);
+    void endSet(const Set& set);
+    void readPad(XmlCursor& at);
+    void readFeatures(XmlCursor& at);
+    void readHole(XmlCursor& at);
+    void readSlot(XmlCursor& at);
+    void readPlaced(XmlCursor& at, Placed& placed);
+    void drawPlaced(Placed& placed);
+    void drawDefinition(std::string_view name, const Turn& turn, std::uint32_t line);
+    void setKind(SubnetKind kind) { m_canvas.ink().subnet = kind; }
+    void setNet(std::int32_t net);
+    void setPlating(const XmlCursor& at);
+    void addTool(const XmlCursor& at, Nm diameter);
+    [[nodiscard]] std::int32_t attributesOf(const formats::Words& words);
+
+    Reading& m_reading;
+    const Dictionaries& m_dictionaries;
+    LayerList& m_layers;
+    Canvas& m_canvas;
+    ShapeReader m_shapes;
+    NetTable& m_nets;
+    PartTable& m_parts;
+    formats::DrawnStep& m_step;
+    std::size_t m_layer = 0;
+    bool m_isVia = false;  ///< what the Set being read says of its pads
+    std::unordered_map<std::string_view, std::vector<PadDefinition>> m_definitions;
+    std::unordered_map<std::string, std::int32_t> m_attributes;
+};
+
+}  // namespace model::ipc2581
