@@ -33,10 +33,11 @@ base::Result<model::AgreementRequest> requestFrom(const AgreeArguments& argument
 }
 
 base::Result<std::shared_ptr<const model::Document>> open(const AgreeArguments& arguments, const std::string& path,
-                                                          base::Progress& progress) {
+                                                          const std::string& format, base::Progress& progress) {
     BoardArguments board = arguments.board;
     board.request.path = path;
     board.request.noSession = true;
+    board.request.format = format.empty() ? board.request.format : format;
     return openDocument(board, progress);
 }
 
@@ -143,8 +144,8 @@ void printText(const AgreeArguments& arguments, const Agreement& agreement) {
 Outcome runAgree(const AgreeArguments& arguments) {
     ConsoleProgress console;
     ASSIGN_OR_RETURN(const model::AgreementRequest request, requestFrom(arguments));
-    ASSIGN_OR_RETURN(const auto a, open(arguments, arguments.a, console.progress()));
-    ASSIGN_OR_RETURN(const auto b, open(arguments, arguments.b, console.progress()));
+    ASSIGN_OR_RETURN(const auto a, open(arguments, arguments.a, arguments.formatA, console.progress()));
+    ASSIGN_OR_RETURN(const auto b, open(arguments, arguments.b, arguments.formatB, console.progress()));
     ASSIGN_OR_RETURN(const Agreement agreement, model::compareBoards(*a, *b, request, console.progress()));
     arguments.asJson ? printJson(arguments, agreement) : printText(arguments, agreement);
     return agreement.isAgreed() ? int{kDone} : int{kTooClose};

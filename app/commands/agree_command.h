@@ -12,6 +12,8 @@ struct AgreeArguments {
     BoardArguments board;  ///< how both are read; its path is not used
     std::string a;
     std::string b;
+    std::string formatA;  ///< BoardFormat::key, over that of `board`; empty: as there
+    std::string formatB;
     std::string tolerance = "10um";    ///< AgreementRequest::tolerance
     double allowedPercent = 0.0;       ///< AgreementRequest::allowed
     std::size_t most = 10;             ///< how many differences are listed of each comparison

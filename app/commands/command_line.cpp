@@ -87,6 +87,13 @@ void addNetOptions(CLI::App& command, model::OpenRequest& request) {
     command.add_flag("--infer-nets", request.inferNets, "infer the nets from the copper instead of the job's netlist");
 }
 
+/// To be called when all other options of the command are there: `--format` may be that of its report.
+void addInputFormat(CLI::App& command, std::string& format) {
+    const bool isFree = command.get_option_no_throw("--format") == nullptr;
+    addChoice(command, isFree ? "--input-format,--format" : "--input-format", format, model::formatKeys(),
+              ": what to read of a job that is there in several formats; default: the richest");
+}
+
 void addModellingOptions(CLI::App& command, BoardArguments& board) {
     addStep(command, board.request);
     addNumber(command, "--chord", board.chordUm, 0.5, 50.0,
@@ -113,6 +120,7 @@ void addInfo(CLI::App& parent, Command& chosen) {
     addBoardOptions(command, arguments.board);
     command.add_flag("--json", arguments.asJson, "as JSON");
     command.add_flag("--check-nets", arguments.checkNets, "compare the nets with the copper: opens and shorts");
+    addInputFormat(command, arguments.board.request.format);
 }
 
 void parseSize(const std::string& text, RenderArguments& arguments) {
@@ -178,6 +186,7 @@ void addRender(CLI::App& parent, Command& chosen) {
     command.add_flag("--outlines", arguments.isOutlined, "in 2D, outlines without fill");
     command.add_flag("--transparent", arguments.isTransparent, "without background");
     command.add_flag("--mono", arguments.isMono, "shapes white on black, neither shaded nor smoothed");
+    addInputFormat(command, arguments.board.request.format);
 }
 
 void addGenerate(CLI::App& parent, Command& chosen) {
@@ -268,6 +277,7 @@ void addClearance(CLI::App& parent, Command& chosen) {
     command.add_option("-o,--output", arguments.output, "write the report to this file; default: stdout");
     addWaivers(command, *rules, arguments);
     addMapOptions(command, arguments.map);
+    addInputFormat(command, request.format);
 }
 
 void addSection(CLI::App& parent, Command& chosen) {
@@ -283,6 +293,7 @@ void addSection(CLI::App& parent, Command& chosen) {
         ->check(CLI::Range(0.001, 1000.0));
     command.add_option("--height-times", arguments.heightTimes, "vertical scale; default: as large as is easy to read")
         ->check(CLI::Range(0.01, 10'000.0));
+    addInputFormat(command, arguments.board.request.format);
 }
 
 void addExport(CLI::App& parent, Command& chosen) {
@@ -311,6 +322,7 @@ void addExport(CLI::App& parent, Command& chosen) {
     command.add_flag("--one-page", arguments.isOnePage, "PDF: all layers on one page instead of a page each");
     command.add_flag("--written-out", arguments.isWrittenOut,
                      "equal pads and barrels one by one, for programs that do not know placed shapes");
+    addInputFormat(command, arguments.board.request.format);
 }
 
 void addVerify(CLI::App& parent, Command& chosen) {
@@ -329,6 +341,7 @@ void addVerify(CLI::App& parent, Command& chosen) {
     command.add_flag("--strict", arguments.isStrict, "read without the repairs that the reader makes on its own");
     command.add_flag("--no-pictures", arguments.noPictures, "without pictures of both pipelines");
     command.add_flag("--json", arguments.asJson, "as JSON");
+    addInputFormat(command, arguments.board.request.format);
 }
 
 void addMeasure(CLI::App& parent, Command& chosen) {
@@ -344,6 +357,7 @@ void addMeasure(CLI::App& parent, Command& chosen) {
                     "exit code 4 if the distance is less than this, with um, mm, mil or inch")
         ->excludes(path);
     addReportFormat(command, arguments.format);
+    addInputFormat(command, arguments.board.request.format);
 }
 
 std::vector<std::string> aspectNames() {
@@ -372,6 +386,9 @@ void addAgree(CLI::App& parent, Command& chosen) {
     addList(command, "--aspects", arguments.aspects, "only these, separated by commas: ")
         ->check(CLI::IsMember(aspectNames()));
     command.add_flag("--json", arguments.asJson, "as JSON");
+    addInputFormat(command, arguments.board.request.format);
+    addChoice(command, "--format-a", arguments.formatA, model::formatKeys(), ": of A alone");
+    addChoice(command, "--format-b", arguments.formatB, model::formatKeys(), ": of B alone");
 }
 
 /// What `bench` measures with --triangulation, with options of its own.
@@ -415,6 +432,7 @@ void addBench(CLI::App& parent, Command& chosen) {
     command.add_flag("--components", arguments.hasComponents, "with the bodies of the components");
     addNumber(command, "--frames", arguments.frames, 1, 1000, "frames per median");
     command.add_flag("--json", arguments.asJson, "as JSON");
+    addInputFormat(command, arguments.modelling.request.format);
     addTriangulationBench(command, both->isTriangulation, both->triangulation);
     command.callback([&chosen, both] {
         if (both->frames.boards.empty() && !both->isTriangulation) {
@@ -447,6 +465,7 @@ Command parseCommandLine(int argc, char** argv) {
     addStep(parser, *workbench);
     addStackupOptions(parser, *workbench);
     addNetOptions(parser, *workbench);
+    addInputFormat(parser, workbench->format);
     Command chosen = [argc, argv, workbench] { return runWorkbench(argc, argv, *workbench); };
     for (const auto addCommand : kCommands) {
         addCommand(parser, chosen);

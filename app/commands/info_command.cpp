@@ -18,11 +18,12 @@ using model::StepCheck;
 
 namespace {
 
-void printJob(const Document& document) {
+void printJob(const Document& document, const std::string& format) {
     const model::JobInfo& job = document.job;
     std::printf("job         %s\n", job.name.c_str());
     std::printf("written by  %s\n", job.generator.empty() ? "(not stated)" : job.generator.c_str());
-    std::printf("format      %s, %s\n", job.version.empty() ? "(not stated)" : job.version.c_str(), job.units.c_str());
+    std::printf("format      %s, version %s, %s\n", format.c_str(),
+                job.version.empty() ? "(not stated)" : job.version.c_str(), job.units.c_str());
     std::printf("step        %s", job.step.c_str());
     for (const std::string& step : job.steps) {
         std::printf("%s", step == job.step ? "" : (" (also: " + step + ")").c_str());
@@ -108,7 +109,7 @@ void printModel(const OpenBoard& board) {
 }
 
 void printText(const OpenBoard& board, const std::vector<StepCheck>* checks) {
-    printJob(*board.document);
+    printJob(*board.document, board.format);
     printLayers(*board.document);
     printStackup(*board.document);
     printDrills(*board.document);

@@ -25,14 +25,19 @@ model::OpenRequest orSample(model::OpenRequest request) {
     return request;
 }
 
-base::Result<Board> openDocument(const BoardArguments& arguments, base::Progress& progress) {
-    ASSIGN_OR_RETURN(const model::OpenedBoard board, model::openBoard(orSample(arguments.request), progress));
+base::Result<model::OpenedBoard> openWithSession(const BoardArguments& arguments, base::Progress& progress) {
+    ASSIGN_OR_RETURN(model::OpenedBoard board, model::openBoard(orSample(arguments.request), progress));
     for (const std::string& note : board.notes) {
         std::fprintf(stderr, "copperscope: %s\n", note.c_str());
     }
     if (arguments.saveSession) {
         RETURN_IF_ERROR(model::session::saveThicknesses(board.request.path, *board.document, board.thicknesses.all()));
     }
+    return board;
+}
+
+base::Result<Board> openDocument(const BoardArguments& arguments, base::Progress& progress) {
+    ASSIGN_OR_RETURN(const model::OpenedBoard board, openWithSession(arguments, progress));
     return board.document;
 }
 
@@ -59,9 +64,9 @@ base::Result<render::BoardModel> modelBoard(const model::Document& document, con
 
 base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
     ConsoleProgress console;
-    ASSIGN_OR_RETURN(const Board document, openDocument(arguments, console.progress()));
-    ASSIGN_OR_RETURN(render::BoardModel model, modelBoard(*document, arguments, console.progress()));
-    return OpenBoard{document, std::move(model), discretisationOf(arguments)};
+    ASSIGN_OR_RETURN(const model::OpenedBoard board, openWithSession(arguments, console.progress()));
+    ASSIGN_OR_RETURN(render::BoardModel model, modelBoard(*board.document, arguments, console.progress()));
+    return OpenBoard{board.document, std::move(model), discretisationOf(arguments), board.format};
 }
 
 base::Result<model::LayerId> findLayer(const model::Document& document, const std::string& name) {

@@ -26,6 +26,9 @@ struct BoardArguments {
 /// cannot be saved.
 [[nodiscard]] base::Result<std::shared_ptr<const model::Document>> openDocument(const BoardArguments& arguments,
                                                                                 base::Progress& progress);
+/// The same with all that is known of it.
+[[nodiscard]] base::Result<model::OpenedBoard> openWithSession(const BoardArguments& arguments,
+                                                               base::Progress& progress);
 
 [[nodiscard]] model::Discretisation discretisationOf(const BoardArguments& arguments);
 
@@ -34,6 +37,7 @@ struct OpenBoard {
     std::shared_ptr<const model::Document> document;
     render::BoardModel model;
     model::Discretisation how;  ///< what it was modelled with
+    std::string format;         ///< model::BoardFormat::key of what was read
 };
 
 /// Lets and triangles, with the triangulator that was requested. Errors as render::buildBoardModel; DeviceFailed if a

@@ -24,9 +24,10 @@ ordered_json countsJson(const std::array<Count, model::kElementKindCount>& count
     return json;
 }
 
-ordered_json jobJson(const model::JobInfo& job) {
-    return {{"name", job.name},   {"generator", job.generator}, {"version", job.version},
-            {"units", job.units}, {"steps", job.steps},         {"step", job.step}};
+ordered_json jobJson(const model::JobInfo& job, const std::string& format) {
+    return {{"name", job.name},       {"format", format},   {"generator", job.generator},
+            {"version", job.version}, {"units", job.units}, {"steps", job.steps},
+            {"step", job.step}};
 }
 
 ordered_json layerJson(const Layer& layer) {
@@ -133,7 +134,7 @@ ordered_json infoJson(const OpenBoard& board, const std::vector<model::StepCheck
     ordered_json diagnostics = ordered_json::array();
     addDiagnostics(document, document.diagnostics, diagnostics);
     addDiagnostics(document, board.model.diagnostics, diagnostics);
-    ordered_json json = {{"job", jobJson(document.job)},
+    ordered_json json = {{"job", jobJson(document.job, board.format)},
                          {"layers", layersJson(document)},
                          {"stackup", stackupJson(document)},
                          {"zones", zonesJson(document)},

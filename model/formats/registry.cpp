@@ -70,10 +70,42 @@ Board readPaper(const BoardInput& input, const ReadOptions&, base::Progress& pro
 
 // ---- choosing one ----
 
-const BoardFormat* formatOf(const BoardInput& input) {
-    const std::span<const BoardFormat> formats = knownFormats();
-    const auto found = std::ranges::find_if(formats, [&](const BoardFormat& format) { return format.probe(input); });
-    return found == formats.end() ? nullptr : &*found;
+using Formats = std::vector<const BoardFormat*>;
+
+/// What is there in forms that may be read, the richest first.
+Formats formatsOf(const BoardInput& input) {
+    Formats found;
+    for (const BoardFormat& format : knownFormats()) {
+        if (format.probe(input)) {
+            found.push_back(&format);
+        }
+    }
+    return found;
+}
+
+std::string namesOf(const Formats& formats) {
+    std::string names;
+    for (const BoardFormat* format : formats) {
+        names += (names.empty() ? "" : ", ") + std::string(format->name) + " (" + std::string(format->key) + ")";
+    }
+    return names;
+}
+
+/// The one to read; what else is there is said in its messages. Errors: BadInput if it is not there in that form.
+base::Result<const BoardFormat*> choose(const Formats& found, const std::string& wanted, BoardInput& input) {
+    const auto chosen =
+        wanted.empty() ? found.begin() : std::ranges::find(found, std::string_view(wanted), &BoardFormat::key);
+    if (chosen == found.end()) {
+        return badInput(input.path, "there is no board of format " + wanted + ", but " + namesOf(found));
+    }
+    Formats others = found;
+    std::erase(others, *chosen);
+    if (!others.empty()) {
+        input.unpacking.report(
+            Severity::Info, "", 0,
+            "read as " + std::string((*chosen)->name) + "; it is there in other formats too: " + namesOf(others));
+    }
+    return *chosen;
 }
 
 std::string readHead(const fs::path& path) {
@@ -105,36 +137,48 @@ base::Error unknown(const BoardInput& input) {
     return badInput(input.path, "this is " + kind + begin + "; what can be read: " + describeFormats());
 }
 
-Board readAsItIs(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+/// Unpacks what may be a folder or archive. Errors: what stops it from being one.
+base::Status unpack(BoardInput& input, base::Progress& progress) {
+    progress.beginPhase("Unpacking the job");
+    base::Result<formats::Archive> archive = formats::Archive::open(input.path, {}, progress, input.unpacking);
+    std::error_code error;
+    const bool isBroken = !archive && (archive.error().code == base::ErrorCode::Cancelled ||
+                                       !fs::is_regular_file(input.path, error) || isArchive(input.head));
+    if (isBroken) {
+        return archive.error();
+    }
+    if (archive) {
+        input.archive = std::move(*archive);
+    }
+    return base::Done{};
+}
+
+base::Result<ReadBoard> readAsItIs(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
     std::error_code error;
     if (!fs::exists(path, error)) {
         return badInput(path, "there is no such file or folder");
     }
     BoardInput input{path, readHead(path), {}, {}, {}};
-    const BoardFormat* format = formatOf(input);
-    if (format == nullptr) {
-        progress.beginPhase("Unpacking the job");
-        base::Result<formats::Archive> archive = formats::Archive::open(path, {}, progress, input.unpacking);
-        const bool isBroken = !archive && (archive.error().code == base::ErrorCode::Cancelled ||
-                                           !fs::is_regular_file(path, error) || isArchive(input.head));
-        if (isBroken) {
-            return archive.error();
-        }
-        if (archive) {
-            input.archive = std::move(*archive);
-            format = formatOf(input);
-        }
+    Formats found = formatsOf(input);
+    if (found.empty()) {
+        RETURN_IF_ERROR(unpack(input, progress));
+        found = formatsOf(input);
     }
-    return format != nullptr ? format->read(input, options, progress) : unknown(input);
+    if (found.empty()) {
+        return unknown(input);
+    }
+    ASSIGN_OR_RETURN(const BoardFormat* format, choose(found, options.format, input));
+    ASSIGN_OR_RETURN(auto document, format->read(input, options, progress));
+    return ReadBoard{std::move(document), format};
 }
 
 }  // namespace
 
 std::span<const BoardFormat> knownFormats() {
     static const std::array kFormats = {
-        BoardFormat{"ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", isOdb, readOdb},
-        BoardFormat{"IPC-2581", {".xml", ".cvg"}, "an IPC-2581 file", isIpc, readIpc},
-        BoardFormat{"model of the paper", {".txt"}, "", isPaper, readPaper},
+        BoardFormat{"ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", isOdb, readOdb, "odb"},
+        BoardFormat{"IPC-2581", {".xml", ".cvg"}, "an IPC-2581 file", isIpc, readIpc, "ipc2581"},
+        BoardFormat{"model of the paper", {".txt"}, "", isPaper, readPaper, "paper"},
     };
     return kFormats;
 }
@@ -170,9 +214,29 @@ bool isNamedLikeBoard(const fs::path& path) {
            });
 }
 
+std::vector<std::string> formatKeys() {
+    std::vector<std::string> keys;
+    for (const BoardFormat& format : knownFormats()) {
+        keys.emplace_back(format.key);
+    }
+    return keys;
+}
+
+base::Result<ReadBoard> readAnyBoard(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+    const std::vector<std::string> keys = formatKeys();
+    if (!options.format.empty() && std::ranges::find(keys, options.format) == keys.end()) {
+        return base::Error{base::ErrorCode::BadUsage, "there is no format " + options.format};
+    }
+    ASSIGN_OR_RETURN(ReadBoard board, readAsItIs(path, options, progress));
+    if (options.inferNets) {
+        ASSIGN_OR_RETURN(board.document, withInferredNets(*board.document, progress));
+    }
+    return board;
+}
+
 Board readBoard(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
-    Board board = readAsItIs(path, options, progress);
-    return board && options.inferNets ? withInferredNets(**board, progress) : board;
+    ASSIGN_OR_RETURN(ReadBoard board, readAnyBoard(path, options, progress));
+    return std::move(board.document);
 }
 
 }  // namespace model

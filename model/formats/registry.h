@@ -37,9 +37,18 @@ struct BoardFormat {
     bool (*probe)(const BoardInput& input);    ///< is it one of its boards? Before and after unpacking; touches no file
     base::Result<std::shared_ptr<const Document>> (*read)(const BoardInput& input, const ReadOptions& options,
                                                           base::Progress& progress);
+    std::string_view key{};  ///< for the command line and reports: "odb"; one word, each its own
 };
 
+/// A board and what it was read from.
+struct ReadBoard {
+    std::shared_ptr<const Document> document;
+    const BoardFormat* format = nullptr;  ///< of knownFormats()
+};
+
+/// Those that say more of a board come first: of several forms in one folder or archive the first is read.
 [[nodiscard]] std::span<const BoardFormat> knownFormats();
+[[nodiscard]] std::vector<std::string> formatKeys();
 /// Their extensions as file dialogs want them: "*.tgz *.txt".
 [[nodiscard]] std::string namePatterns(std::span<const BoardFormat> formats = knownFormats());
 /// For help and error texts: "ODB++ job (folder, .tgz), …".
@@ -47,9 +56,14 @@ struct BoardFormat {
 /// Is the path named like a board, or is it a folder?
 [[nodiscard]] bool isNamedLikeBoard(const std::filesystem::path& path);
 
-/// Opens a board of any known format, whatever its name. Errors: BadInput with the reason in plain words when the input
+/// Opens a board of any known format, whatever its name. Folders and archives may hold it in several: the format that
+/// the options name is read, or else the first, and the others are named in its messages. Errors: BadUsage for formats
+/// that are not known; BadInput with the reason in plain words when the input
 /// is missing, is no board (then with what it is, and what can be read) or cannot be unpacked; Cancelled. A bad record
 /// inside a readable job is no error: it is listed in Document::diagnostics.
+[[nodiscard]] base::Result<ReadBoard> readAnyBoard(const std::filesystem::path& path, const ReadOptions& options,
+                                                   base::Progress& progress);
+/// The same without what it was read from.
 [[nodiscard]] base::Result<std::shared_ptr<const Document>> readBoard(const std::filesystem::path& path,
                                                                       const ReadOptions& options,
                                                                       base::Progress& progress);

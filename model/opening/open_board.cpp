@@ -35,14 +35,16 @@ Thicknesses SetThicknesses::all() const {
 }
 
 base::Result<OpenedBoard> openBoard(const OpenRequest& request, base::Progress& progress) {
-    ASSIGN_OR_RETURN(auto document, readBoard(request.path, {request.step, request.inferNets}, progress));
+    ASSIGN_OR_RETURN(ReadBoard read,
+                     readAnyBoard(request.path, {request.step, request.inferNets, request.format}, progress));
     session::LoadedSession found;
     if (!request.noSession) {
-        found = session::loadSession(request.path, *document);
+        found = session::loadSession(request.path, *read.document);
     }
-    ASSIGN_OR_RETURN(Thicknesses once, parseThicknesses(request.thicknesses, document->stackup));
+    ASSIGN_OR_RETURN(Thicknesses once, parseThicknesses(request.thicknesses, read.document->stackup));
     OpenedBoard board{request, {}, {found.session.thicknesses, std::move(once)}};
-    board.document = session::applyThicknesses(std::move(document), board.thicknesses.all());
+    board.document = session::applyThicknesses(std::move(read.document), board.thicknesses.all());
+    board.format = read.format->key;
     board.session = std::move(found.session);
     board.notes = std::move(found.ignored);
     return board;

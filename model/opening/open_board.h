@@ -18,6 +18,7 @@ struct OpenRequest {
     std::vector<std::string> thicknesses{};  ///< LAYER=LENGTH over what job and session say, saved nowhere
     bool noSession = false;                  ///< as if there were no session file; none is written either
     bool inferNets = false;                  ///< nets by following the copper, instead of the job's
+    std::string format{};                    ///< BoardFormat::key; empty: the richest that is there
 };
 
 /// What thicknesses are set over those of the job: those of the session file, and over them those for this time only.
@@ -36,6 +37,7 @@ struct OpenedBoard {
     SetThicknesses thicknesses{};
     bool areThicknessesSaved = true;   ///< those of `thicknesses.saved` are in the session file
     session::Session session{};        ///< as the file holds it, of other steps too
+    std::string format{};              ///< BoardFormat::key of what was read
     std::vector<std::string> notes{};  ///< what of the session file is not used, a sentence each
 };
 

@@ -57,6 +57,19 @@ private slots:
         QCOMPARE(copper["differences"].toArray().size(), 1);
     }
 
+    void theFormatToReadIsSaid() {
+        for (const char* option : {"--input-format", "--format"}) {
+            const Outcome info = copperscope({"info", locations::kSample, option, "odb", "--json"});
+            QVERIFY2(info.exitCode == 0, info.err.constData());
+            QCOMPARE(QJsonDocument::fromJson(info.out)["job"]["format"].toString(), QString("odb"));
+        }
+        const QStringList measure{"measure", locations::kSample, "--from", "at:0mm,0mm", "--to", "at:1mm,1mm"};
+        QCOMPARE(copperscope(measure + QStringList{"--format", "json", "--input-format", "odb"}).exitCode, 0);
+        QCOMPARE(copperscope({"info", locations::kSample, "--format", "paper"}).exitCode, 2);
+        QCOMPARE(copperscope({"info", locations::kSample, "--format", "pdf"}).exitCode, 1);
+        QCOMPARE(copperscope({"agree", locations::kSample, locations::kSample, "--format-b", "paper"}).exitCode, 2);
+    }
+
     void aChangedJobDiffersInTheLayerThatChanged() {
         const QTemporaryDir folder;
         const std::filesystem::path job = folder.filePath("job").toStdString();

@@ -7,6 +7,7 @@ namespace model::formats {
 struct ReadOptions {
     std::string step;        ///< empty: the first one that draws anything itself
     bool inferNets = false;  ///< follow the copper instead of the job's nets (model/nets/net_inference.h)
+    std::string format{};    ///< BoardFormat::key; empty: the richest that is there
 };
 
 }  // namespace model::formats

@@ -1,7 +1,10 @@
 #include "model/formats/registry.h"
 
 #include <QtTest>
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <fstream>
 
 #include "tests/locations.h"
 
@@ -111,6 +114,52 @@ private slots:
         }
         QVERIFY(!model::isNamedLikeBoard("/nowhere/board.pdf"));
         QVERIFY(model::isNamedLikeBoard("/"));
+    }
+
+    void everyFormatHasAKeyOfItsOwn() {
+        std::vector<std::string> keys = model::formatKeys();
+        QCOMPARE(keys.size(), model::knownFormats().size());
+        std::ranges::sort(keys);
+        QVERIFY(std::ranges::adjacent_find(keys) == keys.end());
+        for (const std::string& key : keys) {
+            const bool isWord = std::ranges::all_of(key, [](char c) { return std::isalnum(static_cast<uchar>(c)); });
+            QVERIFY2(!key.empty() && isWord, key.c_str());
+        }
+    }
+
+    void ofSeveralFormsTheRichestIsRead() {
+        QTemporaryDir folder;
+        const std::filesystem::path both = folder.filePath("both").toStdString();
+        std::filesystem::copy(std::filesystem::path(locations::kTestData) / "odb" / "drills", both,
+                              std::filesystem::copy_options::recursive);
+        std::ofstream(both / "board.xml") << "<?xml version=\"1.0\"?>\n<IPC-2581 revision=\"C\">\n</IPC-2581>\n";
+        base::Progress progress;
+        const auto chosen = model::readAnyBoard(both, {}, progress);
+        QVERIFY2(chosen.ok(), chosen ? "" : chosen.error().text.c_str());
+        QCOMPARE(chosen->format->key, std::string_view("odb"));
+        const auto isChoice = [](const model::Diagnostic& entry) {
+            return entry.severity == model::Severity::Info &&
+                   entry.text == "Read as ODB++ job; it is there in other formats too: IPC-2581 (ipc2581)";
+        };
+        QVERIFY(std::ranges::any_of(chosen->document->diagnostics.entries(), isChoice));
+        model::ReadOptions options;
+        options.format = "ipc2581";
+        const auto other = model::readAnyBoard(both, options, progress);
+        QVERIFY(!other || other->format->key == "ipc2581");  // and not what is easier to read
+        options.format = "odb";
+        QVERIFY(model::readAnyBoard(both, options, progress).ok());
+    }
+
+    void aFormatThatIsNotThereIsSaid() {
+        base::Progress progress;
+        model::ReadOptions options;
+        options.format = "ipc2581";
+        const auto missing = model::readBoard(locations::kSample, options, progress);
+        QVERIFY(!missing);
+        QCOMPARE(missing.error().code, base::ErrorCode::BadInput);
+        QVERIFY(missing.error().text.find("no board of format ipc2581, but ODB++ job (odb)") != std::string::npos);
+        options.format = "pdf";
+        QCOMPARE(model::readBoard(locations::kSample, options, progress).error().code, base::ErrorCode::BadUsage);
     }
 
     void aCancelledReadSaysSo() {
