@@ -7,6 +7,7 @@
 #include "model/base/assert.h"
 #include "model/formats/common/archive.h"
 #include "model/formats/common/archive_stream.h"
+#include "model/formats/ipc2581/ipc_reader.h"
 #include "model/formats/odb/components/components.h"
 #include "model/formats/odb/components/eda.h"
 #include "model/formats/odb/components/netlist.h"
@@ -163,6 +164,12 @@ void zones(std::string_view input) {
     inSmallJob("steps/s/zones", input, "=== steps/s/layers/top/features\nUNITS=MM\n$0 r500\nP 5 5 0 P 0 0\n");
 }
 
+void ipc2581(std::string_view input) {
+    base::Progress progress;
+    static_cast<void>(model::ipc2581::looksLikeIpc2581(input));
+    static_cast<void>(model::ipc2581::readJob(input, kFile, {}, {}, progress, {}));
+}
+
 void paper(std::string_view input) {
     base::Progress progress;
     static_cast<void>(model::paper::readModel(input, kFile, progress));
@@ -182,6 +189,7 @@ std::span<const Target> targets() {
         {"font", font},
         {"holes", holes, {"features"}},
         {"info", info, {"info"}},
+        {"ipc2581", ipc2581},
         {"job", job, {}, true},
         {"matrix", matrix, {"matrix"}},
         {"member", member},

@@ -348,8 +348,8 @@ void PartTable::placePins() {
     }
 }
 
-/// The pin of that name whose pad lies there, else the nearest one that has no pad yet, else another one: some list the
-/// pads of a package that have one name only once.
+/// The pin of that name whose pad lies there on another layer, else the nearest one that has no pad yet, else another
+/// one: some list the pads of a package that have one name only once.
 std::int32_t PartTable::pinAt(const PadUse& use, std::int32_t component) {
     std::vector<DrawnPin>& pins = m_step.components[static_cast<std::size_t>(component)].pins;
     const Point pad = featureOf(use).a;
@@ -357,8 +357,9 @@ std::int32_t PartTable::pinAt(const PadUse& use, std::int32_t component) {
     for (const std::int32_t row : m_pins.at({component, use.pin})) {
         const DrawnPin& pin = pins[static_cast<std::size_t>(row)];
         const std::int64_t reach = distance(pin.position, pad);
-        const bool isTaken = m_taken.contains({component, row});
-        if (isTaken && reach <= kReach) {
+        const auto taken = m_taken.find({component, row});
+        const bool isTaken = taken != m_taken.end();
+        if (isTaken && reach <= kReach && taken->second != use.layer) {
             return row;
         }
         const bool isNearer =
@@ -385,7 +386,7 @@ void PartTable::linkPads() {
         feature.component = component;
         feature.pin = row;
         pin.net = pin.net == kNoRow ? feature.net : pin.net;
-        if (m_taken.insert({component, row}).second) {
+        if (m_taken.try_emplace({component, row}, use.layer).second) {
             pin.position = feature.a;
         }
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <set>
+#include <map>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -100,7 +100,8 @@ private:
     std::vector<std::vector<std::string_view>> m_packagePins;               ///< names as written
     std::unordered_map<PinKey, std::vector<std::int32_t>, PinHash> m_pins;  ///< several pins may have one name
     std::unordered_map<PinKey, std::int32_t, PinHash> m_pinNets;            ///< as LogicalNets say
-    std::set<std::pair<std::int32_t, std::int32_t>> m_taken;                ///< components and pins that have a pad
+    /// Components and pins that have a pad, and on which layer.
+    std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> m_taken;
 };
 
 }  // namespace model::ipc2581

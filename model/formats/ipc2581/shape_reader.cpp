@@ -279,7 +279,8 @@ void ShapeReader::drawPolyline(XmlCursor& at, const Turn& turn, double unitNm) {
 void ShapeReader::drawOutline(XmlCursor& at, const Turn& turn, double unitNm) {
     Polygon polygon;
     readPolygon(at, unitNm, polygon);
-    if (m_outlines == OutlineMeaning::Area) {
+    // A line without width says nothing: KiCad writes letters of outline fonts so.
+    if (m_outlines == OutlineMeaning::Area || polygon.line.width == 0.0) {
         return m_canvas.fill(polygon.region, turn.after(polygon.own));
     }
     polygon.fill.kind = FillKind::Hollow;

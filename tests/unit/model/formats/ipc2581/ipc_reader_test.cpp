@@ -1,0 +1,381 @@
+#include "model/formats/ipc2581/ipc_reader.h"
+
+#include <QtTest>
+#include <filesystem>
+
+#include "model/formats/registry.h"
+#include "tests/locations.h"
+
+using namespace model;
+using formats::DrawnFeature;
+using formats::DrawnJob;
+using formats::DrawnKind;
+using formats::DrawnStep;
+
+namespace {
+
+constexpr Nm kMm = 1'000'000;
+
+base::Result<DrawnJob> parse(const std::string& text, const std::string& step = {}) {
+    base::Progress progress;
+    return ipc2581::parseJob(text, "board.xml", {step, false}, progress);
+}
+
+/// A file with two copper layers in millimetres around what is in its step, its dictionaries and its CadData.
+std::string fileWith(const std::string& step, const std::string& content = {}, const std::string& cadData = {}) {
+    return "<IPC-2581 revision='C'><Content>" + content +
+           "</Content><Ecad><CadHeader units='MILLIMETER'/><CadData>"
+           "<Layer name='T' layerFunction='CONDUCTOR' side='TOP'/>"
+           "<Layer name='B' layerFunction='CONDUCTOR' side='BOTTOM'/>" +
+           cadData + "<Step name='s'>" + step + "</Step></CadData></Ecad></IPC-2581>";
+}
+
+std::string onTop(const std::string& sets) {
+    return "<LayerFeature layerRef='T'>" + sets + "</LayerFeature>";
+}
+
+std::string features(const std::string& shape) {
+    return onTop("<Set net='A'><Features><Location x='0' y='0'/>" + shape + "</Features></Set>");
+}
+
+std::size_t layerNamed(const DrawnJob& job, const std::string& name) {
+    const auto found = std::ranges::find(job.layers, name, &formats::DrawnLayer::name);
+    return static_cast<std::size_t>(found - job.layers.begin());
+}
+
+const std::vector<DrawnFeature>& featuresOn(const DrawnJob& job, const std::string& layer) {
+    return job.steps[0].features[layerNamed(job, layer)];
+}
+
+const formats::PadShape& shapeOf(const DrawnJob& job, const DrawnFeature& feature) {
+    return job.steps[0].symbols[static_cast<std::size_t>(feature.symbol)].shape;
+}
+
+/// Is there a message with these words? Messages begin with a capital, so the first letter is not compared.
+bool reports(const DrawnJob& job, const std::string& words, std::uint32_t line = 0) {
+    const std::string part = words.substr(1);
+    return std::ranges::any_of(job.diagnostics.entries(), [&](const Diagnostic& d) {
+        return d.text.find(part) != std::string::npos && (line == 0 || d.line == line);
+    });
+}
+
+std::string corpusFile(const char* name) {
+    QFile file(QString::fromStdString((std::filesystem::path(locations::kFuzzCorpus) / "ipc2581" / name).string()));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+}
+
+}  // namespace
+
+class IpcReaderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aBoardIsReadWhole() {
+        const auto job = parse(corpusFile("board_c.xml"));
+        QVERIFY2(job.ok(), job ? "" : job.error().text.c_str());
+        QCOMPARE(job->info.version, std::string("IPC-2581C"));
+        QCOMPARE(job->info.units, std::string("MM"));
+        const DrawnStep& step = job->steps.at(0);
+        QCOMPARE(step.profile.contourCount(), std::size_t{2});
+        QCOMPARE(step.profile.contour(1).size(), std::size_t{1});  // a full circle
+        QCOMPARE(step.nets.size(), std::size_t{1});
+        QCOMPARE(job->layers[layerNamed(*job, "T")].facts.thicknessNm.value_or(0), 35e3);
+        QCOMPARE(job->layers[layerNamed(*job, "T")].facts.material.name, std::string("COPPER"));
+        QVERIFY(job->layers[layerNamed(*job, "N")].isNegative);
+        QCOMPARE(layerNamed(*job, "S"), std::size_t{0});  // print lies outside
+        const auto& copper = featuresOn(*job, "T");
+        QCOMPARE(copper.size(), std::size_t{5});
+        QCOMPARE(copper[0].subnet, SubnetKind::Via);
+        QCOMPARE(copper[1].kind, DrawnKind::Region);
+        QVERIFY(copper[2].isNegative);
+        QCOMPARE(shapeOf(*job, copper[3]).width, 254'000);  // its dictionary is in inches
+        QCOMPARE(copper[4].kind, DrawnKind::Arc);
+        const formats::DrawnLayer& drill = job->layers[layerNamed(*job, "D")];
+        QCOMPARE(drill.spanTop, static_cast<std::int32_t>(layerNamed(*job, "T")));
+        QCOMPARE(drill.spanBottom, static_cast<std::int32_t>(layerNamed(*job, "B")));
+        QCOMPARE(drill.tools.at(0).maxTolerance, 50'000);
+        QCOMPARE(featuresOn(*job, "D").size(), std::size_t{2});
+        QCOMPARE(featuresOn(*job, "D")[0].plating, Plating::Via);
+        QCOMPARE(featuresOn(*job, "D")[1].kind, DrawnKind::Region);
+        QVERIFY(reports(*job, "shapes contain each other"));  // the user shape that holds itself
+        QCOMPARE(step.groups.at(0).properties.at(0).second, std::string("Hi"));
+        QCOMPARE(step.netlists.at(0).netlist.points.at(0).position, (Point{10 * kMm, 4 * kMm}));
+    }
+
+    void partsLieAsTheirPadsSay_data() {
+        QTest::addColumn<QByteArray>("pad");
+        QTest::addColumn<double>("clockwiseDeg");
+        // The package's pin 1 is at (-1, 0); the part at (10, 5) is rotated by 90 degrees and mirrored.
+        QTest::newRow("x to -x") << QByteArray("<Location x='10' y='4'/>") << 270.0;
+        QTest::newRow("y to -y, as KiCad does") << QByteArray("<Location x='10' y='6'/>") << 90.0;
+    }
+    void partsLieAsTheirPadsSay() {
+        QFETCH(QByteArray, pad);
+        QFETCH(double, clockwiseDeg);
+        std::string text = corpusFile("board_c.xml");
+        const std::string before = "<Location x=\"10\" y=\"4\"/>";
+        text.replace(text.find(before), before.size(), pad.toStdString());
+        const auto job = parse(text);
+        QVERIFY(job.ok());
+        const formats::DrawnComponent& part = job->steps[0].components.at(0);
+        QCOMPARE(part.clockwiseDeg, clockwiseDeg);
+        QVERIFY(part.isMirrored.value_or(false));
+        QVERIFY(!part.isPopulated);
+        QCOMPARE(part.side, LayerSide::Bottom);
+        QCOMPARE(part.properties.back(), (std::pair<std::string, std::string>("Value", "10k")));
+        const DrawnFeature& feature = featuresOn(*job, "B").at(0);
+        QCOMPARE(part.pins.at(0).position, feature.a);
+        QCOMPARE(part.pins[0].net, 0);
+        QCOMPARE(feature.component, 0);
+        QCOMPARE(feature.pin, 0);
+        const Placement placement{part.position, part.clockwiseDeg, true};
+        QCOMPARE(placement.apply(Point{-kMm, 0}), feature.a);
+    }
+
+    void padstacksOfRevisionBHoldPadsAndHoles() {
+        const auto job = parse(corpusFile("panel_b.xml"), "board");
+        QVERIFY(job.ok());
+        QCOMPARE(job->steps[0].nets.at(0).name, std::string("A&B"));
+        const auto& holes = featuresOn(*job, "Drill T - F");
+        QCOMPARE(holes.at(0).a, (Point{12'700'000, 12'700'000}));
+        QCOMPARE(shapeOf(*job, holes[0]).width, 304'800);
+        const DrawnFeature& pad = featuresOn(*job, "T").at(0);
+        QCOMPARE(pad.a, (Point{12'954'000, 12'700'000}));
+        QCOMPARE(pad.clockwiseDeg, 330.0);
+        QCOMPARE(job->steps[0].symbols[static_cast<std::size_t>(pad.symbol)].name.substr(0, 9),
+                 std::string("Thermal 1"));
+        QVERIFY(reports(*job, "a LayerPad names a layer that is not listed"));
+        QVERIFY(reports(*job, "a pad names a component"));
+    }
+
+    void panelsPlaceTheirSteps() {
+        const auto job = parse(corpusFile("panel_b.xml"), "panel");
+        QVERIFY(job.ok());
+        QCOMPARE(job->steps.size(), std::size_t{2});
+        QCOMPARE(job->steps[0].copies.size(), std::size_t{4});
+        const formats::DrawnCopy& copy = job->steps[0].copies[3];
+        QVERIFY(copy.isFlipped);
+        QCOMPARE(job->steps[static_cast<std::size_t>(copy.step)].name, std::string("board"));
+        const Point datum = copy.placement.apply(Point{2'540'000, 2'540'000});
+        QCOMPARE(datum, (Point{76'200'000, 63'500'000}));  // 1 + 2 by 1 + 1.5 inch
+        QVERIFY(reports(*job, "the step contains itself"));
+        const auto first = parse(corpusFile("panel_b.xml"));
+        QCOMPARE(first->steps[0].name, std::string("board"));  // the first one that draws anything
+        const auto none = parse(corpusFile("panel_b.xml"), "other");
+        QVERIFY(!none);
+        QCOMPARE(none.error().code, base::ErrorCode::BadUsage);
+        QVERIFY(none.error().text.find("panel, board") != std::string::npos);
+    }
+
+    void stackupsMakeOneOrder() {
+        const auto job = parse(corpusFile("panel_b.xml"), "board");
+        QCOMPARE(layerNamed(*job, "T"), std::size_t{0});  // written from the bottom
+        QCOMPARE(layerNamed(*job, "C"), std::size_t{1});  // next to the copper it covers
+        QCOMPARE(layerNamed(*job, "F"), std::size_t{2});
+        QCOMPARE(job->layers[1].use, LayerUse::Coverlay);
+        QCOMPARE(job->steps[0].zones.at(0).layers, (std::vector<std::int32_t>{1, 2}));
+    }
+
+    void fillsDrawWhatTheySay_data() {
+        QTest::addColumn<QByteArray>("shape");
+        QTest::addColumn<QByteArray>("drawn");
+        const auto row = [](const char* name, const char* children, const char* drawn) {
+            QTest::newRow(name) << QByteArray("<RectCenter width='4' height='2'>") + children + "</RectCenter>"
+                                << QByteArray(drawn);
+        };
+        row("nothing said", "", "P");
+        row("filled", "<FillDesc fillProperty='FILL'/>", "P");
+        row("filled with an edge", "<LineDesc lineEnd='ROUND' lineWidth='0.1'/>", "PLLLL");
+        row("hollow", "<FillDesc fillProperty='HOLLOW'/><LineDesc lineEnd='ROUND' lineWidth='0.1'/>", "LLLL");
+        row("hollow without width", "<FillDesc fillProperty='HOLLOW'/>", "");
+        row("hatched", "<FillDesc fillProperty='HATCH' lineWidth='0.1' pitch1='0.5' angle1='0'/>", "R");
+        row("void", "<FillDesc fillProperty='VOID'/>", "-P");
+    }
+    void fillsDrawWhatTheySay() {
+        QFETCH(QByteArray, shape);
+        QFETCH(QByteArray, drawn);
+        const auto job = parse(fileWith(features(shape.toStdString())));
+        QVERIFY(job.ok());
+        std::string found;
+        for (const DrawnFeature& feature : featuresOn(*job, "T")) {
+            found += feature.isNegative ? "-" : "";
+            found += "LAPR"[static_cast<std::size_t>(feature.kind)];
+        }
+        QCOMPARE(found, drawn.toStdString());
+    }
+
+    void lineEndsAreDrawn_data() {
+        QTest::addColumn<QByteArray>("end");
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<int>("kind");
+        QTest::newRow("round") << QByteArray("ROUND") << QByteArray("endX='3' endY='1'")
+                               << static_cast<int>(DrawnKind::Line);
+        QTest::newRow("square") << QByteArray("SQUARE") << QByteArray("endX='3' endY='0'")
+                                << static_cast<int>(DrawnKind::Line);
+        QTest::newRow("square, aslant") << QByteArray("SQUARE") << QByteArray("endX='3' endY='4'")
+                                        << static_cast<int>(DrawnKind::Region);
+        QTest::newRow("none") << QByteArray("NONE") << QByteArray("endX='3' endY='0'")
+                              << static_cast<int>(DrawnKind::Region);
+    }
+    void lineEndsAreDrawn() {
+        QFETCH(QByteArray, end);
+        QFETCH(QByteArray, line);
+        QFETCH(int, kind);
+        const auto job =
+            parse(fileWith(features("<Line startX='0' startY='0' " + line.toStdString() + "><LineDesc lineEnd='" +
+                                    end.toStdString() + "' lineWidth='1'/></Line>")));
+        const auto& found = featuresOn(*job, "T");
+        QCOMPARE(found.size(), std::size_t{1});
+        QCOMPARE(static_cast<int>(found[0].kind), kind);
+    }
+
+    void placesAddUp() {
+        const std::string xform = "<Xform rotation='90' mirror='true' scale='2' xOffset='1' yOffset='2'/>";
+        const auto job =
+            parse(fileWith(onTop("<Set><Features>" + xform +
+                                 "<Location x='10' y='20'/><Location x='30' y='20'/>"
+                                 "<Line startX='0' startY='0' endX='3' endY='0'><LineDesc lineWidth='0.2'/></Line>"
+                                 "</Features></Set>")));
+        const auto& found = featuresOn(*job, "T");
+        QCOMPARE(found.size(), std::size_t{2});
+        QCOMPARE(found[0].a, (Point{11 * kMm, 22 * kMm}));
+        QCOMPARE(found[0].b, (Point{11 * kMm, 28 * kMm}));
+        QCOMPARE(found[1].a, (Point{31 * kMm, 22 * kMm}));
+        QCOMPARE(shapeOf(*job, found[0]).width, 400'000);
+    }
+
+    void arcsTurnRoundInMirrors() {
+        const std::string arc =
+            "<Arc startX='1' startY='0' endX='0' endY='1' centerX='0' centerY='0' clockwise='false'><LineDesc "
+            "lineWidth='0.1'/></Arc>";
+        const auto plain = parse(fileWith(features(arc)));
+        QVERIFY(!featuresOn(*plain, "T").at(0).isClockwise);
+        const auto job = parse(fileWith(onTop("<Set><Features><Xform mirror='true'/>" + arc + "</Features></Set>")));
+        QVERIFY(featuresOn(*job, "T").at(0).isClockwise);
+        QCOMPARE(featuresOn(*job, "T")[0].a, (Point{-kMm, 0}));
+    }
+
+    void orderDoesNotMatter() {
+        const std::string text =
+            "<IPC-2581 revision='A'><Ecad><CadData><Step name='s'>" + features("<StandardPrimitiveRef id='c'/>") +
+            "</Step><Layer name='T' layerFunction='SIGNAL' side='TOP'/></CadData><CadHeader units='INCH'/></Ecad>"
+            "<Content><DictionaryStandard units='MICRON'><EntryStandard id='c'><Circle diameter='100'/></EntryStandard>"
+            "</DictionaryStandard></Content></IPC-2581>";
+        const auto job = parse(text);
+        QVERIFY(job.ok());
+        QCOMPARE(shapeOf(*job, featuresOn(*job, "T").at(0)).width, 100'000);
+        QCOMPARE(job->info.units, std::string("INCH"));
+    }
+
+    void whatIsBrokenIsReportedWithItsLine_data() {
+        QTest::addColumn<QByteArray>("step");
+        QTest::addColumn<QByteArray>("message");
+        const auto row = [](const char* name, const std::string& step, const char* message) {
+            QTest::newRow(name) << QByteArray::fromStdString(step) << QByteArray(message);
+        };
+        row("shape", features("\n<StandardPrimitiveRef id='no'/>"), "a shape refers to an entry");
+        row("user shape", features("\n<UserPrimitiveRef id='no'/>"), "a shape refers to an entry");
+        row("layer", "\n<LayerFeature layerRef='X'><Set/></LayerFeature>", "names a layer that is not listed");
+        row("element", features("\n<Spline/>"), "element Spline is of no kind");
+        row("number", features("\n<Line startX='a' startY='0' endX='1' endY='1'><LineDesc lineWidth='1'/></Line>"),
+            "attribute startX is missing");
+        row("line",
+            features(
+                "<Polyline><PolyBegin x='0' y='0'/><PolyStepSegment x='1' y='1'/>\n<LineDescRef id='no'/></Polyline>"),
+            "a LineDescRef refers to");
+        row("package", "\n<Component refDes='R' packageRef='no' layerRef='T'/>", "names a package");
+        row("repeat", "\n<StepRepeat stepRef='no' x='0' y='0' nx='1' ny='1'/>", "names a step");
+        row("zone", "\n<StackupZone name='z' stackupRef='no'/>", "names a stackup");
+        row("hole", onTop("<Set>\n<Hole diameter='0' x='0' y='0'/></Set>"), "a hole without a diameter");
+        row("far away", onTop("<Set>\n<Hole diameter='1' x='2000' y='0' platingStatus='VIA'/></Set>"),
+            "a coordinate lies more than");
+    }
+    void whatIsBrokenIsReportedWithItsLine() {
+        QFETCH(QByteArray, step);
+        QFETCH(QByteArray, message);
+        const auto job = parse(fileWith(step.toStdString()));
+        QVERIFY(job.ok());
+        QVERIFY2(reports(*job, message.toStdString(), 2), message.constData());
+    }
+
+    void aFaultKeepsWhatComesBeforeIt() {
+        std::string text =
+            fileWith(features("<Circle diameter='1'/>") + "\n<LayerFeature layerRef='B'><Set></LayerFeature>");
+        const auto job = parse(text);
+        QVERIFY(job.ok());
+        QCOMPARE(featuresOn(*job, "T").size(), std::size_t{1});
+        QVERIFY(reports(*job, "no sound XML from here on", 2));
+    }
+
+    void whatIsNoBoardIsRefused_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("message");
+        QTest::newRow("document type") << QByteArray("<!DOCTYPE x [<!ENTITY a 'b'>]><IPC-2581/>")
+                                       << QByteArray("line 1: the file has a document type");
+        QTest::newRow("other XML") << QByteArray("<svg/>") << QByteArray("no IPC-2581");
+        QTest::newRow("empty") << QByteArray("") << QByteArray("no IPC-2581");
+        QTest::newRow("no step") << QByteArray("<IPC-2581><Ecad/></IPC-2581>") << QByteArray("no Step");
+        QTest::newRow("wide") << QByteArray("\xFF\xFE<\0", 4) << QByteArray("UTF-16");
+    }
+    void whatIsNoBoardIsRefused() {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, message);
+        const auto job = parse(text.toStdString());
+        QVERIFY(!job);
+        QCOMPARE(job.error().code, base::ErrorCode::BadInput);
+        QVERIFY2(job.error().text.find(message.toStdString()) != std::string::npos, job.error().text.c_str());
+    }
+
+    void referencesToReferencesEnd() {
+        std::string dictionary = "<DictionaryUser units='MILLIMETER'>";
+        for (int i = 0; i < 30; ++i) {
+            const std::string next = "<UserPrimitiveRef id='u" + std::to_string(i + 1) + "'/>";
+            dictionary += "<EntryUser id='u" + std::to_string(i) + "'><UserSpecial>" + next + next + next + next +
+                          "</UserSpecial></EntryUser>";
+        }
+        const auto job = parse(fileWith(features("<UserPrimitiveRef id='u0'/>"), dictionary + "</DictionaryUser>"));
+        QVERIFY(job.ok());
+        QVERIFY(reports(*job, "nest too deep"));
+    }
+
+    void filesOpenWhateverTheyComeIn() {
+        base::Progress progress;
+        QTemporaryDir folder;
+        const std::string text = corpusFile("board_c.xml");
+        const auto opens = [&](const char* name, const QByteArray& bytes) {
+            QFile file(folder.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+            file.close();
+            const auto board = readBoard(folder.filePath(name).toStdString(), {}, progress);
+            QVERIFY2(board.ok(), board ? "" : board.error().text.c_str());
+            QCOMPARE((*board)->job.version, std::string("IPC-2581C"));
+            QCOMPARE((*board)->components.size(), std::size_t{1});
+        };
+        opens("board.xml", QByteArray::fromStdString(text));
+        opens("board.cvg", QByteArray("\xEF\xBB\xBF\n") + QByteArray::fromStdString(text));
+        // gzip without compression: header, one stored block, checksum and size.
+        const QByteArray body = QByteArray::fromStdString(text);
+        QByteArray packed = QByteArray::fromHex("1f8b0800000000000003");
+        const auto little = [](std::uint32_t value, int bytes) {
+            QByteArray out;
+            for (int i = 0; i < bytes; ++i) {
+                out.append(static_cast<char>(value >> (8 * i)));
+            }
+            return out;
+        };
+        const auto size = static_cast<std::uint32_t>(body.size());
+        packed += '\x01' + little(size, 2) + little(~size & 0xFFFFU, 2) + body;
+        std::uint32_t crc = 0xFFFFFFFFU;
+        for (const char c : body) {
+            crc ^= static_cast<unsigned char>(c);
+            for (int bit = 0; bit < 8; ++bit) {
+                crc = (crc >> 1U) ^ (0xEDB88320U & (0U - (crc & 1U)));
+            }
+        }
+        packed += little(~crc, 4) + little(size, 4);
+        opens("board.xml.gz", packed);
+    }
+};
+
+QTEST_APPLESS_MAIN(IpcReaderTest)
+#include "ipc_reader_test.moc"
