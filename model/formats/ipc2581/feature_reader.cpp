@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/formats/ipc2581/shapes/stadium.h"
 #include "model/formats/ipc2581/xml/xml_values.h"
 
 namespace model::ipc2581 {
@@ -304,9 +305,27 @@ void FeatureReader::readSlot(XmlCursor& at) {
         }
         return isDepth;
     });
+    const std::size_t first = m_canvas.count();
     m_shapes.setOutlines(OutlineMeaning::Area);
     drawPlaced(placed);
     m_shapes.setOutlines(OutlineMeaning::Line);
+    for (std::size_t i = first; i < m_canvas.count(); ++i) {
+        drillIfStadium(m_canvas.feature(i));
+    }
+}
+
+/// A slot with round ends is a path of a round cutter, whatever its outline is written as.
+void FeatureReader::drillIfStadium(DrawnFeature& feature) {
+    if (feature.kind != formats::DrawnKind::Region) {
+        return;
+    }
+    if (const auto stadium = stadiumOf(m_step.regions[static_cast<std::size_t>(feature.region)])) {
+        feature.kind = formats::DrawnKind::Line;
+        feature.region = kNoRow;
+        feature.symbol = m_canvas.roundSymbol(stadium->width);
+        feature.a = stadium->a;
+        feature.b = stadium->b;
+    }
 }
 
 void FeatureReader::readPadStack(XmlCursor& at) {

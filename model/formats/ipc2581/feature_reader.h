@@ -65,6 +65,7 @@ private:
     void readFeatures(XmlCursor& at);
     void readHole(XmlCursor& at);
     void readSlot(XmlCursor& at);
+    void drillIfStadium(formats::DrawnFeature& feature);
     void readPlaced(XmlCursor& at, Placed& placed);
     void drawPlaced(Placed& placed);
     void drawDefinition(std::string_view name, const Turn& turn, std::uint32_t line);
