@@ -20,7 +20,7 @@ enum class Aspect : std::uint8_t {
     SolderPaste,
     Silkscreen,
     Outline,
-    Holes,    ///< location and size within 1 µm, plating, the copper they pass
+    Holes,    ///< location and size within 1 µm (slots: two pixels), plating, the copper they pass
     Parts,    ///< by reference designator: location within 1 µm, side, rotation
     Pins,     ///< of the parts that both have: name, where both name it, and location within 1 µm
     Nets,     ///< pins and pads that are one net in one job are one net in the other
@@ -77,7 +77,9 @@ struct Agreement {
 /// Compares two boards, copies of steps included. Layers are paired by type, side and order, where these are not enough
 /// by name; documents and other layers that formats do not share are left out. The second job is shifted by the
 /// difference of the boards' lower left corners if more of its holes then lie on those of the first. Parts without pins
-/// that only one job has are noted and no difference: some formats have no place for them. Errors: Cancelled.
+/// that only one job has are noted and no difference: some formats have no place for them. So are parts that state
+/// another rotation while all their pins, two or more, lie at the same locations: it depends on how formats draw
+/// packages. Errors: Cancelled.
 [[nodiscard]] base::Result<Agreement> compareBoards(const Document& a, const Document& b,
                                                     const AgreementRequest& request, base::Progress& progress);
 

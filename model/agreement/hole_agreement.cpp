@@ -9,12 +9,18 @@ namespace {
 
 using Hole = FlatBoard::Hole;
 
-bool isNear(Nm a, Nm b) {
-    return std::abs(std::int64_t{a} - b) <= kSamePlace;
+bool isNear(Nm a, Nm b, Nm reach = kSamePlace) {
+    return std::abs(std::int64_t{a} - b) <= reach;
 }
 
-bool isSameSize(const Hole& a, const Hole& b) {
-    return isNear(a.width, b.width) && isNear(a.height, b.height);
+bool isRound(const Hole& hole) {
+    return isNear(hole.width, hole.height);
+}
+
+/// Slots may be polygons with chords for their ends, up to a pixel off at either.
+bool isSameSize(const Hole& a, const Hole& b, Nm pixel) {
+    const Nm reach = isRound(a) && isRound(b) ? kSamePlace : 2 * pixel;
+    return isNear(a.width, b.width, reach) && isNear(a.height, b.height, reach);
 }
 
 bool isSameSpan(const Hole& a, const Hole& b) {
@@ -22,9 +28,8 @@ bool isSameSpan(const Hole& a, const Hole& b) {
 }
 
 std::string sizeText(const Hole& hole) {
-    const bool isRound = isNear(hole.width, hole.height);
     const std::string width = fixedText(base::toMm(hole.width), 3);
-    return (isRound ? width : width + " x " + fixedText(base::toMm(hole.height), 3)) + " mm";
+    return (isRound(hole) ? width : width + " x " + fixedText(base::toMm(hole.height), 3)) + " mm";
 }
 
 std::string spanText(const Hole& hole) {
@@ -33,11 +38,11 @@ std::string spanText(const Hole& hole) {
 }
 
 /// What of two holes at one location differs; empty if nothing does.
-std::string difference(const Hole& a, const Hole& b) {
+std::string difference(const Hole& a, const Hole& b, Nm pixel) {
     const auto differs = [](const std::string& ours, const std::string& theirs) {
         return ours + " in A, " + theirs + " in B";
     };
-    if (!isSameSize(a, b)) {
+    if (!isSameSize(a, b, pixel)) {
         return "a hole is " + differs(sizeText(a), sizeText(b));
     }
     if (a.isPlated != b.isPlated) {
@@ -62,11 +67,11 @@ Comparison compareHoles(const FlatBoard& a, const FlatBoard& b, const AgreementR
     for (const Hole& hole : a.holes) {
         const auto unlike = [&](std::size_t row) {
             const Hole& other = b.holes[row];
-            return (isSameSize(hole, other) ? 0 : 4) + (hole.isPlated == other.isPlated ? 0 : 2) +
+            return (isSameSize(hole, other, request.tolerance) ? 0 : 4) + (hole.isPlated == other.isPlated ? 0 : 2) +
                    (isSameSpan(hole, other) ? 0 : 1);
         };
         const auto found = b.holes.empty() ? std::nullopt : matcher.take(hole.middle, kSamePlace, unlike);
-        const std::string text = found ? difference(hole, b.holes[*found]) : onlyIn("A", hole);
+        const std::string text = found ? difference(hole, b.holes[*found], request.tolerance) : onlyIn("A", hole);
         if (!text.empty()) {
             comparison.add({text, hole.middle}, request.most);
         }

@@ -79,10 +79,15 @@ private:
     }
 
     void noteParts() {
+        std::vector<std::string> notes;
         if (m_withoutPins > 0) {
-            m_found.parts.note =
-                std::to_string(m_withoutPins) + " parts without pins are in one job only; that is no difference";
+            notes.push_back(std::to_string(m_withoutPins) + " parts without pins are in one job only");
         }
+        if (m_otherwiseTurned > 0) {
+            notes.push_back(std::to_string(m_otherwiseTurned) +
+                            " parts state another rotation, but all their pins lie at the same locations");
+        }
+        m_found.parts.note = joined(notes, "; ");
     }
 
     /// The nearest of that name that is free.
@@ -113,13 +118,23 @@ private:
                 part.position);
         } else if (!isSamePlace(part.position, other->position)) {
             add(m_found.parts, name + " is moved by " + mm(distance(part.position, other->position)), part.position);
-        } else if (angleBetween(part.clockwiseDeg, other->clockwiseDeg) > kSameAngle) {
-            add(m_found.parts,
-                name + " is turned by " + fixedText(part.clockwiseDeg, 2) + " degrees in A, by " +
-                    fixedText(other->clockwiseDeg, 2) + " in B",
-                part.position);
         }
-        comparePins(part, *other);
+        const bool arePinsEqual = comparePins(part, *other);
+        if (part.isBottom == other->isBottom && angleBetween(part.clockwiseDeg, other->clockwiseDeg) > kSameAngle) {
+            compareRotation(part, *other, arePinsEqual);
+        }
+    }
+
+    /// Where the pins lie says how a part is turned; the number alone also depends on how its package is drawn.
+    void compareRotation(const Part& part, const Part& other, bool arePinsEqual) {
+        if (arePinsEqual && part.pinCount > 1) {
+            ++m_otherwiseTurned;
+            return;
+        }
+        add(m_found.parts,
+            std::string(part.refdes) + " is turned by " + fixedText(part.clockwiseDeg, 2) + " degrees in A, by " +
+                fixedText(other.clockwiseDeg, 2) + " in B",
+            part.position);
     }
 
     // ---- pins ----
@@ -129,7 +144,9 @@ private:
         return (isSamePlace(a.position, b.position) ? 0 : 1) + (a.name == b.name ? 0 : 2);
     }
 
-    void comparePins(const Part& part, const Part& other) {
+    /// Do they all lie at the same locations?
+    bool comparePins(const Part& part, const Part& other) {
+        const std::size_t before = m_found.pins.differing;
         std::vector<std::uint32_t> ours;
         std::vector<std::uint32_t> theirs;
         for (std::uint32_t i = 0; i < part.pinCount; ++i) {
@@ -148,6 +165,7 @@ private:
         for (const std::uint32_t pin : theirs) {
             add(m_found.pins, "only B has " + pinName(part, m_b.pins[pin]), m_b.pins[pin].position);
         }
+        return m_found.pins.differing == before;
     }
 
     void matchPins(const Part& part, int most, std::vector<std::uint32_t>& ours, std::vector<std::uint32_t>& theirs) {
@@ -183,6 +201,7 @@ private:
     std::map<std::string_view, std::vector<std::size_t>> m_named;  ///< parts of B
     std::vector<std::uint8_t> m_isTaken;
     std::size_t m_withoutPins = 0;
+    std::size_t m_otherwiseTurned = 0;
     MatchedParts m_found;
 };
 

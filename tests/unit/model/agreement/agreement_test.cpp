@@ -177,6 +177,30 @@ private slots:
         QCOMPARE(firstOf(compared(board(), other), Aspect::Parts), std::string("only A has R1"));
     }
 
+    void aRotationIsANoteWhereThePinsSayTheSame() {
+        DrawnJob other = board();
+        other.steps[0].components[1].clockwiseDeg = 180.0;
+        const Agreement agreement = compared(board(), other);
+        QVERIFY(agreement.isAgreed());
+        QVERIFY(find(agreement, Aspect::Parts)->note.find("1 parts state another rotation") == 0);
+    }
+
+    void slotsMayEndInChords() {
+        DrawnJob milling = board();
+        DrawnStep& step = milling.steps[0];
+        DrawnFeature slot = line(2, mm(10, 40), mm(12, 40));
+        slot.plating = model::Plating::NonPlated;
+        draw(step, 3, slot);
+        DrawnJob other = board();
+        DrawnFeature milled = region(addRegion(other.steps[0], box({9'858'000, 39'850'000}, {12'142'000, 40'150'000})));
+        milled.plating = model::Plating::NonPlated;
+        draw(other.steps[0], 3, milled);
+        QVERIFY(compared(milling, other).isAgreed());
+        other.steps[0].regions.back() = box({9'800'000, 39'850'000}, {12'200'000, 40'150'000});
+        QCOMPARE(firstOf(compared(milling, other), Aspect::Holes),
+                 std::string("a hole is 2.300 x 0.300 mm in A, 2.400 x 0.300 mm in B"));
+    }
+
     void netsAreComparedByWhatTheyJoin() {
         DrawnJob other = board();
         other.steps[0].nets[0].name = "0V";

@@ -71,8 +71,6 @@ private slots:
                                 << "a Gerber file, which begins with \"%FSLAX46Y46*%\"";
         QTest::addRow("Gerber with a comment") << QByteArray("G04 top*\n%FSLAX46Y46*%\n") << "a Gerber file";
         QTest::addRow("drills") << QByteArray("M48\nMETRIC\n") << "an Excellon drill file";
-        QTest::addRow("IPC-2581") << QByteArray("<?xml version=\"1.0\"?>\n<IPC-2581 revision=\"C\">")
-                                  << "an IPC-2581 board";
         QTest::addRow("XML") << QByteArray("\xef\xbb\xbf <?xml version=\"1.0\"?><a/>") << "an XML file";
         QTest::addRow("ZIP") << QByteArray("PK\x05\x06") + QByteArray(18, '\0')
                              << "a ZIP archive without an ODB++ matrix";
@@ -97,7 +95,7 @@ private slots:
         base::Progress progress;
         const auto result = model::readBoard(folder.path().toStdString(), {}, progress);
         QVERIFY(!result);
-        QVERIFY(result.error().text.find("a folder without an ODB++ matrix; what") != std::string::npos);
+        QVERIFY(result.error().text.find("a folder without an ODB++ matrix") != std::string::npos);
     }
 
     void everyExtensionIsInTheFilterAndInTheHelp() {
