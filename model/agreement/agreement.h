@@ -78,7 +78,7 @@ struct Agreement {
 /// by name; documents and other layers that formats do not share are left out. The second job is shifted by the
 /// difference of the boards' lower left corners if more of its holes then lie on those of the first. Parts without pins
 /// that only one job has are noted and no difference: some formats have no place for them. So are parts that state
-/// another rotation while all their pins, two or more, lie at the same locations: it depends on how formats draw
+/// another rotation while all their pins lie at the same locations: it depends on how formats draw
 /// packages. Errors: Cancelled.
 [[nodiscard]] base::Result<Agreement> compareBoards(const Document& a, const Document& b,
                                                     const AgreementRequest& request, base::Progress& progress);

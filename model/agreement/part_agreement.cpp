@@ -127,7 +127,7 @@ private:
 
     /// Where the pins lie says how a part is turned; the number alone also depends on how its package is drawn.
     void compareRotation(const Part& part, const Part& other, bool arePinsEqual) {
-        if (arePinsEqual && part.pinCount > 1) {
+        if (arePinsEqual && part.pinCount > 0) {
             ++m_otherwiseTurned;
             return;
         }

@@ -1,0 +1,98 @@
+// One board written in several formats by one program: the forms must agree. Boards as formats/README.md has them.
+#include <QtTest>
+#include <filesystem>
+
+#include "model/agreement/agreement.h"
+#include "model/formats/registry.h"
+#include "tests/locations.h"
+
+using model::Aspect;
+using Aspects = std::vector<Aspect>;
+
+Q_DECLARE_METATYPE(Aspects)
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const Aspects kAll{Aspect::Copper, Aspect::Outline, Aspect::Holes,   Aspect::Parts,
+                   Aspect::Pins,   Aspect::Nets,    Aspect::NetNames};
+
+/// Revision B allows no / and * in names, so its writer changes them.
+const Aspects kWithoutNames{Aspect::Copper, Aspect::Outline, Aspect::Holes, Aspect::Pins, Aspect::Nets};
+
+struct Form {
+    const char* ending;  ///< of its file, behind the name of the board
+    Aspects aspects;     ///< what the exporter writes in both
+};
+
+/// KiCad's solder mask, paste and silkscreen differ between its exporters: IPC-2581 has all pads on them.
+const Form kForms[] = {{"-ipc2581b.xml.gz", kWithoutNames},
+                       {"-ipc2581b.xml", kWithoutNames},
+                       {"-ipc2581c.xml.gz", kAll},
+                       {"-ipc2581c.xml", kAll}};
+
+/// Pads whose hole is not in their middle lie elsewhere in the two exports, and designators that differ in case only
+/// are renamed in one of them.
+Aspects aspectsFor(const std::string& board, Aspects aspects) {
+    if (board == "RoyalBlue54L-Feather") {
+        std::erase_if(aspects, [](Aspect aspect) {
+            return aspect == Aspect::Copper || aspect == Aspect::Parts || aspect == Aspect::Pins;
+        });
+    }
+    return aspects;
+}
+
+std::shared_ptr<const model::Document> read(const fs::path& path) {
+    base::Progress progress;
+    const auto board = model::readBoard(path, {}, progress);
+    return board ? *board : nullptr;
+}
+
+}  // namespace
+
+class OracleTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void formsOfOneBoardAgree_data() {
+        QTest::addColumn<QString>("oracle");
+        QTest::addColumn<QString>("form");
+        QTest::addColumn<Aspects>("aspects");
+        for (const auto& entry : fs::directory_iterator(locations::boards() / "formats" / "kicad")) {
+            const std::string board = entry.path().filename().string();
+            for (const Form& form : kForms) {
+                const fs::path path = entry.path() / (board + form.ending);
+                if (fs::exists(path)) {
+                    QTest::addRow("%s%s", board.c_str(), form.ending)
+                        << QString::fromStdString((entry.path() / (board + "-odb.tgz")).string())
+                        << QString::fromStdString(path.string()) << aspectsFor(board, form.aspects);
+                }
+            }
+        }
+    }
+    void formsOfOneBoardAgree() {
+        QFETCH(QString, oracle);
+        QFETCH(QString, form);
+        QFETCH(Aspects, aspects);
+        const auto a = read(oracle.toStdString());
+        const auto b = read(form.toStdString());
+        QVERIFY(a != nullptr && b != nullptr);
+        model::AgreementRequest request;
+        request.allowed = 0.001;
+        request.aspects = aspects;
+        base::Progress progress;
+        const auto agreement = compareBoards(*a, *b, request, progress);
+        QVERIFY(agreement.ok());
+        QVERIFY(agreement->comparisons.size() >= 3);
+        for (const model::Comparison& comparison : agreement->comparisons) {
+            const std::string text =
+                std::string(toString(comparison.aspect)) + " " + comparison.layers[0] +
+                (comparison.differences.empty() ? comparison.note : ": " + comparison.differences[0].text);
+            QVERIFY2(comparison.accord != model::Accord::Differ, text.c_str());
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(OracleTest)
+#include "oracle_test.moc"
