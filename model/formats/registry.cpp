@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "model/formats/file_kinds.h"
+#include "model/formats/gerber/gerber_reader.h"
 #include "model/formats/ipc2581/ipc_reader.h"
 #include "model/formats/odb/odb_reader.h"
 #include "model/formats/paper/paper_reader.h"
@@ -52,6 +53,16 @@ Board readIpc(const BoardInput& input, const ReadOptions& options, base::Progres
     }
     const base::Result<std::string> text = wholeFile(input.path);
     return text ? ipc2581::readJob(*text, input.path, options, input.unpacking, progress, input.reading) : text.error();
+}
+
+bool isGerber(const BoardInput& input) {
+    return input.archive ? gerber::holdsJob(*input.archive) : gerber::looksLikeFile(input.head, input.path);
+}
+
+Board readGerber(const BoardInput& input, const ReadOptions& options, base::Progress& progress) {
+    return input.archive
+               ? gerber::readJob(*input.archive, input.path, options, input.unpacking, progress, input.reading)
+               : gerber::readFileAlone(input.path, options, progress, input.reading);
 }
 
 bool isPaper(const BoardInput& input) {
@@ -178,6 +189,12 @@ std::span<const BoardFormat> knownFormats() {
     static const std::array kFormats = {
         BoardFormat{"ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", isOdb, readOdb, "odb"},
         BoardFormat{"IPC-2581", {".xml", ".cvg"}, "an IPC-2581 file", isIpc, readIpc, "ipc2581"},
+        BoardFormat{"Gerber job",
+                    {".zip", ".gbrjob", ".gbr", ".ger", ".gtl", ".gbl", ".art", ".pho", ".gdo", ".drl", ".xln"},
+                    "Gerber images",
+                    isGerber,
+                    readGerber,
+                    "gerber"},
         BoardFormat{"model of the paper", {".txt"}, "", isPaper, readPaper, "paper"},
     };
     return kFormats;

@@ -7,6 +7,9 @@
 #include "model/base/assert.h"
 #include "model/formats/common/archive.h"
 #include "model/formats/common/archive_stream.h"
+#include "model/formats/gerber/drills/drill_file.h"
+#include "model/formats/gerber/gerber_reader.h"
+#include "model/formats/gerber/image/image.h"
 #include "model/formats/ipc2581/ipc_reader.h"
 #include "model/formats/odb/components/components.h"
 #include "model/formats/odb/components/eda.h"
@@ -175,6 +178,27 @@ void paper(std::string_view input) {
     static_cast<void>(model::paper::readModel(input, kFile, progress));
 }
 
+void gerberImage(std::string_view input) {
+    static_cast<void>(model::gerber::parseImage(input, kFile));
+}
+
+void gerberDrills(std::string_view input) {
+    for (const model::gerber::CoordinateFormat& format :
+         model::gerber::likelyFormats(model::gerber::readDrillHead(input))) {
+        static_cast<void>(model::gerber::parseDrills(input, kFile, format));
+    }
+}
+
+void gerberJob(std::string_view input) {
+    base::Progress progress;
+    Diagnostics diagnostics;
+    const std::string tar = writeTar(unbundle(input));
+    const auto opened = model::formats::Archive::unpack(tar, kFile, kLimits, progress, diagnostics);
+    if (opened) {
+        static_cast<void>(model::gerber::readJob(*opened, kFile, {}, diagnostics, progress));
+    }
+}
+
 }  // namespace
 
 std::span<const Target> targets() {
@@ -187,6 +211,9 @@ std::span<const Target> targets() {
         {"elements", elements, {"features"}},
         {"features", features, {"features", "profile"}},
         {"font", font},
+        {"gerber_drills", gerberDrills},
+        {"gerber_image", gerberImage},
+        {"gerber_job", gerberJob},
         {"holes", holes, {"features"}},
         {"info", info, {"info"}},
         {"ipc2581", ipc2581},

@@ -1,0 +1,108 @@
+#include "model/formats/gerber/drill_fitting.h"
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+namespace model::gerber {
+
+namespace {
+
+constexpr Nm kReach = 30'000;
+constexpr Nm kMargin = 2'000'000;
+constexpr std::size_t kMostHits = 2'000;
+
+struct Fit {
+    double onPads = 0.0;
+    double inside = 0.0;
+    double spread = 0.0;   ///< of the holes' box, as a share of the board's
+    bool isFound = false;  ///< of a format that was already better than the first
+};
+
+Fit fitOf(const Image& image, const PadIndex& pads, const Box& copper) {
+    const Box board = copper.grownBy(kMargin);
+    Fit fit;
+    Box box;
+    std::size_t count = 0;
+    const std::size_t step = image.features.size() / kMostHits + 1;
+    for (std::size_t i = 0; i < image.features.size(); i += step) {
+        const Point p = image.features[i].a;
+        fit.onPads += pads.has(p, kReach) ? 1.0 : 0.0;
+        fit.inside += board.holds(p) ? 1.0 : 0.0;
+        box.include(p);
+        ++count;
+    }
+    fit.onPads /= static_cast<double>(std::max<std::size_t>(count, 1));
+    fit.inside /= static_cast<double>(std::max<std::size_t>(count, 1));
+    fit.spread = static_cast<double>(std::max(box.width(), box.height())) /
+                 static_cast<double>(std::max<std::int64_t>(std::max(copper.width(), copper.height()), 1));
+    return fit;
+}
+
+/// Another format is taken for good reasons only: holes that would lie beside the board come onto it, or, of a file
+/// that is silent about its unit, far more holes meet pads and they do not shrink to a corner.
+bool isBetter(const Fit& fit, const Fit& than, bool isUnitTold) {
+    const bool isOnBoard = fit.inside > 0.9 && than.inside < 0.5;
+    const bool isOnPads = !isUnitTold && fit.onPads > than.onPads + 0.5 && fit.spread > 0.2;
+    return (isOnBoard && fit.spread > 0.02) || isOnPads ||
+           (fit.inside >= than.inside && than.inside > 0.9 && than.isFound && fit.onPads > than.onPads + 0.1 &&
+            fit.spread >= than.spread);
+}
+
+std::vector<std::tuple<Nm, Nm>> placesOf(const Image& image) {
+    std::vector<std::tuple<Nm, Nm>> places;
+    for (const formats::DrawnFeature& feature : image.features) {
+        places.emplace_back((feature.a.x + 5'000) / 10'000, (feature.a.y + 5'000) / 10'000);
+    }
+    std::ranges::sort(places);
+    return places;
+}
+
+}  // namespace
+
+void fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper) {
+    if (drills.kind != ReadFile::Kind::Drills || drills.image.features.empty() || copper.isEmpty()) {
+        return;
+    }
+    Fit best = fitOf(drills.image, pads, copper);
+    const bool isUnitTold = drills.head.isInch.has_value();
+    if (best.onPads > 0.6 || (best.inside > 0.5 && isUnitTold)) {
+        return;
+    }
+    const std::vector<CoordinateFormat> formats = likelyFormats(drills.head);
+    std::optional<std::size_t> chosen;
+    Image image;
+    for (std::size_t i = 1; i < formats.size(); ++i) {
+        Image other = parseDrills(drills.bytes.view(), drills.path, formats[i]);
+        const Fit fit = fitOf(other, pads, copper);
+        if (other.features.size() >= drills.image.features.size() && isBetter(fit, best, isUnitTold)) {
+            best = fit;
+            best.isFound = true;
+            chosen = i;
+            image = std::move(other);
+        }
+    }
+    if (chosen) {
+        const bool isTold = drills.head.isInch &&
+                            (drills.head.areAllWithPoint || (drills.head.isTrailingOmitted && drills.head.decimals));
+        drills.diagnostics.report(isTold ? Severity::Warning : Severity::Info, drills.path, 0,
+                                  "read as " + describe(formats[*chosen]) +
+                                      ", which puts the holes on the copper, not as " + describe(formats[0]) +
+                                      (isTold ? ", as the file says" : ""));
+        drills.image = std::move(image);
+        drills.format = formats[*chosen];
+    } else if (best.inside < 0.5) {
+        drills.diagnostics.report(Severity::Warning, drills.path, 0,
+                                  "most holes lie beside the copper, in whatever format their coordinates are read");
+    }
+}
+
+bool areSameHoles(const Image& first, const Image& second) {
+    const std::vector<std::tuple<Nm, Nm>> a = placesOf(first);
+    const std::vector<std::tuple<Nm, Nm>> b = placesOf(second);
+    std::vector<std::tuple<Nm, Nm>> both;
+    std::ranges::set_intersection(a, b, std::back_inserter(both));
+    return !b.empty() && both.size() * 10 >= b.size() * 9;
+}
+
+}  // namespace model::gerber

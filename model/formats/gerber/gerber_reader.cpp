@@ -1,0 +1,148 @@
+#include "model/formats/gerber/gerber_reader.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "model/formats/drawing/assembly.h"
+#include "model/formats/gerber/board_groups.h"
+#include "model/formats/gerber/board_maker.h"
+#include "model/formats/gerber/job_files.h"
+#include "model/formats/gerber/text/words.h"
+#include "model/nets/net_inference.h"
+#include "model/text/whole_file.h"
+
+namespace model::gerber {
+
+namespace {
+
+using Board = base::Result<std::shared_ptr<const Document>>;
+
+base::Error badInput(const std::filesystem::path& path, const std::string& text) {
+    return {base::ErrorCode::BadInput, path.string() + ": " + text};
+}
+
+std::string nameOf(const BoardFiles& board) {
+    return board.name.empty() ? "board" : board.name;
+}
+
+base::Result<std::size_t> choose(const std::vector<BoardFiles>& boards, const std::string& wanted) {
+    std::string list;
+    for (std::size_t i = 0; i < boards.size(); ++i) {
+        if (!wanted.empty() && equalsIgnoringCase(nameOf(boards[i]), wanted)) {
+            return i;
+        }
+        list += (list.empty() ? "" : ", ") + nameOf(boards[i]);
+    }
+    if (!wanted.empty()) {
+        return base::Error{base::ErrorCode::BadUsage, "the job has no board \"" + wanted + "\"; it has: " + list};
+    }
+    return std::size_t{0};
+}
+
+void reportOthers(const std::vector<BoardFiles>& boards, std::size_t chosen, const std::string& name,
+                  Diagnostics& diagnostics) {
+    std::string others;
+    for (std::size_t i = 0; i < boards.size(); ++i) {
+        if (i != chosen) {
+            others += (others.empty() ? "" : ", ") + nameOf(boards[i]);
+        }
+    }
+    if (!others.empty()) {
+        diagnostics.report(
+            Severity::Info, name, 0,
+            "the job holds several boards; " + nameOf(boards[chosen]) +
+                " is shown, which has most copper layers or was requested, and these are not: " + others);
+    }
+}
+
+std::shared_ptr<const Document> withBoards(const std::shared_ptr<const Document>& document,
+                                           const std::vector<BoardFiles>& boards, std::size_t chosen) {
+    if (boards.size() < 2) {
+        return document;
+    }
+    auto result = std::make_shared<Document>(*document);
+    result->job.steps.clear();
+    for (const BoardFiles& board : boards) {
+        result->job.steps.push_back(nameOf(board));
+    }
+    result->job.step = nameOf(boards[chosen]);
+    return result;
+}
+
+Board makeDocument(std::vector<ReadFile> files, const std::filesystem::path& path, const formats::ReadOptions& options,
+                   const Diagnostics& unpacking, base::Progress& progress, const base::Stopwatch& reading) {
+    const std::string name = path.filename().string();
+    JobFileFacts job;
+    std::size_t jobs = 0;
+    for (const ReadFile& file : files) {
+        if (file.kind == ReadFile::Kind::Job) {
+            job.functions.insert(file.job.functions.begin(), file.job.functions.end());
+            job.polarities.insert(file.job.polarities.begin(), file.job.polarities.end());
+            ++jobs;
+        }
+    }
+    if (std::ranges::none_of(files, &ReadFile::isImage)) {
+        return badInput(path, jobs > 0 ? "the job file lists images, but none of them is beside it"
+                                       : "there is no Gerber image and no drill file in it");
+    }
+    assignRoles(files, job);
+    const std::vector<BoardFiles> boards = boardsOf(files);
+    ASSIGN_OR_RETURN(const std::size_t chosen, choose(boards, options.step));
+    MadeBoard made = makeBoard(files, boards[chosen], path.stem().string());
+    Diagnostics all = unpacking;
+    all.append(made.job.diagnostics);
+    for (const ReadFile& file : files) {
+        if (file.kind == ReadFile::Kind::Other) {
+            all.append(file.diagnostics);
+        }
+    }
+    reportOthers(boards, chosen, name, all);
+    const bool hasCopper = boards[chosen].copperLayers > 0;
+    if (!made.hasNets && hasCopper) {
+        all.report(Severity::Info, name, 0, "the images name no nets; nets follow from the copper");
+    }
+    made.job.diagnostics = std::move(all);
+    files.clear();
+    ASSIGN_OR_RETURN(std::shared_ptr<const Document> document,
+                     formats::assemble(std::move(made.job), reading.milliseconds(), progress));
+    if (!made.hasNets && hasCopper && !options.inferNets) {
+        ASSIGN_OR_RETURN(document, withInferredNets(*document, progress));
+    }
+    return withBoards(document, boards, chosen);
+}
+
+}  // namespace
+
+bool holdsJob(const formats::Archive& archive) {
+    return std::ranges::any_of(archive.rows(), [](const auto& row) { return isNamedLikeGerber(row.first); });
+}
+
+bool looksLikeFile(std::string_view head, const std::filesystem::path& path) {
+    const ReadFile::Kind kind = kindOf(head, path.filename().string());
+    return kind == ReadFile::Kind::Gerber || kind == ReadFile::Kind::Drills || kind == ReadFile::Kind::Job;
+}
+
+Board readJob(const formats::Archive& archive, const std::filesystem::path& name, const formats::ReadOptions& options,
+              const Diagnostics& diagnostics, base::Progress& progress, const base::Stopwatch& reading) {
+    progress.beginPhase("Reading images and drills");
+    ASSIGN_OR_RETURN(std::vector<ReadFile> files, readFiles(archive, progress));
+    return makeDocument(std::move(files), name, options, diagnostics, progress, reading);
+}
+
+Board readFileAlone(const std::filesystem::path& path, const formats::ReadOptions& options, base::Progress& progress,
+                    const base::Stopwatch& reading) {
+    ASSIGN_OR_RETURN(std::string text, readWholeFile(path));
+    ReadFile file = readFile(path.filename().string(), formats::Bytes(std::move(text)));
+    if (file.kind == ReadFile::Kind::Job) {
+        Diagnostics diagnostics;
+        const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+        ASSIGN_OR_RETURN(const formats::Archive archive, formats::Archive::open(folder, {}, progress, diagnostics));
+        return readJob(archive, path, options, diagnostics, progress, reading);
+    }
+    std::vector<ReadFile> files;
+    files.push_back(std::move(file));
+    return makeDocument(std::move(files), path, options, {}, progress, reading);
+}
+
+}  // namespace model::gerber

@@ -1,0 +1,72 @@
+#include "model/formats/gerber/image/coordinates.h"
+
+#include <algorithm>
+#include <array>
+
+#include "model/base/units.h"
+
+namespace model::gerber {
+
+namespace {
+
+constexpr std::array<double, 19> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
+                                            1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
+constexpr std::size_t kHead = 200'000;
+
+int digit(std::string_view text, std::size_t at) {
+    return at < text.size() && text[at] >= '0' && text[at] <= '9' ? text[at] - '0' : -1;
+}
+
+}  // namespace
+
+bool CoordinateFormat::readFormat(std::string_view text) {
+    CoordinateFormat read = *this;
+    bool hasX = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        read.isTrailingOmitted = c == 'T' || (read.isTrailingOmitted && c != 'L' && c != 'D');
+        read.isIncremental = c == 'I' || (read.isIncremental && c != 'A');
+        if ((c == 'X' || (c == 'Y' && !hasX)) && digit(text, i + 1) >= 0 && digit(text, i + 2) >= 0) {
+            read.integers = digit(text, i + 1);
+            read.decimals = digit(text, i + 2);
+            hasX = true;
+        }
+    }
+    read.hasFormat = true;
+    if (hasX) {
+        *this = read;
+    }
+    return hasX;
+}
+
+double CoordinateFormat::length(std::int64_t value, int digits) const {
+    auto scaled = static_cast<double>(value);
+    if (isTrailingOmitted) {
+        const int missing = std::clamp(integers + decimals - digits, 0, 18);
+        scaled *= kPowers[static_cast<std::size_t>(missing)];
+    }
+    return scaled * nmPerUnit / kPowers[static_cast<std::size_t>(decimals)];
+}
+
+CoordinateFormat findFormat(std::string_view text) {
+    CoordinateFormat format;
+    const std::string_view head = text.substr(0, kHead);
+    const std::size_t inch = head.find("MOIN");
+    const std::size_t millimetre = head.find("MOMM");
+    if (inch != std::string_view::npos || millimetre != std::string_view::npos) {
+        format.setUnit(inch < millimetre);
+    } else if (head.find("G70") != std::string_view::npos || head.find("G71") != std::string_view::npos) {
+        format.setUnit(head.find("G70") < head.find("G71"));
+    }
+    for (std::size_t at = head.find("FS"); at != std::string_view::npos; at = head.find("FS", at + 2)) {
+        const std::string_view rest = head.substr(at + 2);
+        const std::string_view command = rest.substr(0, std::min<std::size_t>(rest.find('*'), 40));
+        if (!command.empty() && std::string_view("LTDAIXN").find(command.front()) != std::string_view::npos &&
+            format.readFormat(command)) {
+            break;
+        }
+    }
+    return format;
+}
+
+}  // namespace model::gerber

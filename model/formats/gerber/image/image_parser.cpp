@@ -1,0 +1,235 @@
+#include "model/formats/gerber/image/image_parser.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/formats/gerber/text/words.h"
+
+namespace model::gerber {
+
+namespace {
+
+constexpr std::size_t kMostComments = 100;
+
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+bool isBlank(char c) {
+    return c == ' ' || c == '\n' || c == '\r' || c == '\t';
+}
+
+}  // namespace
+
+Image parseImage(std::string_view text, std::string_view path) {
+    return ImageParser(text, path).run();
+}
+
+ImageParser::ImageParser(std::string_view text, std::string_view path)
+    : m_at(text.data()),
+      m_end(text.data() + text.size()),
+      m_path(path),
+      m_attributes(m_image),
+      m_mover(m_image),
+      m_format(findFormat(text)) {
+    if (text.starts_with("\xef\xbb\xbf")) {
+        m_at += 3;
+    }
+}
+
+Image ImageParser::run() {
+    if (!m_format.hasFormat) {
+        report(Severity::Warning,
+               "the file does not say how its coordinates are written (FS); taken as 2 digits before "
+               "and 5 behind the point");
+    }
+    if (!m_format.hasUnit) {
+        report(Severity::Warning, "the file does not say its unit (MO); taken as inch");
+    }
+    while (!m_isDone) {
+        skipBlanks();
+        if (m_at == m_end) {
+            break;
+        }
+        if (*m_at == '*') {
+            ++m_at;
+        } else if (*m_at == '%') {
+            extended();
+        } else {
+            word();
+        }
+    }
+    finish();
+    return std::move(m_image);
+}
+
+void ImageParser::skipBlanks() {
+    while (m_at != m_end && isBlank(*m_at)) {
+        m_line += *m_at == '\n' ? 1 : 0;
+        ++m_at;
+    }
+}
+
+int ImageParser::readInteger() {
+    int value = 0;
+    skipBlanks();
+    while (m_at != m_end && isDigit(*m_at)) {
+        value = std::min(value * 10 + (*m_at - '0'), 100'000'000);
+        ++m_at;
+    }
+    return value;
+}
+
+double ImageParser::readLength() {
+    skipBlanks();
+    bool isNegative = false;
+    while (m_at != m_end && (*m_at == '-' || *m_at == '+')) {
+        isNegative = *m_at == '-';
+        ++m_at;
+    }
+    std::int64_t value = 0;
+    int digits = 0;
+    int behindPoint = -1;
+    for (; m_at != m_end; ++m_at) {
+        if (isDigit(*m_at)) {
+            if (digits < 18) {
+                value = value * 10 + (*m_at - '0');
+                ++digits;
+                behindPoint += behindPoint >= 0 ? 1 : 0;
+            } else if (behindPoint < 0) {
+                value = 1'000'000'000'000'000'000;  // too long to mean anything: beyond every board
+            }
+        } else if (*m_at == '.' && behindPoint < 0) {
+            behindPoint = 0;
+        } else {
+            break;
+        }
+    }
+    const auto magnitude = behindPoint >= 0
+                               ? static_cast<double>(value) * m_format.nmPerUnit / std::pow(10.0, behindPoint)
+                               : m_format.length(value, digits);
+    return isNegative ? -magnitude : magnitude;
+}
+
+void ImageParser::comment() {
+    const char* const begin = m_at;
+    while (m_at != m_end && *m_at != '*') {
+        m_line += *m_at == '\n' ? 1 : 0;
+        ++m_at;
+    }
+    std::string_view text = trimmed({begin, static_cast<std::size_t>(m_at - begin)});
+    if (text.starts_with("#@!")) {
+        text = trimmed(text.substr(3));
+        text.remove_prefix(text.starts_with('%') ? 1 : 0);
+        if (text.size() > 2 && m_attributes.command(text.substr(0, 2), text.substr(2))) {
+            return;
+        }
+    }
+    if (!text.empty() && m_image.comments.size() < kMostComments) {
+        m_image.comments.emplace_back(text);
+    }
+}
+
+void ImageParser::word() {
+    Word data;
+    while (m_at != m_end && *m_at != '*' && *m_at != '%') {
+        const char c = *m_at++;
+        switch (c) {
+            case 'X':
+                data.x = readLength();
+                data.hasX = data.hasData = true;
+                break;
+            case 'Y':
+                data.y = readLength();
+                data.hasY = data.hasData = true;
+                break;
+            case 'I':
+                data.i = readLength();
+                data.hasData = true;
+                break;
+            case 'J':
+                data.j = readLength();
+                data.hasData = true;
+                break;
+            case 'D': {
+                const int code = readInteger();
+                if (code < 10) {
+                    data.operation = code;
+                } else {
+                    select(code);
+                }
+                break;
+            }
+            case 'G': {
+                const int code = readInteger();
+                if (code == 4) {
+                    return comment();
+                }
+                gCode(code);
+                break;
+            }
+            case 'M': {
+                const int code = readInteger();
+                m_isDone = m_isDone || code == 0 || code == 2 || code == 30;
+                m_image.hasEnd = m_image.hasEnd || m_isDone;
+                break;
+            }
+            case 'N': (void)readInteger(); break;
+            case '\n': ++m_line; break;
+            case ' ':
+            case '\r':
+            case '\t': break;
+            default: report(Severity::Warning, "a command that is not of Gerber's; it was left out"); return comment();
+        }
+    }
+    endWord(data);
+    if (m_at != m_end && *m_at == '*') {
+        ++m_at;
+    }
+}
+
+void ImageParser::endWord(const Word& data) {
+    if (data.operation != 0 || data.hasData) {
+        operate(data);
+    }
+}
+
+void ImageParser::select(int code) {
+    m_selected = code;
+    const auto found = m_apertures.find(code);
+    m_aperture = found == m_apertures.end() ? nullptr : &found->second;
+    if (m_aperture == nullptr) {
+        report(Severity::Warning, "an aperture that is not defined; what is drawn with it is left out");
+    }
+}
+
+void ImageParser::gCode(int code) {
+    switch (code) {
+        case 0:
+        case 1: m_mode = Mode::Linear; break;
+        case 2: m_mode = Mode::Clockwise; break;
+        case 3: m_mode = Mode::CounterClockwise; break;
+        case 36: beginRegion(); break;
+        case 37: endRegion(); break;
+        case 54:
+        case 55: break;  // before D: select, flash
+        case 70:
+        case 71:
+            if (m_format.hasUnit && m_format.nmPerUnit != (code == 70 ? base::kNmPerInch : base::kNmPerMm)) {
+                report(Severity::Warning, "G70 or G71 names another unit than MO; MO is believed");
+            } else {
+                m_format.setUnit(code == 70);
+            }
+            break;
+        case 74:
+        case 75:
+            m_isSingleQuadrant = code == 74;
+            m_hasQuadrant = true;
+            break;
+        case 90: m_format.isIncremental = false; break;
+        case 91: m_format.isIncremental = true; break;
+        default: report(Severity::Warning, "a G code that has no meaning for images; it was left out");
+    }
+}
+
+}  // namespace model::gerber

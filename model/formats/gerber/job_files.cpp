@@ -1,0 +1,235 @@
+#include "model/formats/gerber/job_files.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "model/base/parallel.h"
+#include "model/formats/gerber/text/words.h"
+
+namespace model::gerber {
+
+namespace {
+
+constexpr std::uint64_t kLargestFile = std::uint64_t{1} << 30;
+constexpr std::size_t kHead = 100'000;
+
+/// Files that are never read, whatever they hold.
+constexpr std::array<std::string_view, 26> kForeign = {
+    "PNG", "JPG",  "JPEG", "GIF", "PDF",  "ZIP",    "GZ",  "TGZ",       "7Z",        "RAR", "STEP", "STP", "WRL",
+    "SVG", "HTML", "DXF",  "DWG", "XLSX", "PCBDOC", "BRD", "KICAD_PCB", "KICAD_PRL", "MD",  "DOCX", "GLB", "KICAD_SCH"};
+
+/// Endings of images and drills beside those that tell what is drawn.
+constexpr std::array<std::string_view, 9> kPlainEndings = {"GBR",    "GER", "ART", "PHO",   "GDO",
+                                                           "GBRJOB", "GB",  "GBX", "GERBER"};
+
+bool isText(std::string_view text) {
+    return text.substr(0, 1000).find('\0') == std::string_view::npos;
+}
+
+std::string endingOf(std::string_view name) {
+    const std::size_t point = name.rfind('.');
+    return point == std::string_view::npos ? std::string() : upperCase(name.substr(point + 1));
+}
+
+bool hasGerberOperation(std::string_view head) {
+    for (const std::string_view word : {"D01*", "D02*", "D03*", "D1*", "D2*", "D3*"}) {
+        if (head.find(word) != std::string_view::npos) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Lines as drill files have them: tools and coordinates, nothing else.
+bool looksLikeDrills(std::string_view head) {
+    Lines lines(head);
+    int hits = 0;
+    int tools = 0;
+    int others = 0;
+    while (lines.next() && hits + others < 200) {
+        const std::string_view line = trimmed(lines.line());
+        if (line.empty() || line[0] == ';' || line == "%") {
+            continue;
+        }
+        const bool isCode =
+            line.size() > 1 && line[1] >= '0' && line[1] <= '9' && line.find(' ') == std::string_view::npos;
+        tools += isCode && line[0] == 'T' ? 1 : 0;
+        const bool isHit = line.find_first_not_of("XYIJAGRM0123456789+-.") == std::string_view::npos;
+        hits += isHit ? 1 : 0;
+        others += isHit || (isCode && std::string_view("TMGF").find(line[0]) != std::string_view::npos) ? 0 : 1;
+    }
+    return tools > 0 && hits > 0 && others * 4 <= hits + tools;
+}
+
+bool isDrillText(std::string_view head) {
+    Lines lines(head);
+    for (int i = 0; i < 40 && lines.next(); ++i) {
+        if (trimmed(lines.line()).starts_with("M48")) {
+            return true;
+        }
+    }
+    return looksLikeDrills(head);
+}
+
+void parse(ReadFile& file) {
+    const std::string_view text = file.bytes.view();
+    switch (file.kind) {
+        case ReadFile::Kind::Gerber: file.image = parseImage(text, file.path); break;
+        case ReadFile::Kind::Drills:
+            file.head = readDrillHead(text);
+            file.format = likelyFormats(file.head).front();
+            file.image = parseDrills(text, file.path, file.format);
+            break;
+        case ReadFile::Kind::Netlist: file.netlist = parseD356(text, file.path, file.diagnostics); break;
+        case ReadFile::Kind::Job: file.job = parseJobFile(text, file.path, file.diagnostics); break;
+        case ReadFile::Kind::Placements: file.placements = parsePlacements(text, file.path, file.diagnostics); break;
+        case ReadFile::Kind::Other:
+            file.diagnostics.report(Severity::Info, file.path, 0,
+                                    "the file is no part of a Gerber job; it was not read");
+    }
+}
+
+std::optional<FileRole> roleOfJob(const ReadFile& file, const JobFileFacts& job) {
+    const auto found = job.functions.find(formats::lowerCase(file.name()));
+    std::optional<FileRole> role = found == job.functions.end() ? std::nullopt : roleOfFunction(found->second);
+    if (role) {
+        role->source = RoleSource::JobFile;
+        const auto polarity = job.polarities.find(formats::lowerCase(file.name()));
+        role->isNegative = polarity != job.polarities.end() && equalsIgnoringCase(polarity->second, "Negative");
+    }
+    return role;
+}
+
+/// What is missing in `role` from another source about the same kind of layer.
+void complete(FileRole& role, const std::optional<FileRole>& other) {
+    if (!other || other->kind != role.kind) {
+        return;
+    }
+    role.side = role.side == LayerSide::None ? other->side : role.side;
+    role.plating = role.plating == Plating::NotSaid ? other->plating : role.plating;
+    if (role.order == 0) {
+        role.order = other->order;
+        role.isCountedFromTop = other->isCountedFromTop;
+    }
+}
+
+FileRole roleOf(const ReadFile& file, const JobFileFacts& job) {
+    const std::optional<FileRole> ofAttribute = roleOfFunction(file.image.fileAttribute(".FileFunction"));
+    const std::optional<FileRole> ofJob = roleOfJob(file, job);
+    const std::optional<FileRole> ofComments = roleOfComments(file.image);
+    std::optional<FileRole> ofName = roleOfName(file.name());
+    if (ofName && (ofName->kind == FileRole::Kind::Drill) && file.kind == ReadFile::Kind::Gerber &&
+        file.image.flashes == 0) {
+        ofName.reset();  // a drawing of holes, not the holes
+    }
+    FileRole role;
+    for (const std::optional<FileRole>& one : {ofAttribute, ofJob, ofComments, ofName}) {
+        if (!role.isKnown() && one) {
+            role = *one;
+        } else {
+            complete(role, one);
+        }
+    }
+    if (file.kind == ReadFile::Kind::Drills && role.kind != FileRole::Kind::Drill &&
+        role.kind != FileRole::Kind::Rout) {
+        role = FileRole{FileRole::Kind::Drill};
+        role.side = LayerSide::Through;
+        role.source = RoleSource::Content;
+    }
+    const bool isNegative = equalsIgnoringCase(file.image.fileAttribute(".FilePolarity"), "Negative");
+    role.isNegative = role.kind == FileRole::Kind::Copper && (role.isNegative || isNegative);
+    if (role.kind == FileRole::Kind::Copper && role.side == LayerSide::None) {
+        role.side = LayerSide::Inner;
+    }
+    return role;
+}
+
+}  // namespace
+
+bool isNamedLikeGerber(std::string_view name) {
+    const std::string ending = endingOf(name.substr(name.find_last_of('/') + 1));
+    const std::optional<FileRole> role = roleOfName("." + ending);
+    const bool isDigits = ending.find_first_not_of("0123456789") == std::string::npos;
+    return std::ranges::find(kPlainEndings, ending) != kPlainEndings.end() || (role && !isDigits);
+}
+
+ReadFile::Kind kindOf(std::string_view text, std::string_view name) {
+    using Kind = ReadFile::Kind;
+    const std::string_view head = text.substr(0, kHead);
+    if (!isText(head) || head.starts_with('<') || std::ranges::find(kForeign, endingOf(name)) != kForeign.end()) {
+        return Kind::Other;
+    }
+    if (looksLikeJobFile(head)) {
+        return Kind::Job;
+    }
+    if (looksLikeD356(head)) {
+        return Kind::Netlist;
+    }
+    const bool hasFormat = head.find("%FS") != std::string_view::npos || head.find("%MO") != std::string_view::npos;
+    if (hasFormat && (hasGerberOperation(head) || head.find("M02") != std::string_view::npos || head.size() == kHead ||
+                      head.find("%AD") != std::string_view::npos)) {
+        return Kind::Gerber;
+    }
+    if (isDrillText(head)) {
+        return Kind::Drills;
+    }
+    if (hasGerberOperation(head) &&
+        (head.find("%AD") != std::string_view::npos || head.find("G04") != std::string_view::npos)) {
+        return Kind::Gerber;
+    }
+    return looksLikePlacements(head) ? Kind::Placements : Kind::Other;
+}
+
+ReadFile readFile(std::string path, formats::Bytes bytes) {
+    ReadFile file;
+    file.path = std::move(path);
+    file.bytes = std::move(bytes);
+    file.kind = kindOf(file.bytes.view(), file.name());
+    parse(file);
+    return file;
+}
+
+base::Result<std::vector<ReadFile>> readFiles(const formats::Archive& archive, base::Progress& progress) {
+    std::vector<int> rows;
+    for (const auto& [path, row] : archive.rows()) {
+        const std::string_view name = std::string_view(path).substr(path.find_last_of('/') + 1);
+        const bool isRead = !name.starts_with('.') && archive.storedSize(row) <= kLargestFile &&
+                            std::ranges::find(kForeign, endingOf(name)) == kForeign.end();
+        if (isRead) {
+            rows.push_back(row);
+        }
+    }
+    std::vector<std::size_t> order(rows.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(
+        order, [&](std::size_t a, std::size_t b) { return archive.storedSize(rows[a]) > archive.storedSize(rows[b]); });
+    std::vector<ReadFile> files(rows.size());
+    base::parallelFor(order.size(), [&](std::size_t i) {
+        if (progress.isCancelled()) {
+            return;
+        }
+        const int row = rows[order[i]];
+        base::Result<formats::Bytes> bytes = archive.bytes(row);
+        if (bytes) {
+            files[order[i]] = readFile(archive.path(row), std::move(*bytes));
+        } else {
+            files[order[i]].path = archive.path(row);
+            files[order[i]].diagnostics.report(Severity::Error, archive.path(row), 0, "the file cannot be read");
+        }
+    });
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "cancelled"};
+    }
+    return files;
+}
+
+void assignRoles(std::vector<ReadFile>& files, const JobFileFacts& job) {
+    for (ReadFile& file : files) {
+        if (file.isImage()) {
+            file.role = roleOf(file, job);
+        }
+    }
+}
+
+}  // namespace model::gerber

@@ -1,0 +1,247 @@
+#include "model/formats/gerber/layer_order.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "model/formats/gerber/text/words.h"
+
+namespace model::gerber {
+
+namespace {
+
+using Kind = FileRole::Kind;
+
+/// Where a kind of layer lies, from the top.
+int rankOf(const FileRole& role) {
+    const bool isBottom = role.side == LayerSide::Bottom;
+    switch (role.kind) {
+        case Kind::Legend: return isBottom ? 9 : 1;
+        case Kind::Paste: return isBottom ? 8 : 2;
+        case Kind::SolderMask: return isBottom ? 7 : 3;
+        case Kind::Copper: return 5;
+        case Kind::Drill: return 20;
+        case Kind::Rout: return 21;
+        case Kind::Profile: return 30;
+        default: return 40;
+    }
+}
+
+LayerType typeOf(Kind kind) {
+    switch (kind) {
+        case Kind::Copper: return LayerType::Signal;
+        case Kind::SolderMask: return LayerType::SolderMask;
+        case Kind::Paste: return LayerType::SolderPaste;
+        case Kind::Legend: return LayerType::SilkScreen;
+        case Kind::Drill: return LayerType::Drill;
+        case Kind::Rout: return LayerType::Rout;
+        default: return LayerType::Document;
+    }
+}
+
+bool isOfBoard(Kind kind) {
+    return kind == Kind::Copper || kind == Kind::SolderMask || kind == Kind::Paste || kind == Kind::Legend ||
+           kind == Kind::Drill || kind == Kind::Rout;
+}
+
+int copperRank(const FileRole& role) {
+    return role.side == LayerSide::Top ? 0 : role.side == LayerSide::Bottom ? 2 : 1;
+}
+
+/// The name of a file without what all files of the board share, or what it draws.
+std::string layerName(const ReadFile& file) {
+    const std::string_view stem = file.name().substr(0, file.name().find_last_of('.'));
+    const std::string board = boardOfName(file.name());
+    std::string_view rest = stem;
+    if (!board.empty() && upperCase(stem).starts_with(board)) {
+        rest = stem.substr(board.size());
+        rest.remove_prefix(std::min(rest.find_first_not_of("._- "), rest.size()));
+    }
+    const bool isTelling = !rest.empty() && (rest.size() < stem.size() || roleOfName(std::string(rest) + ".x"));
+    return isTelling                                                 ? std::string(rest)
+           : file.role.isKnown() && file.role.kind != Kind::Document ? describe(file.role)
+                                                                     : std::string(file.name());
+}
+
+class LayerMaker {
+public:
+    LayerMaker(const std::vector<ReadFile>& files, const BoardFiles& board, const JobFileFacts& job,
+               Diagnostics& diagnostics)
+        : m_files(files), m_board(board), m_job(job), m_diagnostics(diagnostics) {}
+
+    OrderedLayers run() {
+        std::vector<std::size_t> rows;
+        for (const std::size_t row : m_board.files) {
+            if (m_files[row].isImage() && m_files[row].role.kind != Kind::Components) {
+                rows.push_back(row);
+            }
+        }
+        std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return rankOf(m_files[row].role); });
+        sortCopper(rows);
+        readStack();
+        for (const std::size_t row : rows) {
+            add(row);
+        }
+        finishSides();
+        return std::move(m_result);
+    }
+
+private:
+    void sortCopper(std::vector<std::size_t>& rows) {
+        const auto isCopper = [&](std::size_t row) { return m_files[row].role.kind == Kind::Copper; };
+        const auto begin = std::ranges::find_if(rows, isCopper);
+        const auto end = std::find_if_not(begin, rows.end(), isCopper);
+        std::stable_sort(begin, end, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+        std::set<std::pair<int, int>> seen;
+        for (auto row = begin; row != end; ++row) {
+            const FileRole& role = m_files[*row].role;
+            const bool isNew = seen.emplace(copperRank(role), copperRank(role) == 1 ? role.order : 0).second;
+            if (role.order == 0 && copperRank(role) == 1) {
+                m_diagnostics.report(Severity::Warning, m_files[*row].path, 0,
+                                     "nothing tells where this inner copper layer lies; inner layers without a number "
+                                     "come last, by name");
+            } else if (!isNew) {
+                m_diagnostics.report(Severity::Warning, m_files[*row].path, 0,
+                                     "another file claims the same copper layer; both are shown");
+            }
+        }
+    }
+
+    /// Inner layers without a number come behind those with one.
+    [[nodiscard]] std::tuple<int, int, std::string> key(std::size_t row) const {
+        const FileRole& role = m_files[row].role;
+        return {copperRank(role), role.order > 0 ? role.order : 1000, upperCase(m_files[row].name())};
+    }
+
+    void readStack() {
+        for (const JobStackRow& row : m_job.stackup) {
+            const bool isMask = equalsIgnoringCase(row.type, "SolderMask");
+            if (equalsIgnoringCase(row.type, "Copper")) {
+                m_copperRows.push_back(&row);
+                m_between.emplace_back();
+            } else if (equalsIgnoringCase(row.type, "Dielectric") && !m_copperRows.empty()) {
+                m_between.back().push_back(&row);
+            } else if (isMask) {
+                (m_copperRows.empty() ? m_topMask : m_bottomMask) = &row;
+            }
+        }
+        m_usesStack = m_copperRows.size() == m_board.copperLayers && !m_copperRows.empty();
+        if (!m_usesStack && !m_copperRows.empty()) {
+            m_diagnostics.report(Severity::Warning, m_board.name, 0,
+                                 "the job file lists another number of copper layers than there are files; its stackup "
+                                 "is not used");
+        }
+    }
+
+    static LayerFacts factsOf(const JobStackRow& row) {
+        LayerFacts facts;
+        facts.thicknessNm = row.thicknessNm;
+        facts.material = row.material;
+        return facts;
+    }
+
+    void add(std::size_t row) {
+        const ReadFile& file = m_files[row];
+        formats::DrawnLayer layer;
+        layer.name = unique(layerName(file));
+        layer.file = file.path;
+        layer.type = typeOf(file.role.kind);
+        layer.context = isOfBoard(file.role.kind) ? LayerContext::Board : LayerContext::Misc;
+        layer.side = file.role.side;
+        layer.isNegative = file.role.kind == Kind::Copper && (file.role.isNegative != file.image.isNegative);
+        layer.tools = file.image.tools;
+        if (layer.isNegative) {
+            layer.type = LayerType::PowerGround;
+        }
+        if (file.image.isNegative && file.role.kind != Kind::Copper) {
+            m_diagnostics.report(Severity::Warning, file.path, 0,
+                                 "a negative image (IPNEG) of a layer that is not copper "
+                                 "is drawn as it is");
+        }
+        describeGuess(file);
+        const std::size_t copper = m_result.copper.size();
+        if (file.role.kind == Kind::Copper && m_usesStack) {
+            layer.name = m_copperRows[copper]->name.empty() ? layer.name : unique(m_copperRows[copper]->name);
+            layer.facts = factsOf(*m_copperRows[copper]);
+        }
+        const JobStackRow* mask = file.role.side == LayerSide::Bottom ? m_bottomMask : m_topMask;
+        if (file.role.kind == Kind::SolderMask && mask != nullptr) {
+            layer.facts = factsOf(*mask);
+        }
+        if (file.role.kind == Kind::Copper) {
+            m_result.copper.push_back(static_cast<std::int32_t>(m_result.layers.size()));
+        }
+        m_result.files.push_back(static_cast<std::int32_t>(row));
+        m_result.layers.push_back(std::move(layer));
+        if (file.role.kind == Kind::Copper && m_usesStack && copper + 1 < m_copperRows.size()) {
+            for (const JobStackRow* dielectric : m_between[copper]) {
+                addDielectric(*dielectric);
+            }
+        }
+    }
+
+    void addDielectric(const JobStackRow& row) {
+        formats::DrawnLayer layer;
+        layer.name = unique(row.name.empty() ? "dielectric" : row.name);
+        layer.type = LayerType::Dielectric;
+        layer.side = LayerSide::Inner;
+        layer.facts = factsOf(row);
+        m_result.layers.push_back(std::move(layer));
+        m_result.files.push_back(formats::kNoRow);
+    }
+
+    void describeGuess(const ReadFile& file) {
+        const RoleSource source = file.role.source;
+        if (source == RoleSource::Name || source == RoleSource::Comment || source == RoleSource::Content) {
+            const std::string by = source == RoleSource::Name      ? "name"
+                                   : source == RoleSource::Comment ? "comments"
+                                                                   : "content";
+            m_diagnostics.report(
+                Severity::Info, file.path, 0,
+                "nothing in the file says what it draws; taken as " + describe(file.role) + " by its " + by);
+        } else if (source == RoleSource::Unknown) {
+            m_diagnostics.report(Severity::Warning, file.path, 0,
+                                 "nothing tells which layer this file draws; it is shown as a document");
+        }
+    }
+
+    std::string unique(const std::string& name) {
+        std::string result = name;
+        for (int i = 2; !m_names.insert(upperCase(result)).second; ++i) {
+            result = name + " (" + std::to_string(i) + ")";
+        }
+        return result;
+    }
+
+    /// The uppermost copper is the top, the lowest the bottom.
+    void finishSides() {
+        for (std::size_t i = 0; i < m_result.copper.size(); ++i) {
+            LayerSide& side = m_result.layers[static_cast<std::size_t>(m_result.copper[i])].side;
+            const bool isLast = i + 1 == m_result.copper.size();
+            if (side == LayerSide::Inner && m_result.copper.size() > 1) {
+                side = i == 0 ? LayerSide::Top : isLast ? LayerSide::Bottom : LayerSide::Inner;
+            }
+        }
+    }
+
+    const std::vector<ReadFile>& m_files;
+    const BoardFiles& m_board;
+    const JobFileFacts& m_job;
+    Diagnostics& m_diagnostics;
+    OrderedLayers m_result;
+    std::set<std::string> m_names;
+    std::vector<const JobStackRow*> m_copperRows;
+    std::vector<std::vector<const JobStackRow*>> m_between;  ///< dielectrics below each copper row
+    const JobStackRow* m_topMask = nullptr;
+    const JobStackRow* m_bottomMask = nullptr;
+    bool m_usesStack = false;
+};
+
+}  // namespace
+
+OrderedLayers orderedLayers(const std::vector<ReadFile>& files, const BoardFiles& board, const JobFileFacts& job,
+                            Diagnostics& diagnostics) {
+    return LayerMaker(files, board, job, diagnostics).run();
+}
+
+}  // namespace model::gerber

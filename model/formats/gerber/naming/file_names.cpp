@@ -1,0 +1,316 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <vector>
+
+#include "model/formats/gerber/naming/file_role.h"
+#include "model/formats/gerber/text/words.h"
+
+namespace model::gerber {
+
+namespace {
+
+using Kind = FileRole::Kind;
+
+/// An ending that says all.
+struct Ending {
+    std::string_view ending;
+    Kind kind;
+    LayerSide side = LayerSide::None;
+    Plating plating = Plating::NotSaid;
+};
+
+constexpr LayerSide kTop = LayerSide::Top;
+constexpr LayerSide kBottom = LayerSide::Bottom;
+constexpr LayerSide kThrough = LayerSide::Through;
+
+/// Protel and Altium, also used by KiCad, EasyEDA and OSH Park; Eagle; Target; Xpedition's drills.
+constexpr std::array kEndings = {
+    Ending{"GTL", Kind::Copper, kTop},     Ending{"GBL", Kind::Copper, kBottom},
+    Ending{"GTS", Kind::SolderMask, kTop}, Ending{"GBS", Kind::SolderMask, kBottom},
+    Ending{"GTO", Kind::Legend, kTop},     Ending{"GBO", Kind::Legend, kBottom},
+    Ending{"GTP", Kind::Paste, kTop},      Ending{"GBP", Kind::Paste, kBottom},
+    Ending{"GKO", Kind::Profile},          Ending{"GML", Kind::Profile},
+    Ending{"OLN", Kind::Profile},          Ending{"GPT", Kind::Document},
+    Ending{"GPB", Kind::Document},         Ending{"GDD", Kind::Document},
+    Ending{"GDG", Kind::Document},         Ending{"GD1", Kind::Document},
+    Ending{"CMP", Kind::Copper, kTop},     Ending{"SOL", Kind::Copper, kBottom},
+    Ending{"STC", Kind::SolderMask, kTop}, Ending{"STS", Kind::SolderMask, kBottom},
+    Ending{"PLC", Kind::Legend, kTop},     Ending{"PLS", Kind::Legend, kBottom},
+    Ending{"CRC", Kind::Paste, kTop},      Ending{"CRS", Kind::Paste, kBottom},
+    Ending{"BOR", Kind::Profile},          Ending{"DRL", Kind::Drill, kThrough},
+    Ending{"XLN", Kind::Drill, kThrough},  Ending{"DRD", Kind::Drill, kThrough},
+    Ending{"NCD", Kind::Drill, kThrough},  Ending{"EXC", Kind::Drill, kThrough},
+    Ending{"XNC", Kind::Drill, kThrough},  Ending{"CNC", Kind::Drill, kThrough},
+    Ending{"ROU", Kind::Rout, kThrough},   Ending{"TAP", Kind::Drill, kThrough},
+    Ending{"TOP", Kind::Copper, kTop},     Ending{"BOT", Kind::Copper, kBottom},
+    Ending{"SMT", Kind::SolderMask, kTop}, Ending{"SMB", Kind::SolderMask, kBottom},
+    Ending{"SST", Kind::Legend, kTop},     Ending{"SSB", Kind::Legend, kBottom},
+    Ending{"SPT", Kind::Paste, kTop},      Ending{"SPB", Kind::Paste, kBottom},
+};
+
+/// Words of names: all of them have to be there, none of the others. Upper case; the first row that fits counts, so
+/// what is narrower comes first.
+struct Words {
+    std::vector<std::string_view> all;
+    Kind kind;
+    LayerSide side = LayerSide::None;
+    Plating plating = Plating::NotSaid;
+};
+
+const std::vector<Words>& wordRows() {
+    static const std::vector<Words> kRows = {
+        {{"EDGE_CUT"}, Kind::Profile},
+        {{"EDGE.CUT"}, Kind::Profile},
+        {{"EDGECUT"}, Kind::Profile},
+        {{"BOARDOUT"}, Kind::Profile},
+        {{"OUTLINE"}, Kind::Profile},
+        {{"OUTLLINE"}, Kind::Profile},
+        {{"PROFILE"}, Kind::Profile},
+        {{"DIMENSION"}, Kind::Profile},
+        {{"DRILL", "DRAW"}, Kind::Document},
+        {{"DRILL", "MAP"}, Kind::Document},
+        {{"DRILL", "GUIDE"}, Kind::Document},
+        {{"DRL", "MAP"}, Kind::Document},
+        {{"FAB"}, Kind::Document},
+        {{"ASSY"}, Kind::Document},
+        {{"ASSEMBLY"}, Kind::Document},
+        {{"ADHES"}, Kind::Glue},
+        {{"COURTYARD"}, Kind::Document},
+        {{"CRTYD"}, Kind::Document},
+        {{"KEEPOUT"}, Kind::Document},
+        {{"MARGIN"}, Kind::Document},
+        {{"MECHANICAL"}, Kind::Document},
+        {{"NPTH"}, Kind::Drill, kThrough, Plating::NonPlated},
+        {{"NONPLATED"}, Kind::Drill, kThrough, Plating::NonPlated},
+        {{"NON", "PLATED"}, Kind::Drill, kThrough, Plating::NonPlated},
+        {{"UNPLATED"}, Kind::Drill, kThrough, Plating::NonPlated},
+        {{"CONTOUR", "PLATED"}, Kind::Rout, kThrough, Plating::Plated},
+        {{"ROUT"}, Kind::Rout, kThrough},
+        {{"SLOTHOLE"}, Kind::Rout, kThrough},
+        {{"PTH"}, Kind::Drill, kThrough, Plating::Plated},
+        {{"PLATED"}, Kind::Drill, kThrough, Plating::Plated},
+        {{"DRILL"}, Kind::Drill, kThrough},
+        {{"HOLES"}, Kind::Drill, kThrough},
+        {{"PASTE"}, Kind::Paste},
+        {{"STENCIL"}, Kind::Paste},
+        {{"SOLDERMASK"}, Kind::SolderMask},
+        {{"SOLDER", "MASK"}, Kind::SolderMask},
+        {{"STOP"}, Kind::SolderMask},
+        {{"RESIST"}, Kind::SolderMask},
+        {{"MASK"}, Kind::SolderMask},
+        {{"SILK"}, Kind::Legend},
+        {{"LEGEND"}, Kind::Legend},
+        {{"OVERLAY"}, Kind::Legend},
+        {{"NOMENCLATURE"}, Kind::Legend},
+        {{"SMT"}, Kind::SolderMask, kTop},
+        {{"SMB"}, Kind::SolderMask, kBottom},
+        {{"SST"}, Kind::Legend, kTop},
+        {{"SSB"}, Kind::Legend, kBottom},
+        {{"COPPER"}, Kind::Copper},
+        {{"SIGNAL"}, Kind::Copper},
+        {{"PLANE"}, Kind::Copper},
+        {{"ETCH"}, Kind::Copper},
+        {{"_CU"}, Kind::Copper},
+        {{".CU"}, Kind::Copper},
+        {{"-CU"}, Kind::Copper},
+        {{"INNER"}, Kind::Copper},
+        {{"LAYER"}, Kind::Copper},
+        {{"GROUP"}, Kind::Copper},
+        {{"PRIMARY"}, Kind::Copper, kTop},
+        {{"SECONDARY"}, Kind::Copper, kBottom},
+        {{"TOP"}, Kind::Copper, kTop},
+        {{"BOTTOM"}, Kind::Copper, kBottom},
+        {{"GND"}, Kind::Copper},
+        {{"VCC"}, Kind::Copper},
+        {{"PWR"}, Kind::Copper},
+        {{"POWER"}, Kind::Copper},
+    };
+    return kRows;
+}
+
+bool isLetter(char c) {
+    return c >= 'A' && c <= 'Z';
+}
+
+/// A word that stands alone: no letter before or behind it.
+bool hasAlone(std::string_view text, std::string_view word) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !isLetter(text[at - 1])) && (end == text.size() || !isLetter(text[end]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+LayerSide sideOfName(std::string_view name) {
+    const auto has = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
+    if (has("TOP") || has("F_") || has("F.") || has("FRONT") || hasAlone(name, "PRIMARY") || hasAlone(name, "PRM") ||
+        hasAlone(name, "CS") || hasAlone(name, "COMP")) {
+        return kTop;
+    }
+    if (has("BOT") || has("B_") || has("B.") || has("BACK") || hasAlone(name, "SECONDARY") || hasAlone(name, "SEC") ||
+        hasAlone(name, "PS") || hasAlone(name, "SOLD")) {
+        return kBottom;
+    }
+    return LayerSide::None;
+}
+
+/// The number of an inner layer: behind L, LAYER, IN, INNER, G, GROUP or at the end.
+int numberIn(std::string_view name) {
+    for (std::size_t i = name.size(); i > 0; --i) {
+        if (std::isdigit(static_cast<unsigned char>(name[i - 1])) == 0) {
+            continue;
+        }
+        std::size_t begin = i - 1;
+        while (begin > 0 && std::isdigit(static_cast<unsigned char>(name[begin - 1])) != 0) {
+            --begin;
+        }
+        const int number = parseInteger(name.substr(begin, i - begin)).value_or(0);
+        if (number > 0 && number < 100) {
+            return number;
+        }
+        i = begin + 1;
+    }
+    return 0;
+}
+
+/// "L2", "LAYER_3", "L4_SECONDARY": counts all copper layers from the top.
+int layerNumber(std::string_view name) {
+    for (const std::string_view word : {"LAYER", "LYR", "L"}) {
+        for (std::size_t at = name.find(word); at != std::string_view::npos; at = name.find(word, at + 1)) {
+            if (at > 0 && isLetter(name[at - 1])) {
+                continue;
+            }
+            std::string_view rest = name.substr(at + word.size());
+            rest.remove_prefix(std::min(rest.find_first_not_of("_- ."), rest.size()));
+            const std::size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
+            const int number = digits > 0 && digits < 3 ? parseInteger(rest.substr(0, digits)).value_or(0) : 0;
+            if (number > 0) {
+                return number;
+            }
+        }
+    }
+    return 0;
+}
+
+struct Parts {
+    std::string stem;    ///< upper case
+    std::string ending;  ///< upper case, without the point
+};
+
+Parts partsOf(std::string_view name) {
+    const std::string upper = upperCase(name);
+    const std::size_t point = upper.rfind('.');
+    return point == std::string::npos ? Parts{upper, ""} : Parts{upper.substr(0, point), upper.substr(point + 1)};
+}
+
+std::optional<FileRole> roleOfEnding(std::string_view ending) {
+    FileRole role;
+    role.source = RoleSource::Name;
+    const auto row = std::ranges::find(kEndings, ending, &Ending::ending);
+    if (row != kEndings.end()) {
+        role.kind = row->kind;
+        role.side = row->side;
+        role.plating = row->plating;
+        return role;
+    }
+    const std::size_t letters = ending.find_first_of("0123456789");
+    const int number = letters == std::string_view::npos ? 0 : parseInteger(ending.substr(letters)).value_or(0);
+    const std::string_view word = ending.substr(0, letters);
+    if (number > 0 && (word == "G" || word == "GL" || word == "GP" || word == "GI" || word == "IN" || word == "LY")) {
+        role.kind = Kind::Copper;  // Altium: inner layers and internal planes (GP), from 1
+        role.side = LayerSide::Inner;
+        role.order = number;
+        return role;
+    }
+    if (number > 0 && (word == "GM" || word == "GD" || word == "GG")) {
+        role.kind = word == "GM" && number == 1 ? Kind::Profile : Kind::Document;
+        return role;
+    }
+    return std::nullopt;
+}
+
+/// Words that stand in names of layers without telling one.
+constexpr std::array<std::string_view, 15> kLayerWords = {
+    "F", "B", "CUTS", "EDGE", "CU", "SCREEN", "SOLDER", "NC", "USER", "IN", "GERBER", "BOARD", "DRAWING", "PRM", "SEC"};
+
+bool isRoleWord(std::string_view word) {
+    return std::ranges::find(kLayerWords, word) != kLayerWords.end() ||
+           roleOfName(std::string(word) + ".X").has_value();
+}
+
+}  // namespace
+
+std::optional<FileRole> roleOfName(std::string_view name) {
+    const Parts parts = partsOf(name);
+    std::optional<FileRole> ofEnding = roleOfEnding(parts.ending);
+    const bool isDrill = ofEnding && (ofEnding->kind == Kind::Drill || ofEnding->kind == Kind::Rout);
+    if (ofEnding && !isDrill) {
+        return ofEnding;
+    }
+    for (const Words& row : wordRows()) {
+        const bool fits = std::ranges::all_of(row.all, [&](std::string_view word) {
+            return word.size() > 3 || !isLetter(word.front()) ? parts.stem.find(word) != std::string::npos
+                                                              : hasAlone(parts.stem, word);
+        });
+        const bool isHole = row.kind == Kind::Drill || row.kind == Kind::Rout;
+        if (!fits || (isDrill && !isHole)) {
+            continue;
+        }
+        FileRole role;
+        role.source = RoleSource::Name;
+        role.kind = row.kind;
+        role.plating = row.plating;
+        role.side = row.side != LayerSide::None ? row.side : sideOfName(parts.stem);
+        if (role.kind == Kind::Copper && role.side == LayerSide::None) {
+            role.side = LayerSide::Inner;
+            role.order = layerNumber(parts.stem);
+            role.isCountedFromTop = role.order > 0;
+            // "GND2" is a name, not a number of a layer.
+            const bool isNamed =
+                row.all[0] == "GND" || row.all[0] == "VCC" || row.all[0] == "PWR" || row.all[0] == "POWER";
+            role.order = role.order > 0 || isNamed ? role.order : numberIn(parts.stem);
+        }
+        if (role.kind == Kind::Copper && role.order == 0) {
+            role.order = layerNumber(parts.stem);
+            role.isCountedFromTop = role.order > 0;
+        }
+        return role;
+    }
+    if (!ofEnding && layerNumber(parts.stem) > 0) {
+        FileRole role;
+        role.source = RoleSource::Name;
+        role.kind = Kind::Copper;
+        role.side = LayerSide::Inner;
+        role.order = layerNumber(parts.stem);
+        role.isCountedFromTop = true;
+        return role;
+    }
+    return ofEnding;
+}
+
+std::string boardOfName(std::string_view name) {
+    const std::size_t point = name.rfind('.');
+    std::string stem = upperCase(name.substr(0, point));
+    const std::string ending = upperCase(point == std::string_view::npos ? std::string_view() : name.substr(point + 1));
+    bool isAnyRole = false;
+    while (!stem.empty()) {
+        const std::size_t joint = stem.find_last_of("._- ");
+        const std::string_view last = std::string_view(stem).substr(joint == std::string::npos ? 0 : joint + 1);
+        const std::string_view before = std::string_view(stem).substr(0, joint == std::string::npos ? 0 : joint);
+        const bool isNumber = !last.empty() && last.find_first_not_of("0123456789") == std::string_view::npos;
+        const bool isCounting =
+            isNumber && (before.ends_with("LAYER") || before.ends_with("GROUP") || before.ends_with("INNER"));
+        if (!last.empty() && !isCounting && !isRoleWord(last)) {
+            break;
+        }
+        isAnyRole = true;
+        stem.resize(before.size());
+    }
+    return isAnyRole || roleOfEnding(ending) ? stem : std::string();
+}
+
+}  // namespace model::gerber

@@ -1,0 +1,82 @@
+#include "model/formats/gerber/netlist_join.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+#include "model/formats/gerber/text/words.h"
+
+namespace model::gerber {
+
+namespace {
+
+constexpr std::size_t kLength = 14;
+constexpr Nm kReach = 15'000;
+
+std::string plain(std::string_view name) {
+    std::string text = upperCase(name);
+    std::erase_if(text, [](char c) { return c == ' '; });
+    return text;
+}
+
+Nm added(Nm a, Nm b) {
+    return static_cast<Nm>(std::clamp<std::int64_t>(std::int64_t{a} + b, -base::kMaxCoordinate, base::kMaxCoordinate));
+}
+
+}  // namespace
+
+std::vector<std::string> fullNames(const std::vector<std::string>& names, const std::vector<formats::DrawnNet>& nets) {
+    std::set<std::string> exact;
+    std::unordered_map<std::string, std::set<std::string>> cut;
+    for (const formats::DrawnNet& net : nets) {
+        exact.insert(net.name);
+        const std::string text = plain(net.name);
+        cut[text].insert(net.name);
+        if (text.size() > kLength) {
+            cut[text.substr(text.size() - kLength)].insert(net.name);
+            cut[text.substr(0, kLength)].insert(net.name);
+        }
+    }
+    std::vector<std::string> full;
+    for (const std::string& name : names) {
+        const auto found = cut.find(plain(name));
+        const bool isClear = !exact.contains(name) && found != cut.end() && found->second.size() == 1;
+        full.push_back(isClear ? *found->second.begin() : name);
+    }
+    return full;
+}
+
+std::optional<Point> shiftOf(const D356& netlist, const PadIndex& pads) {
+    std::vector<Point> points;
+    for (const D356Point& point : netlist.points) {
+        points.push_back(point.position);
+    }
+    return pads.shiftOf(points, kReach);
+}
+
+formats::DrawnNetlist drawnNetlist(const D356& netlist, const std::vector<std::string>& names, Point shift,
+                                   std::string file) {
+    formats::DrawnNetlist drawn;
+    drawn.file = std::move(file);
+    drawn.netlist.names = names;
+    for (const D356Point& from : netlist.points) {
+        if (from.net < 0) {
+            continue;
+        }
+        formats::NetlistPoint point;
+        point.number = from.net;
+        point.line = from.line;
+        point.position = {added(from.position.x, shift.x), added(from.position.y, shift.y)};
+        point.radius = from.height == 0 ? from.width / 2 : 0;
+        point.width = from.width;
+        point.height = from.height;
+        point.exposure = from.exposure;
+        point.isEnd = from.isEnd;
+        point.isVia = from.isVia;
+        point.side = from.access == 0 ? LayerSide::Through : from.access == 1 ? LayerSide::Top : LayerSide::Bottom;
+        drawn.netlist.points.push_back(point);
+    }
+    return drawn;
+}
+
+}  // namespace model::gerber

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "model/formats/gerber/image/image.h"
+
+namespace model::gerber {
+
+struct Outline {
+    ShapeSketch shape;           ///< islands and cut-outs; empty if nothing closes
+    Box box;                     ///< around it
+    std::size_t openTracks = 0;  ///< tracks that are part of no closed loop
+    Nm widestJoint = 0;          ///< between ends that were taken as one
+};
+
+/// The board's outline from the middle lines of what a file draws, chained end to end in whatever order and direction
+/// they come, and from its regions. Loops within loops are cut-outs, loops within those islands again. `copper` are
+/// places of copper: a frame around a loop that holds all of them is no outline, and neither are islands without any.
+[[nodiscard]] Outline outlineOf(const Image& image, std::span<const Point> copper);
+
+}  // namespace model::gerber

@@ -1,0 +1,108 @@
+#include "model/formats/gerber/pad_index.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace model::gerber {
+
+namespace {
+
+constexpr std::size_t kVoters = 200;
+constexpr std::size_t kMostPads = 20'000;
+constexpr std::int64_t kVoteGrid = 20'000;
+constexpr double kEnough = 0.5;
+
+Point moved(Point p, Point shift) {
+    const auto add = [](Nm a, Nm b) {
+        return static_cast<Nm>(
+            std::clamp<std::int64_t>(std::int64_t{a} + b, -base::kMaxCoordinate, base::kMaxCoordinate));
+    };
+    return {add(p.x, shift.x), add(p.y, shift.y)};
+}
+
+/// Every n-th, so that there are at most `most`.
+template <class T>
+std::vector<T> thinned(std::span<const T> items, std::size_t most) {
+    const std::size_t step = items.size() / most + 1;
+    std::vector<T> result;
+    for (std::size_t i = 0; i < items.size(); i += step) {
+        result.push_back(items[i]);
+    }
+    return result;
+}
+
+}  // namespace
+
+PadIndex::PadIndex(std::vector<IndexedPad> pads) : m_pads(std::move(pads)) {
+    std::ranges::stable_sort(m_pads, {}, [](const IndexedPad& pad) { return pad.position.x; });
+    for (const IndexedPad& pad : m_pads) {
+        m_box.include(pad.position);
+    }
+}
+
+std::size_t PadIndex::firstFrom(std::int64_t x) const {
+    const auto first =
+        std::ranges::lower_bound(m_pads, x, {}, [](const IndexedPad& pad) { return std::int64_t{pad.position.x}; });
+    return static_cast<std::size_t>(first - m_pads.begin());
+}
+
+bool PadIndex::has(Point p, Nm reach) const {
+    bool isThere = false;
+    visit(p, reach, [&](const IndexedPad&) { isThere = true; });
+    return isThere;
+}
+
+double PadIndex::share(std::span<const Point> points, Point shift, Nm reach) const {
+    const auto hits = std::ranges::count_if(points, [&](Point p) { return has(moved(p, shift), reach); });
+    return points.empty() ? 0.0 : static_cast<double>(hits) / static_cast<double>(points.size());
+}
+
+std::optional<Point> PadIndex::shiftOf(std::span<const Point> points, Nm reach) const {
+    const std::vector<Point> voters = thinned(points, kVoters);
+    if (voters.empty() || m_pads.empty()) {
+        return std::nullopt;
+    }
+    if (share(voters, {}, reach) >= kEnough) {
+        return Point{};
+    }
+    struct Votes {
+        int count = 0;
+        Point first;
+    };
+    std::unordered_map<std::uint64_t, Votes> votes;
+    const Votes* best = nullptr;
+    for (const IndexedPad& pad : thinned(std::span<const IndexedPad>(m_pads), kMostPads)) {
+        for (const Point p : voters) {
+            const std::int64_t dx = std::int64_t{pad.position.x} - p.x;
+            const std::int64_t dy = std::int64_t{pad.position.y} - p.y;
+            if (std::max(std::abs(dx), std::abs(dy)) > base::kMaxCoordinate) {
+                continue;
+            }
+            const auto key = (static_cast<std::uint64_t>(dx / kVoteGrid + (1 << 20)) << 32) |
+                             static_cast<std::uint64_t>(dy / kVoteGrid + (1 << 20));
+            Votes& vote = votes[key];
+            if (vote.count++ == 0) {
+                vote.first = {static_cast<Nm>(dx), static_cast<Nm>(dy)};
+            }
+            best = best == nullptr || vote.count > best->count ? &vote : best;
+        }
+    }
+    if (best == nullptr || share(voters, best->first, reach) < kEnough) {
+        return std::nullopt;
+    }
+    // The first pair is off by the netlist's rounding; the mean over all is not.
+    double sx = 0.0;
+    double sy = 0.0;
+    int count = 0;
+    for (const Point p : voters) {
+        const Point at = moved(p, best->first);
+        visit(at, reach, [&](const IndexedPad& pad) {
+            sx += static_cast<double>(pad.position.x) - p.x;
+            sy += static_cast<double>(pad.position.y) - p.y;
+            ++count;
+        });
+    }
+    return count == 0 ? best->first : Point{static_cast<Nm>(sx / count), static_cast<Nm>(sy / count)};
+}
+
+}  // namespace model::gerber

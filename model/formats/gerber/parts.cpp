@@ -1,0 +1,166 @@
+#include "model/formats/gerber/parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "model/geometry/edges.h"
+#include "model/geometry/outlines.h"
+
+namespace model::gerber {
+
+using formats::DrawnComponent;
+using formats::DrawnPackage;
+using formats::kNoRow;
+
+namespace {
+
+constexpr Nm kReach = 200'000;  ///< of the middle of a component's pins to where it is placed
+
+Box pinBox(const DrawnComponent& component) {
+    Box box;
+    for (const formats::DrawnPin& pin : component.pins) {
+        box.include(pin.position);
+    }
+    return box;
+}
+
+}  // namespace
+
+std::int32_t PartList::component(const std::string& refdes) {
+    const auto [found, isNew] = m_rows.try_emplace(refdes, static_cast<std::int32_t>(m_step.components.size()));
+    if (isNew) {
+        DrawnComponent component;
+        component.refdes = refdes;
+        m_step.components.push_back(std::move(component));
+        m_facts.emplace_back();
+    }
+    return found->second;
+}
+
+std::int32_t PartList::find(const std::string& refdes) const {
+    const auto found = m_rows.find(refdes);
+    return found == m_rows.end() ? kNoRow : found->second;
+}
+
+std::int32_t PartList::pin(std::int32_t component, const std::string& name, Point position, std::int32_t net) {
+    DrawnComponent& part = m_step.components[static_cast<std::size_t>(component)];
+    const auto [found, isNew] = m_facts[static_cast<std::size_t>(component)].pins.try_emplace(
+        name + '\x1f' + std::to_string(position.x) + ' ' + std::to_string(position.y),
+        static_cast<std::int32_t>(part.pins.size()));
+    if (isNew) {
+        part.pins.push_back({name, position, net, kNoRow});
+    }
+    return found->second;
+}
+
+void PartList::isSeenOn(std::int32_t component, LayerSide side, bool isPad, bool isThrough) {
+    Facts& facts = m_facts[static_cast<std::size_t>(component)];
+    facts.hasThrough = facts.hasThrough || isThrough;
+    if (side == LayerSide::Top) {
+        ++(isPad ? facts.top : facts.legendTop);
+    } else if (side == LayerSide::Bottom) {
+        ++(isPad ? facts.bottom : facts.legendBottom);
+    }
+}
+
+void PartList::place(const PlacementFile& file, std::string_view path, const PadIndex& pads, const Box& board,
+                     Diagnostics& diagnostics) {
+    // The middle of a component's pins is near its place; without pins, places must lie on the board.
+    std::vector<IndexedPad> middles;
+    std::vector<Point> places;
+    for (const PlacedPart& part : file.parts) {
+        const std::int32_t row = find(part.refdes);
+        if (row != kNoRow && !m_step.components[static_cast<std::size_t>(row)].pins.empty()) {
+            middles.push_back({pinBox(m_step.components[static_cast<std::size_t>(row)]).middle()});
+            places.push_back(part.position);
+        }
+    }
+    std::optional<Point> shift = middles.empty() ? std::nullopt : PadIndex(middles).shiftOf(places, kReach);
+    if (!shift) {
+        const auto inside =
+            std::ranges::count_if(file.parts, [&](const PlacedPart& p) { return board.holds(p.position); });
+        const bool isOnBoard = static_cast<std::size_t>(inside) * 2 >= file.parts.size() || pads.pads().empty();
+        if (!isOnBoard) {
+            return diagnostics.report(
+                Severity::Warning, path, 0,
+                "the places of components do not lie on the board, and nothing tells the origin they "
+                "count from; they are not used");
+        }
+        shift = Point{};
+    }
+    if (*shift != Point{}) {
+        diagnostics.report(Severity::Info, path, 0,
+                           "places of components count from another origin, found by their pins");
+    }
+    for (const PlacedPart& part : file.parts) {
+        const std::int32_t row = component(part.refdes);
+        DrawnComponent& target = m_step.components[static_cast<std::size_t>(row)];
+        Facts& facts = m_facts[static_cast<std::size_t>(row)];
+        target.position = {part.position.x + shift->x, part.position.y + shift->y};
+        target.part = part.value;
+        target.side = part.side == LayerSide::Bottom ? LayerSide::Bottom : LayerSide::Top;
+        // As Placement: rotated clockwise, then mirrored; programs count counter-clockwise as seen from the top.
+        const double turn = target.side == LayerSide::Bottom ? part.rotationDeg : -part.rotationDeg;
+        target.clockwiseDeg = std::fmod(std::fmod(turn, 360.0) + 360.0, 360.0);
+        target.isMirrored = target.side == LayerSide::Bottom;
+        target.line = part.line;
+        facts.package = part.package;
+        facts.isPlaced = true;
+        facts.hasSide = part.side != LayerSide::None;
+    }
+    m_step.componentsFile = path;
+}
+
+void PartList::addPackage(DrawnComponent& component, const Facts& facts) {
+    if (component.pins.empty() && facts.package.empty()) {
+        return;
+    }
+    const Placement placement{component.position, component.clockwiseDeg, component.isMirrored.value_or(false)};
+    DrawnPackage package;
+    package.name = facts.package;
+    std::string key = facts.package;
+    for (formats::DrawnPin& pin : component.pins) {
+        const Point at = rounded(unplaced(base::toDouble(pin.position), placement));
+        pin.packagePin = static_cast<std::int32_t>(package.pins.size());
+        package.pins.push_back({pin.name, facts.hasThrough ? PinKind::Through : PinKind::Surface, at, {}});
+        // Rounding of rotations must not make two packages of one.
+        key += '\x1f' + pin.name + ' ' + std::to_string((at.x + 2'000) / 4'000) + ' ' +
+               std::to_string((at.y + 2'000) / 4'000);
+    }
+    const auto [found, isNew] = m_packages.try_emplace(key, static_cast<std::int32_t>(m_step.packages.size()));
+    if (isNew) {
+        if (package.name.empty()) {
+            package.name = "pins of " + component.refdes;
+        }
+        m_step.packages.push_back(std::move(package));
+    }
+    component.package = found->second;
+}
+
+void PartList::finish(Diagnostics& diagnostics) {
+    for (std::size_t row = 0; row < m_step.components.size(); ++row) {
+        DrawnComponent& component = m_step.components[row];
+        const Facts& facts = m_facts[row];
+        component.mount = component.pins.empty() ? MountType::Unknown
+                          : facts.hasThrough     ? MountType::ThroughHole
+                                                 : MountType::Surface;
+        if (!facts.isPlaced || !facts.hasSide) {
+            const bool isBottom = facts.top != facts.bottom               ? facts.bottom > facts.top
+                                  : facts.legendTop != facts.legendBottom ? facts.legendBottom > facts.legendTop
+                                                                          : false;
+            component.side = isBottom ? LayerSide::Bottom : LayerSide::Top;
+            component.isMirrored = isBottom;
+        }
+        if (!facts.isPlaced) {
+            const Box box = pinBox(component);
+            component.position = box.isEmpty() ? Point{} : box.middle();
+            diagnostics.report(Severity::Info, m_step.componentsFile, 0,
+                               "no file places the components; each lies in the middle of its pins, not rotated");
+        }
+        addPackage(component, facts);
+    }
+}
+
+}  // namespace model::gerber

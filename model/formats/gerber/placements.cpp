@@ -1,0 +1,220 @@
+#include "model/formats/gerber/placements.h"
+
+#include <algorithm>
+#include <array>
+
+#include "model/base/units.h"
+#include "model/formats/gerber/text/words.h"
+
+namespace model::gerber {
+
+namespace {
+
+enum class Column : std::size_t { Refdes, Value, Package, X, Y, Rotation, Side, Count };
+constexpr std::size_t kColumns = static_cast<std::size_t>(Column::Count);
+
+struct ColumnName {
+    std::string_view name;  ///< upper case, letters and digits only
+    Column column;
+};
+
+/// As KiCad, Altium, Allegro, Eagle, PADS, EasyEDA and OrCAD write them; middles before pin 1 and reference points.
+constexpr std::array kNames = {
+    ColumnName{"REF", Column::Refdes},
+    ColumnName{"REFDES", Column::Refdes},
+    ColumnName{"DESIGNATOR", Column::Refdes},
+    ColumnName{"REFERENCE", Column::Refdes},
+    ColumnName{"PART", Column::Refdes},
+    ColumnName{"COMPONENT", Column::Refdes},
+    ColumnName{"VAL", Column::Value},
+    ColumnName{"VALUE", Column::Value},
+    ColumnName{"COMMENT", Column::Value},
+    ColumnName{"PARTNUMBER", Column::Value},
+    ColumnName{"PACKAGE", Column::Package},
+    ColumnName{"FOOTPRINT", Column::Package},
+    ColumnName{"PATTERN", Column::Package},
+    ColumnName{"MIDX", Column::X},
+    ColumnName{"CENTERX", Column::X},
+    ColumnName{"POSX", Column::X},
+    ColumnName{"XLOCATION", Column::X},
+    ColumnName{"SYMX", Column::X},
+    ColumnName{"LOCATIONX", Column::X},
+    ColumnName{"X", Column::X},
+    ColumnName{"MIDY", Column::Y},
+    ColumnName{"CENTERY", Column::Y},
+    ColumnName{"POSY", Column::Y},
+    ColumnName{"YLOCATION", Column::Y},
+    ColumnName{"SYMY", Column::Y},
+    ColumnName{"LOCATIONY", Column::Y},
+    ColumnName{"Y", Column::Y},
+    ColumnName{"ROT", Column::Rotation},
+    ColumnName{"ROTATION", Column::Rotation},
+    ColumnName{"ANGLE", Column::Rotation},
+    ColumnName{"ORIENTATION", Column::Rotation},
+    ColumnName{"SIDE", Column::Side},
+    ColumnName{"LAYER", Column::Side},
+    ColumnName{"TB", Column::Side},
+    ColumnName{"MIRROR", Column::Side},
+    ColumnName{"BOARDSIDE", Column::Side},
+};
+
+struct Head {
+    char separator = 0;
+    std::array<std::optional<std::size_t>, kColumns> columns;
+    double nmPerUnit = base::kNmPerMm;
+    bool hasUnit = false;
+
+    [[nodiscard]] bool isGood() const {
+        return columns[0].has_value() && columns[static_cast<std::size_t>(Column::X)].has_value() &&
+               columns[static_cast<std::size_t>(Column::Y)].has_value();
+    }
+};
+
+std::vector<std::string> cells(std::string_view line, char separator) {
+    std::vector<std::string> result;
+    std::string cell;
+    bool isQuoted = false;
+    const auto end = [&] {
+        if (separator != ' ' || !trimmed(cell).empty()) {
+            result.emplace_back(trimmed(cell));
+        }
+        cell.clear();
+    };
+    for (const char c : line) {
+        if (c == '"') {
+            isQuoted = !isQuoted;
+        } else if (!isQuoted && (c == separator || (separator == ' ' && c == '\t'))) {
+            end();
+        } else {
+            cell += c;
+        }
+    }
+    end();
+    return result;
+}
+
+std::string plainName(std::string_view cell) {
+    std::string name;
+    for (const char c : upperCase(cell.substr(0, cell.find('(')))) {
+        if ((c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')) {
+            name += c;
+        }
+    }
+    for (const std::string_view unit : {"MM", "MIL", "INCH"}) {
+        if (name.size() > unit.size() && name.ends_with(unit)) {
+            name.resize(name.size() - unit.size());
+        }
+    }
+    return name;
+}
+
+std::optional<double> unitIn(std::string_view text) {
+    return holds(text, "mil")    ? std::optional(base::kNmPerMil)
+           : holds(text, "inch") ? std::optional(base::kNmPerInch)
+           : holds(text, "mm")   ? std::optional(base::kNmPerMm)
+                                 : std::nullopt;
+}
+
+Head readHead(std::string_view line) {
+    for (const char separator : {',', ';', '\t', '!', ' '}) {
+        Head head;
+        head.separator = separator;
+        std::string_view rest = trimmed(line);
+        rest.remove_prefix(rest.starts_with('#') ? 1 : 0);
+        const std::vector<std::string> names = cells(rest, separator);
+        std::array<std::size_t, kColumns> ranks;
+        ranks.fill(kNames.size());
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const auto row = std::ranges::find(kNames, plainName(names[i]), &ColumnName::name);
+            if (row == kNames.end()) {
+                continue;
+            }
+            const auto column = static_cast<std::size_t>(row->column);
+            const auto rank = static_cast<std::size_t>(row - kNames.begin());
+            if (rank < ranks[column]) {
+                ranks[column] = rank;
+                head.columns[column] = i;
+            }
+            if (row->column == Column::X && unitIn(names[i])) {
+                head.nmPerUnit = *unitIn(names[i]);
+                head.hasUnit = true;
+            }
+        }
+        if (head.isGood()) {
+            return head;
+        }
+    }
+    return {};
+}
+
+LayerSide sideOf(std::string_view cell) {
+    const std::string word = upperCase(cell);
+    const bool isTop = word.starts_with('T') || word.starts_with('F') || word == "NO" || word == "0" || word == "1";
+    const bool isBottom = word.starts_with('B') || word == "YES" || word == "2" || word == "M";
+    return isTop ? LayerSide::Top : isBottom ? LayerSide::Bottom : LayerSide::None;
+}
+
+/// "12.3mm", "484.25mil" or a number in the file's unit.
+std::optional<Nm> lengthOf(std::string_view cell, double nmPerUnit) {
+    std::string_view rest = cell;
+    const std::optional<double> value = takeReal(rest);
+    return value ? toNm(*value * unitIn(rest).value_or(nmPerUnit)) : std::nullopt;
+}
+
+}  // namespace
+
+bool looksLikePlacements(std::string_view head) {
+    Lines lines(head);
+    for (int i = 0; i < 40 && lines.next(); ++i) {
+        if (readHead(lines.line()).isGood()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+PlacementFile parsePlacements(std::string_view text, std::string_view path, Diagnostics& diagnostics) {
+    PlacementFile file;
+    Head head;
+    std::optional<double> unit;
+    Lines lines(text);
+    while (lines.next()) {
+        const std::string_view line = trimmed(lines.line());
+        if (!head.isGood()) {
+            head = readHead(line);
+            if (!unit && (holds(line, "unit") || line.starts_with('#'))) {
+                unit = unitIn(line);
+            }
+            if (head.isGood() && !head.hasUnit && unit) {
+                head.nmPerUnit = *unit;
+            }
+            continue;
+        }
+        if (line.empty() || line.front() == '#') {
+            continue;
+        }
+        const std::vector<std::string> row = cells(line, head.separator);
+        const auto cell = [&](Column column) {
+            const std::optional<std::size_t> at = head.columns[static_cast<std::size_t>(column)];
+            return at && *at < row.size() ? std::string_view(row[*at]) : std::string_view();
+        };
+        const std::optional<Nm> x = lengthOf(cell(Column::X), head.nmPerUnit);
+        const std::optional<Nm> y = lengthOf(cell(Column::Y), head.nmPerUnit);
+        if (!x || !y || cell(Column::Refdes).empty()) {
+            diagnostics.report(Severity::Warning, path, lines.number(),
+                               "a row that places no component; it was left out");
+            continue;
+        }
+        std::string_view rotation = cell(Column::Rotation);
+        file.parts.push_back({std::string(cell(Column::Refdes)),
+                              std::string(cell(Column::Value)),
+                              std::string(cell(Column::Package)),
+                              {*x, *y},
+                              takeReal(rotation).value_or(0.0),
+                              sideOf(cell(Column::Side)),
+                              lines.number()});
+    }
+    return file;
+}
+
+}  // namespace model::gerber

@@ -1,0 +1,237 @@
+// The language of Gerber images: numbers, apertures, macros, transformations, blocks, repeated steps, regions, arcs,
+// attributes, outdated forms.
+
+#include <QtTest>
+#include <algorithm>
+
+#include "model/formats/gerber/image/expression.h"
+#include "model/formats/gerber/image/image.h"
+#include "model/geometry/discretise.h"
+#include "model/geometry/outlines.h"
+#include "model/geometry/region.h"
+
+using model::formats::DrawnFeature;
+using model::formats::DrawnKind;
+using model::formats::PadShape;
+using model::gerber::Image;
+
+namespace {
+
+Image parse(const std::string& body, const std::string& head = "%FSLAX46Y46*%%MOMM*%") {
+    return model::gerber::parseImage(head + body + "M02*", "test.gbr");
+}
+
+const PadShape& shapeOf(const Image& image, std::size_t feature) {
+    return image.symbols[static_cast<std::size_t>(image.features[feature].symbol)].shape;
+}
+
+/// In mm².
+double areaOf(const PadShape& shape) {
+    return static_cast<double>(twiceArea(polygonsOf(outlineOf(shape)))) / 2e12;
+}
+
+bool isReported(const Image& image, const std::string& words) {
+    return std::ranges::any_of(image.diagnostics.entries(),
+                               [&](const auto& entry) { return entry.text.find(words) != std::string::npos; });
+}
+
+}  // namespace
+
+class GerberImageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void numbersFollowTheFormat() {
+        const std::string body = "%ADD10C,0.01*%D10*X1Y-25D03*";
+        QCOMPARE(parse(body, "%FSLAX24Y24*%%MOIN*%").features[0].a, (model::Point{2540, -63500}));
+        QCOMPARE(parse(body, "%FSTAX24Y24*%%MOIN*%").features[0].a, (model::Point{254'000'000, -635'000'000}));
+        QCOMPARE(parse(body, "%FSLAX33Y33*%G71*").features[0].a, (model::Point{1'000, -25'000}));
+        QCOMPARE(parse("%ADD10C,1*%D10*X1.5Y2D03*").features[0].a, (model::Point{1'500'000, 2}));
+        QVERIFY(isReported(parse(body, ""), "how its coordinates are written"));
+        QVERIFY(isReported(parse(body, "%FSLAX24Y24*%"), "does not say its unit"));
+    }
+
+    void aCoordinateBeyondTheLargestIsReportedAndLeftOut() {
+        const Image image = parse("%ADD10C,1*%D10*X9999000000D03*X1000000D03*");
+        QCOMPARE(image.features.size(), std::size_t{1});
+        QVERIFY(isReported(image, "larger than any board"));
+    }
+
+    void operationsAreModal() {
+        const Image image = parse("%ADD10C,1*%G54D10*X0Y0D02*G01X1000000D01*Y1000000*X0*");
+        QCOMPARE(image.features.size(), std::size_t{3});
+        QCOMPARE(image.features[2].b, (model::Point{0, 1'000'000}));
+        const Image flashes = parse("%ADD10C,1*%D10*X1Y1D03*X2*");
+        QCOMPARE(flashes.features.size(), std::size_t{2});
+        QVERIFY(isReported(flashes, "without an operation"));
+    }
+
+    void standardAperturesHaveTheirSizes() {
+        const Image image = parse(
+            "%ADD10C,2X1*%%ADD11R,2X3*%%ADD12O,3X1*%%ADD13P,2X4X45*%%ADD14R,2X2X1*%%ADD15C,0*%"
+            "D10*X0Y0D03*D11*D03*D12*D03*D13*D03*D14*D03*D15*D03*");
+        QCOMPARE(image.features.size(), std::size_t{6});
+        QCOMPARE(shapeOf(image, 0).kind, PadShape::Kind::Ring);
+        QCOMPARE(shapeOf(image, 0).height, 1'000'000);
+        QVERIFY(std::abs(areaOf(shapeOf(image, 1)) - 6.0) < 1e-9);
+        QCOMPARE(shapeOf(image, 2).kind, PadShape::Kind::Oval);
+        QVERIFY(std::abs(areaOf(shapeOf(image, 3)) - 2.0) < 1e-5);
+        QVERIFY(std::abs(areaOf(shapeOf(image, 4)) - (4.0 - 0.785398)) < 1e-2);
+        QCOMPARE(shapeOf(image, 5).kind, PadShape::Kind::Nothing);
+    }
+
+    void expressionsFollowTheRulesOfArithmetic() {
+        const model::gerber::MacroVariables variables = {{1, 2.0}, {2, 3.0}};
+        const auto value = [&](const char* text) { return model::gerber::evaluate(text, variables).value_or(-99.0); };
+        QCOMPARE(value("$1+$2x4"), 14.0);
+        QCOMPARE(value("($1+$2)X4"), 20.0);
+        QCOMPARE(value("-$1--3"), 1.0);
+        QCOMPARE(value("1.08239X$1"), 2.16478);
+        QCOMPARE(value("12/$2/2"), 2.0);
+        QCOMPARE(value("$7"), 0.0);
+        for (const char* bad : {"", "(1", "1)", "1+", "1/0", "a", "$", "1 2"}) {
+            QVERIFY2(!model::gerber::evaluate(bad, variables), bad);
+        }
+    }
+
+    void macrosDrawTheirPrimitives_data() {
+        QTest::addColumn<QString>("body");
+        QTest::addColumn<double>("area");
+        QTest::newRow("circle") << "1,1,2,0,0" << 3.14159;
+        QTest::newRow("vector line") << "20,1,1,0,0,2,0,0" << 2.0;
+        QTest::newRow("centre line, rotated") << "21,1,2,1,0,0,30" << 2.0;
+        QTest::newRow("lower left line") << "22,1,2,1,0,0,0" << 2.0;
+        QTest::newRow("outline") << "4,1,3,0,0,2,0,0,2,0,0,0" << 2.0;
+        QTest::newRow("polygon") << "5,1,4,0,0,2,0" << 2.0;
+        QTest::newRow("exposure off") << "21,1,2,2,0,0,0*21,0,1,1,0,0,0" << 3.0;
+        QTest::newRow("exposure off cuts only what is there") << "21,0,1,1,0,0,0*21,1,2,2,0,0,0" << 4.0;
+        QTest::newRow("overlapping") << "21,1,2,1,0,0,0*21,1,1,2,0,0,0" << 3.0;
+        QTest::newRow("variables") << "$3=$1x2*21,1,$3,$2,0,0,0" << 8.0;
+        QTest::newRow("rounded box") << "4,1,4,1,1,-1,1,-1,-1,1,-1,1,1,0*1,1,1,1,1*1,1,1,-1,1*1,1,1,-1,-1*1,1,1,1,-1*"
+                                        "20,1,1,1,1,-1,1,0*20,1,1,-1,1,-1,-1,0*20,1,1,-1,-1,1,-1,0*20,1,1,1,-1,1,1,0"
+                                     << 8.785398;
+        QTest::newRow("thermal") << "7,0,0,4,2,0.5,0" << 9.42478 - 4 * 0.5 * 0.9797;
+        QTest::newRow("moire") << "6,0,0,4,0.5,0.5,1,0,0,0" << 5.49779;
+    }
+    void macrosDrawTheirPrimitives() {
+        QFETCH(QString, body);
+        QFETCH(double, area);
+        const Image image = parse("%AMM*0 a comment*\n" + body.toStdString() + "*%%ADD10M,2X2*%D10*X0Y0D03*");
+        QVERIFY2(std::abs(areaOf(shapeOf(image, 0)) - area) < 0.012 * area,
+                 QByteArray::number(areaOf(shapeOf(image, 0))));
+    }
+
+    void aRoundedBoxKeepsItsArcs() {
+        const Image image = parse(
+            "%AMR*4,1,4,1,1,-1,1,-1,-1,1,-1,1,1,0*1,1,1,1,1*1,1,1,-1,1*1,1,1,-1,-1*1,1,1,1,-1*"
+            "20,1,1,1,1,-1,1,0*20,1,1,-1,1,-1,-1,0*20,1,1,-1,-1,1,-1,0*20,1,1,1,-1,1,1,0*%"
+            "%ADD10R,1*%%ADD11R,1X1*%D10*X0Y0D03*");
+        const model::ShapeSketch& region = shapeOf(image, 0).region;
+        QCOMPARE(region.contourCount(), std::size_t{1});
+        QCOMPARE(region.contour(0).size(), std::size_t{8});
+        QCOMPARE(std::ranges::count_if(region.contour(0), [](const auto& node) { return isArc(node.edge); }), 4);
+    }
+
+    void aTurnedFlashIsMirroredFirst() {
+        // The corner of a triangle at 1, 0 is mirrored to -1, 0 and then turned to 0, -1.
+        const Image image = parse("%AMT*4,1,3,0,0,1,0,0,0.2,0,0,0*%%ADD10T*%%LMX*%%LR90*%%LS2*%D10*X0Y0D03*");
+        const DrawnFeature& flash = image.features[0];
+        const model::Placement placement{flash.a, flash.clockwiseDeg, flash.isMirrored};
+        model::ShapeSketch sketch;
+        sketch.append(shapeOf(image, 0).region, placement);
+        QCOMPARE(boxOf(sketch), (model::Box{{-400'000, -2'000'000}, {0, 0}}));
+    }
+
+    void blocksAreLaidWithTheirObjects() {
+        const Image image = parse(
+            "%ADD10C,1*%%ABD20*%D10*X1000000Y0D03*%LPC*%X0D03*%LPD*%%AB*%"
+            "%LR90*%D20*X5000000Y5000000D03*%LPC*%X0Y0D03*");
+        QCOMPARE(image.features.size(), std::size_t{4});
+        QCOMPARE(image.features[0].a, (model::Point{5'000'000, 6'000'000}));
+        QVERIFY(!image.features[0].isNegative);
+        QVERIFY(image.features[1].isNegative);
+        QVERIFY(image.features[2].isNegative);
+        QVERIFY(!image.features[3].isNegative);
+    }
+
+    void explodingBlocksAreBounded() {
+        std::string body = "%ADD10C,1*%D10*";
+        for (int i = 20; i < 60; ++i) {
+            body += "%ABD" + std::to_string(i) + "*%D" + std::to_string(i - 1 < 20 ? 10 : i - 1) + "*";
+            body += "X1Y1D03*X2D03*X3D03*X4D03*%AB*%";
+        }
+        const Image image = parse(body + "D59*X0Y0D03*");
+        QVERIFY(isReported(image, "4 million"));
+        QVERIFY(image.features.size() <= 4'000'000);
+        QVERIFY(isReported(parse("%ABD20*%D20*X0Y0D03*%AB*%D20*D03*"), "not defined"));
+    }
+
+    void repeatedStepsGoUpFirst() {
+        const Image image = parse("%ADD10C,1*%D10*%SRX2Y3I5J1*%X0Y0D03*%SR*%X9000000D03*");
+        QCOMPARE(image.features.size(), std::size_t{7});
+        QCOMPARE(image.features[1].a, (model::Point{0, 1'000'000}));
+        QCOMPARE(image.features[3].a, (model::Point{5'000'000, 0}));
+    }
+
+    void contoursOfARegionAreRegionsOfTheirOwn() {
+        const Image image = parse(
+            "G36*X0Y0D02*G01X1000000D01*Y1000000D01*X0Y0D01*X5000000Y0D02*G75*"
+            "G03X5000000Y0I1000000J0D01*G37*");
+        QCOMPARE(image.features.size(), std::size_t{2});
+        QCOMPARE(image.regions[0].contour(0).size(), std::size_t{3});
+        QCOMPARE(image.regions[1].contour(0).size(), std::size_t{1});
+        const Image open = parse("G36*X0Y0D02*G01X1000000D01*Y1000000D01*G37*");
+        QCOMPARE(open.features.size(), std::size_t{1});
+        QVERIFY(isReported(open, "not closed"));
+    }
+
+    void arcsOfASingleQuadrantFindTheirCentre() {
+        const Image image = parse(
+            "%ADD10C,0.1*%D10*G74*X1000000Y0D02*G03X0Y1000000I1000000J0D01*"
+            "G02X1000000Y0I0J1000000D01*X1000000Y0I500000D01*");
+        QCOMPARE(image.features[0].centre, (model::Point{0, 0}));
+        QVERIFY(!image.features[0].isClockwise);
+        QCOMPARE(image.features[1].centre, (model::Point{0, 0}));
+        QCOMPARE(image.features[2].kind, DrawnKind::Line);  // equal ends: no length, not a circle
+        const Image circle = parse("%ADD10C,0.1*%D10*G75*X0Y0D02*G02X0Y0I500000J0D01*");
+        QCOMPARE(circle.features[0].kind, DrawnKind::Arc);
+        QCOMPARE(circle.features[0].a, circle.features[0].b);
+    }
+
+    void attributesHoldUntilTheyAreDeleted() {
+        const Image image = parse(
+            "%TF.FileFunction,Copper,L1,Top*%%TA.AperFunction,ViaPad*%%ADD10C,1*%%TD*%"
+            "%TO.N,N\\u00e4t*%%TO.P,U1,A3,out*%D10*X0Y0D03*%TD.N*%X1D03*%TD*%X2D03*"
+            "G04 #@! TO.N,old*X3D03*%TO.N,*%X4D03*");
+        QCOMPARE(image.fileAttribute(".FileFunction"), std::string_view("Copper,L1,Top"));
+        QCOMPARE(image.nets[static_cast<std::size_t>(image.features[0].net)], std::string("N\xc3\xa4t"));
+        QCOMPARE(image.features[0].subnet, model::SubnetKind::Via);
+        QCOMPARE(image.pins[static_cast<std::size_t>(image.features[0].pin)].name, std::string("A3"));
+        QCOMPARE(image.features[1].net, model::formats::kNoRow);
+        QVERIFY(image.features[1].pin >= 0);
+        QVERIFY(image.features[2].pin < 0);
+        QCOMPARE(image.nets[static_cast<std::size_t>(image.features[3].net)], std::string("old"));
+        QCOMPARE(image.features[4].net, model::formats::kNoRow);
+    }
+
+    void outdatedCommandsOfTheWholeImageApply() {
+        const std::string body = "%ADD10C,1*%D10*X1000000Y2000000D03*";
+        QCOMPARE(parse("%OFA1B2*%" + body).features[0].a, (model::Point{2'000'000, 4'000'000}));
+        QCOMPARE(parse("%MIA1B0*%" + body).features[0].a, (model::Point{-1'000'000, 2'000'000}));
+        QCOMPARE(parse("%IR90*%" + body).features[0].a, (model::Point{-2'000'000, 1'000'000}));
+        QCOMPARE(parse("%SFA2B2*%" + body).features[0].a, (model::Point{2'000'000, 4'000'000}));
+        QCOMPARE(parse("%ASAYBX*%" + body).features[0].a, (model::Point{2'000'000, 1'000'000}));
+        QVERIFY(parse("%IPNEG*%" + body).isNegative);
+        QVERIFY(isReported(parse("%MIA1B0*%" + body), "outdated"));
+        QVERIFY(!isReported(parse("%OFA0B0*%%SFA1B1*%%IR0*%" + body), "outdated"));
+    }
+
+    void aFileThatIsCutOffIsReported() {
+        const Image image = model::gerber::parseImage("%FSLAX46Y46*%%MOMM*%%ADD10C,1*%D10*X0Y0D03*", "test.gbr");
+        QCOMPARE(image.features.size(), std::size_t{1});
+        QVERIFY(isReported(image, "without M02"));
+    }
+};
+
+QTEST_APPLESS_MAIN(GerberImageTest)
+#include "gerber_image_test.moc"

@@ -1,0 +1,116 @@
+#include <QtTest>
+
+#include "model/formats/gerber/naming/file_role.h"
+
+using Kind = model::gerber::FileRole::Kind;
+using Side = model::LayerSide;
+
+Q_DECLARE_METATYPE(model::gerber::FileRole::Kind)
+Q_DECLARE_METATYPE(model::LayerSide)
+
+class GerberNamingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void functionsAreReadInBothSpellings() {
+        const auto copper = model::gerber::roleOfFunction("Copper,L3,Inr");
+        QVERIFY(copper && copper->kind == Kind::Copper && copper->order == 3 && copper->side == Side::Inner);
+        for (const char* mask : {"Soldermask,Bot", "SolderMask,Bot"}) {
+            const auto role = model::gerber::roleOfFunction(mask);
+            QVERIFY(role && role->kind == Kind::SolderMask && role->side == Side::Bottom);
+        }
+        const auto drill = model::gerber::roleOfFunction("NonPlated,1,4,NPTH,Drill");
+        QVERIFY(drill && drill->plating == model::Plating::NonPlated && drill->spanTop == 1 && drill->spanBottom == 4);
+        QVERIFY(model::gerber::roleOfFunction("Profile,NP")->kind == Kind::Profile);
+        QVERIFY(!model::gerber::roleOfFunction("").has_value());
+    }
+
+    void namesOfCadSystemsTellTheLayer_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<Kind>("kind");
+        QTest::addColumn<Side>("side");
+        QTest::addColumn<int>("order");
+        QTest::newRow("Protel top") << "x.GTL" << Kind::Copper << Side::Top << 0;
+        QTest::newRow("Altium inner") << "x.G12" << Kind::Copper << Side::Inner << 12;
+        QTest::newRow("Altium plane") << "x.GP1" << Kind::Copper << Side::Inner << 1;
+        QTest::newRow("Altium drawing") << "x.GM15" << Kind::Document << Side::None << 0;
+        QTest::newRow("KiCad inner") << "b-In2_Cu.gbr" << Kind::Copper << Side::Inner << 2;
+        QTest::newRow("KiCad outline") << "b-Edge_Cuts.gbr" << Kind::Profile << Side::None << 0;
+        QTest::newRow("KiCad front") << "b-F_Cu.gbr" << Kind::Copper << Side::Top << 0;
+        QTest::newRow("KiCad back mask") << "b-B_Mask.gbr" << Kind::SolderMask << Side::Bottom << 0;
+        QTest::newRow("Eagle") << "soldermask_bottom.gbr" << Kind::SolderMask << Side::Bottom << 0;
+        QTest::newRow("Eagle paste") << "solderpaste_top.gbr" << Kind::Paste << Side::Top << 0;
+        QTest::newRow("old Eagle") << "board.sol" << Kind::Copper << Side::Bottom << 0;
+        QTest::newRow("gEDA") << "board.bottommask.gbr" << Kind::SolderMask << Side::Bottom << 0;
+        QTest::newRow("DipTrace") << "mainboard_TopSilk.gbr" << Kind::Legend << Side::Top << 0;
+        QTest::newRow("PADS") << "SMB.pho" << Kind::SolderMask << Side::Bottom << 0;
+        QTest::newRow("PADS inner") << "Layer3.pho" << Kind::Copper << Side::Inner << 3;
+        QTest::newRow("Xpedition") << "EtchLayerBottom.gdo" << Kind::Copper << Side::Bottom << 0;
+        QTest::newRow("Xpedition paste") << "SolderPasteTop.gdo" << Kind::Paste << Side::Top << 0;
+        QTest::newRow("Xpedition drawing") << "DrillDrawingThrough.gdo" << Kind::Document << Side::None << 0;
+        QTest::newRow("Allegro") << "l4_secondary.art" << Kind::Copper << Side::Bottom << 4;
+        QTest::newRow("fabrication") << "fab1.art" << Kind::Document << Side::None << 0;
+    }
+    void namesOfCadSystemsTellTheLayer() {
+        QFETCH(QString, name);
+        QFETCH(Kind, kind);
+        QFETCH(Side, side);
+        QFETCH(int, order);
+        const auto role = model::gerber::roleOfName(name.toStdString());
+        QVERIFY(role.has_value());
+        QCOMPARE(static_cast<int>(role->kind), static_cast<int>(kind));
+        QCOMPARE(static_cast<int>(role->side), static_cast<int>(side));
+        QCOMPARE(role->order, order);
+    }
+
+    void namesOfDrillsTellThePlating() {
+        QVERIFY(model::gerber::roleOfName("b-NPTH.drl")->plating == model::Plating::NonPlated);
+        QVERIFY(model::gerber::roleOfName("b-PTH.drl")->plating == model::Plating::Plated);
+        QVERIFY(model::gerber::roleOfName("b.unplated-drill.cnc")->plating == model::Plating::NonPlated);
+        QVERIFY(model::gerber::roleOfName("b.xln")->plating == model::Plating::NotSaid);
+        QVERIFY(!model::gerber::roleOfName("notes.abc").has_value());
+    }
+
+    void boardsAreWhatNamesHaveInCommon_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("board");
+        QTest::newRow("gEDA") << "driver.top.gbr"
+                              << "DRIVER";
+        QTest::newRow("gEDA drill") << "driver.plated-drill.cnc"
+                                    << "DRIVER";
+        QTest::newRow("DipTrace") << "mainboard_BoardOutline.gbr"
+                                  << "MAINBOARD";
+        QTest::newRow("DipTrace drill") << "mainboard.drl"
+                                        << "MAINBOARD";
+        QTest::newRow("KiCad") << "Flash-pads-Edge_Cuts.gbr"
+                               << "FLASH-PADS";
+        QTest::newRow("Altium") << "LimeSDR_1v2.GTL"
+                                << "LIMESDR_1V2";
+        QTest::newRow("nothing but a layer") << "Solder_Mask_Top.art"
+                                             << "";
+    }
+    void boardsAreWhatNamesHaveInCommon() {
+        QFETCH(QString, name);
+        QFETCH(QString, board);
+        QCOMPARE(QString::fromStdString(model::gerber::boardOfName(name.toStdString())), board);
+    }
+
+    void commentsTellTheLayer() {
+        model::gerber::Image altium;
+        altium.comments = {"Layer_Physical_Order=4"};
+        QCOMPARE(model::gerber::roleOfComments(altium)->order, 4);
+        model::gerber::Image allegro;
+        allegro.comments = {"Layer:  VIA KEEPOUT/BOTTOM", "Layer:  VIA KEEPOUT/GND", "Layer:  VIA KEEPOUT/TOP",
+                            "Layer:  PIN/GND", "Layer:  ETCH/GND"};
+        const auto role = model::gerber::roleOfComments(allegro);
+        QVERIFY(role && role->kind == Kind::Copper && role->side == Side::Inner);
+        QCOMPARE(role->order, 2);
+        model::gerber::Image mask;
+        mask.comments = {"Layer:  PIN/SOLDERMASK_TOP", "Layer:  BOARD GEOMETRY/SOLDERMASK_TOP"};
+        QVERIFY(model::gerber::roleOfComments(mask)->kind == Kind::SolderMask);
+        QVERIFY(!model::gerber::roleOfComments({}).has_value());
+    }
+};
+
+QTEST_APPLESS_MAIN(GerberNamingTest)
+#include "gerber_naming_test.moc"

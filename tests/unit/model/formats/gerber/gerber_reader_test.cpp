@@ -1,0 +1,229 @@
+// Whole jobs: written into a folder and opened as any board is.
+
+#include "model/formats/gerber/gerber_reader.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "model/formats/registry.h"
+
+namespace {
+
+using Files = std::map<std::string, std::string>;
+using Board = base::Result<std::shared_ptr<const model::Document>>;
+
+constexpr const char* kHead = "%FSLAX46Y46*%\n%MOMM*%\n";
+
+std::string image(const std::string& body, const std::string& function = "") {
+    return (function.empty() ? "" : "%TF.FileFunction," + function + "*%\n") + kHead + body + "M02*\n";
+}
+
+/// Two pads joined by a track, and a third one.
+const std::string kCopper =
+    "%ADD10C,1.5*%%ADD11C,0.3*%D10*X2000000Y2000000D03*X8000000D03*Y8000000D03*D11*"
+    "X2000000Y2000000D02*X8000000D01*\n";
+const std::string kNamedCopper =
+    "%TA.AperFunction,ComponentPad*%%ADD10C,1.5*%%TD*%%TO.N,A*%%TO.P,J1,1*%D10*X2000000Y2000000D03*"
+    "%TO.P,J1,2*%X8000000D03*%TO.N,B*%%TO.P,J1,3*%Y8000000D03*%TD*%\n";
+/// A square of 10 mm, its sides in any order.
+const std::string kOutline =
+    "%ADD10C,0.1*%D10*X0Y0D02*X10000000D01*X0Y10000000D02*Y0D01*X10000000D02*"
+    "Y10000000D01*X0D01*\n";
+constexpr const char* kDrills = "M48\nMETRIC\nT1C0.8\n%\nT1\nX2.0Y2.0\nX8.0Y2.0\nX8.0Y8.0\nM30\n";
+
+class Job {
+public:
+    explicit Job(const Files& files) {
+        for (const auto& [name, text] : files) {
+            QDir(m_folder.path()).mkpath(QFileInfo(QString::fromStdString(name)).path());
+            std::ofstream(path(name), std::ios::binary) << text;
+        }
+    }
+    [[nodiscard]] std::string path(const std::string& name = "") const {
+        return (m_folder.path() + "/").toStdString() + name;
+    }
+    [[nodiscard]] Board open(const std::string& name = "", const model::ReadOptions& options = {}) const {
+        base::Progress progress;
+        return model::readBoard(path(name), options, progress);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+bool isReported(const model::Document& board, const std::string& words) {
+    return std::ranges::any_of(board.diagnostics.entries(),
+                               [&](const auto& entry) { return entry.text.find(words) != std::string::npos; });
+}
+
+std::size_t holesOf(const model::Document& board) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(board.elements.flags, [](std::uint8_t flags) { return (flags & model::kHole) != 0; }));
+}
+
+std::vector<std::string> namesOf(const model::Document& board) {
+    std::vector<std::string> names;
+    for (const model::Net& net : board.nets) {
+        names.push_back(net.name);
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+}  // namespace
+
+class GerberReaderTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFolderIsABoard() {
+        const Job job({{"b-F_Cu.gtl", image(kNamedCopper, "Copper,L1,Top")},
+                       {"b-B_Cu.gbl", image(kNamedCopper, "Copper,L2,Bot")},
+                       {"b-Edge_Cuts.gm1", image(kOutline, "Profile,NP")},
+                       {"b-PTH.drl", kDrills}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+        QCOMPARE(namesOf(**board), (std::vector<std::string>{"A", "B"}));
+        QCOMPARE(holesOf(**board), std::size_t{3});
+        QCOMPARE((*board)->components.size(), std::size_t{1});
+        QCOMPARE((*board)->components[0].pinCount, 3U);
+        QCOMPARE((*board)->components[0].mount, model::MountType::ThroughHole);
+        for (std::size_t row = 0; row < (*board)->elements.size(); ++row) {
+            if (((*board)->elements.flags[row] & model::kHole) != 0) {
+                QVERIFY((*board)->elements.net[row].isValid());
+                QVERIFY(((*board)->elements.flags[row] & model::kPlated) != 0);
+            }
+        }
+        QVERIFY(isReported(**board, "no file places the components") ||
+                isReported(**board, "No file places the components"));
+    }
+
+    void withoutNamesNetsFollowFromTheCopper() {
+        const Job job({{"b.GTL", image(kCopper)}, {"b.GBL", image(kCopper)}, {"b.GKO", image(kOutline)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "nets follow from the copper"));
+        QCOMPARE((*board)->nets.size(), std::size_t{4});  // no holes: a joined pair and a pad on each side
+        QVERIFY(isReported(**board, "by its name"));
+    }
+
+    void aNetlistNamesTheNetsWhereverItCountsFrom() {
+        // 10 mm to the right and 10 mm up of the images.
+        const std::string netlist =
+            "P  UNITS CUST 0\n"
+            "317SUPPLY           J1    -1    D0315PA00X+004724Y+004724X0591Y0000R000S3\n"
+            "317SUPPLY           J1    -2    D0315PA00X+007087Y+004724X0591Y0000R000S3\n"
+            "317OTHER            J1    -3    D0315PA00X+007087Y+007087X0591Y0000R000S3\n999\n";
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {"b.GKO", image(kOutline)},
+                       {"b.drl", kDrills},
+                       {"b.ipc", netlist}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "another origin"));
+        QCOMPARE(namesOf(**board), (std::vector<std::string>{"OTHER", "SUPPLY"}));
+        QCOMPARE((*board)->components.size(), std::size_t{1});
+        QCOMPARE((*board)->components[0].pinCount, 3U);
+    }
+
+    void drillsAreReadAsTheyFitTheCopper() {
+        // Says inch, means mm.
+        const std::string drills = "M48\nINCH\nT1C0.8\n%\nT1\nX2.0Y2.0\nX8.0Y2.0\nX8.0Y8.0\nM30\n";
+        const Job job({{"b.GTL", image(kCopper)}, {"b.GBL", image(kCopper)}, {"b.drl", drills}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "which puts the holes on the copper"));
+        const auto hole = std::ranges::find_if((*board)->elements.flags,
+                                               [](std::uint8_t flags) { return (flags & model::kHole) != 0; });
+        QVERIFY(hole != (*board)->elements.flags.end());
+        const auto row = static_cast<std::size_t>(hole - (*board)->elements.flags.begin());
+        QCOMPARE((*board)->circles[(*board)->elements.geometry[row]].centre, (model::Point{2'000'000, 2'000'000}));
+    }
+
+    void boardsOfOneFolderAreToldApart() {
+        const Job job({{"one.top.gbr", image(kCopper)},
+                       {"one.bottom.gbr", image(kCopper)},
+                       {"two.bottom.gbr", image(kCopper)},
+                       {"two.drl", kDrills}});
+        const Board first = job.open();
+        QVERIFY(first.ok());
+        QCOMPARE((*first)->job.step, std::string("ONE"));
+        QCOMPARE((*first)->job.steps, (std::vector<std::string>{"ONE", "TWO"}));
+        QCOMPARE(holesOf(**first), std::size_t{0});
+        QVERIFY(isReported(**first, "several boards"));
+        const Board second = job.open("", {"two", false});
+        QVERIFY(second.ok());
+        QCOMPARE(holesOf(**second), std::size_t{3});
+        const Board none = job.open("", {"three", false});
+        QVERIFY(!none.ok());
+        QCOMPARE(none.error().code, base::ErrorCode::BadUsage);
+    }
+
+    void twoFilesForOneLayerAreBothShown() {
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b-F_Cu.GTL", image(kCopper, "Copper,L1,Top")},
+                       {"x/b.GTL", "no"},
+                       {"b.GBL", image(kCopper)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "no part of a Gerber job"));
+    }
+
+    void aJobFileTellsTheStackup() {
+        const std::string jobFile =
+            R"({"GeneralSpecs": {"ProjectId": {"Name": "proj"}, "BoardThickness": 0.8}, "FilesAttributes": [
+            {"Path": "x1.gbr", "FileFunction": "Copper,L1,Top"}, {"Path": "x2.gbr", "FileFunction": "Copper,L2,Bot"}],
+            "MaterialStackup": [{"Type": "Copper", "Thickness": 0.018, "Name": "F.Cu"},
+            {"Type": "Dielectric", "Thickness": 0.764, "Material": "FR4", "Name": "core"},
+            {"Type": "Copper", "Thickness": 0.018, "Name": "B.Cu"}]})";
+        const Job job({{"x1.gbr", image(kCopper)}, {"x2.gbr", image(kCopper)}, {"b-job.gbrjob", jobFile}});
+        for (const char* name : {"", "b-job.gbrjob"}) {
+            const Board board = job.open(name);
+            QVERIFY(board.ok());
+            QCOMPARE((*board)->job.name, std::string("proj"));
+            QCOMPARE((*board)->boardThickness, 800'000);
+            QVERIFY((*board)->findLayer("core").isValid());
+            QCOMPARE((*board)->layer((*board)->findLayer("F.Cu")).thickness, 18'000);
+        }
+    }
+
+    void pickAndPlaceFilesPlaceComponents() {
+        const Job job({{"b-F_Cu.gtl", image(kNamedCopper, "Copper,L1,Top")},
+                       {"b-B_Cu.gbl", image(kNamedCopper, "Copper,L2,Bot")},
+                       {"b-pos.csv", "Ref,Val,Package,PosX,PosY,Rot,Side\n\"J1\",\"CON\",\"HDR\",5.0,5.0,90.0,top\n"}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->components[0].part, std::string("CON"));
+        QCOMPARE((*board)->components[0].placement.origin, (model::Point{5'000'000, 5'000'000}));
+        QCOMPARE((*board)->components[0].placement.clockwiseDeg, 270.0);
+        QCOMPARE((*board)->packages[0].name, std::string("HDR"));
+    }
+
+    void aSingleImageIsABoard() {
+        const Job job({{"alone.gbr", image(kCopper)}, {"alone.drl", kDrills}});
+        QVERIFY(job.open("alone.gbr").ok());
+        const Board drills = job.open("alone.drl");
+        QVERIFY(drills.ok());
+        QCOMPARE(holesOf(**drills), std::size_t{3});
+    }
+
+    void aFrameAroundTheBoardIsNoOutline() {
+        const std::string frame =
+            "X-5000000Y-5000000D02*X90000000D01*Y90000000D01*X-5000000D01*Y-5000000D01*"
+            "X20000000Y20000000D02*X21000000D01*Y21000000D01*X20000000Y20000000D01*";
+        const Job job({{"b.GTL", image(kCopper)}, {"b.GBL", image(kCopper)}, {"b.GKO", image(kOutline + frame)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+    }
+};
+
+QTEST_APPLESS_MAIN(GerberReaderTest)
+#include "gerber_reader_test.moc"
