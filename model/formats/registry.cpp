@@ -8,6 +8,8 @@
 #include "model/formats/file_kinds.h"
 #include "model/formats/gerber/gerber_reader.h"
 #include "model/formats/ipc2581/ipc_reader.h"
+#include "model/formats/kicad/kicad_reader.h"
+#include "model/formats/kicad/text/tree.h"
 #include "model/formats/odb/odb_reader.h"
 #include "model/formats/paper/paper_reader.h"
 #include "model/nets/net_inference.h"
@@ -63,6 +65,15 @@ Board readGerber(const BoardInput& input, const ReadOptions& options, base::Prog
     return input.archive
                ? gerber::readJob(*input.archive, input.path, options, input.unpacking, progress, input.reading)
                : gerber::readFileAlone(input.path, options, progress, input.reading);
+}
+
+bool isKicad(const BoardInput& input) {
+    return kicad::looksLikeBoard(input.head) || (input.archive && kicad::holdsBoard(*input.archive));
+}
+
+Board readKicad(const BoardInput& input, const ReadOptions&, base::Progress& progress) {
+    return input.archive ? kicad::readBoard(*input.archive, input.path, input.unpacking, progress, input.reading)
+                         : kicad::readBoard(input.path, progress, input.reading);
 }
 
 bool isPaper(const BoardInput& input) {
@@ -189,6 +200,7 @@ std::span<const BoardFormat> knownFormats() {
     static const std::array kFormats = {
         BoardFormat{"ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", isOdb, readOdb, "odb"},
         BoardFormat{"IPC-2581", {".xml", ".cvg"}, "an IPC-2581 file", isIpc, readIpc, "ipc2581"},
+        BoardFormat{"KiCad board", {".kicad_pcb"}, "a KiCad board", isKicad, readKicad, "kicad"},
         BoardFormat{"Gerber job",
                     {".zip", ".gbrjob", ".gbr", ".ger", ".gtl", ".gbl", ".art", ".pho", ".gdo", ".drl", ".xln"},
                     "Gerber images",

@@ -3,6 +3,7 @@ copperscope_test(named_boards_test boards/named_boards_test.cpp LABEL boards LIN
 copperscope_test(oracle_test boards/oracle_test.cpp LABEL boards LINK copperscope_model)
 copperscope_test(kicad_drc_test boards/kicad_drc_test.cpp LABEL boards LINK copperscope_model)
 copperscope_test(ipc2581_boards_test boards/ipc2581_boards_test.cpp LABEL boards LINK copperscope_model)
+copperscope_test(kicad_boards_test boards/kicad_boards_test.cpp LABEL boards LINK copperscope_model)
 copperscope_boards_test(real_odb_boards_test odb_boards_test)
 copperscope_boards_test(real_reference_test reference_test copperOfWholeBoardsAgrees)
 copperscope_boards_test(real_kicad_raster_test kicad_raster_test)

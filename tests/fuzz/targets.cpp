@@ -7,10 +7,12 @@
 #include "model/base/assert.h"
 #include "model/formats/common/archive.h"
 #include "model/formats/common/archive_stream.h"
+#include "model/formats/drawing/assembly.h"
 #include "model/formats/gerber/drills/drill_file.h"
 #include "model/formats/gerber/gerber_reader.h"
 #include "model/formats/gerber/image/image.h"
 #include "model/formats/ipc2581/ipc_reader.h"
+#include "model/formats/kicad/board_drawing.h"
 #include "model/formats/odb/components/components.h"
 #include "model/formats/odb/components/eda.h"
 #include "model/formats/odb/components/netlist.h"
@@ -173,6 +175,19 @@ void ipc2581(std::string_view input) {
     static_cast<void>(model::ipc2581::readJob(input, kFile, {}, {}, progress, {}));
 }
 
+void kicad(std::string_view input) {
+    base::Progress progress;
+    auto drawn = model::kicad::drawBoard(input, kFile, {}, progress);
+    if (drawn) {
+        static_cast<void>(model::formats::assemble(*std::move(drawn), 0.0, progress));
+    }
+}
+
+void kicadProject(std::string_view input) {
+    Diagnostics diagnostics;
+    static_cast<void>(model::kicad::readProject(input, kFile, diagnostics).classOf("GND"));
+}
+
 void paper(std::string_view input) {
     base::Progress progress;
     static_cast<void>(model::paper::readModel(input, kFile, progress));
@@ -218,6 +233,8 @@ std::span<const Target> targets() {
         {"info", info, {"info"}},
         {"ipc2581", ipc2581},
         {"job", job, {}, true},
+        {"kicad", kicad},
+        {"kicad_project", kicadProject},
         {"matrix", matrix, {"matrix"}},
         {"member", member},
         {"netlist", netlist, {"netlist"}},

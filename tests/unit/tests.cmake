@@ -12,7 +12,7 @@ file(GLOB_RECURSE tests CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${C
 foreach(test IN LISTS tests)
     string(REGEX REPLACE "/.*" "" area ${test})
     cmake_path(GET test STEM name)
-    if(test MATCHES "^(ui|tri|model/formats/odb)/")  # their names occur elsewhere too
+    if(test MATCHES "^(ui|tri|model/formats/(odb|kicad))/")  # their names occur elsewhere too
         cmake_path(GET CMAKE_MATCH_1 FILENAME prefix)
         set(name ${prefix}_${name})
     endif()

@@ -65,8 +65,7 @@ private slots:
         QTest::addRow("empty") << QByteArray() << "this is an empty file; what";
         QTest::addRow("picture") << QByteArray("\x89PNG\r\n\x1a\n\0\0", 10)
                                  << "a PNG picture, which begins with 89 50 4E 47 0D 0A 1A 0A;";
-        QTest::addRow("KiCad") << QByteArray("(kicad_pcb (version 20211014)")
-                               << "a KiCad board, which begins with \"(kicad_pcb";
+        QTest::addRow("KiCad") << QByteArray("(kicad_sch (version 20211014)") << "which begins with \"(kicad_sch";
         QTest::addRow("Gerber") << QByteArray("%FSLAX46Y46*%\n%MOMM*%\n")
                                 << "a Gerber file, which begins with \"%FSLAX46Y46*%\"";
         QTest::addRow("Gerber with a comment") << QByteArray("G04 top*\n%FSLAX46Y46*%\n") << "a Gerber file";

@@ -1,0 +1,368 @@
+#include "model/formats/kicad/board_drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/formats/kicad/canvas.h"
+#include "model/formats/kicad/footprints.h"
+#include "model/formats/kicad/graphics.h"
+#include "model/formats/kicad/pads.h"
+#include "model/formats/kicad/shapes/chains.h"
+#include "model/formats/kicad/text/tree.h"
+#include "model/formats/kicad/text/values.h"
+#include "model/formats/kicad/texts.h"
+#include "model/formats/kicad/tracks.h"
+#include "model/formats/kicad/zones.h"
+
+namespace model::kicad {
+
+namespace {
+
+constexpr double kOutlineJoint = 10'000.0;  ///< ends of an outline that are joined
+constexpr double kSameEnd = 1'000.0;        ///< further apart they are reported
+constexpr int kNewestKnown = 20'261'231;
+constexpr int kOldestNamed = 20'000'000;
+
+/// Items that draw nothing.
+constexpr std::array<std::string_view, 14> kSilent = {"paper",          "page",
+                                                      "host",           "links",
+                                                      "group",          "generated",
+                                                      "embedded_fonts", "embedded_files",
+                                                      "generator",      "generator_version",
+                                                      "version",        "component_classes",
+                                                      "variants",       "attr"};
+
+std::string versionName(int version) {
+    constexpr std::array<std::pair<int, const char*>, 8> kReleases = {{{20'250'000, "KiCad 10"},
+                                                                       {20'240'200, "KiCad 9"},
+                                                                       {20'221'100, "KiCad 8"},
+                                                                       {20'211'100, "KiCad 7"},
+                                                                       {20'190'000, "KiCad 6"},
+                                                                       {20'160'000, "KiCad 5"},
+                                                                       {4, "KiCad 4"},
+                                                                       {0, "KiCad 3"}}};
+    for (const auto& [first, name] : kReleases) {
+        if (version >= first) {
+            return std::string(name) + " (" + std::to_string(version) + ")";
+        }
+    }
+    return "KiCad";
+}
+
+/// Hands the items of a board to those who draw them.
+class BoardMaker {
+public:
+    BoardMaker(formats::DrawnJob& job, std::string_view file, const Project& project)
+        : m_canvas(job, file), m_project(project), m_pads(m_canvas), m_footprints(m_canvas, m_pads, m_outline) {
+        m_canvas.settings().variables = project.variables;
+    }
+
+    void take(const Item& item) {
+        const std::string_view head = item.head();
+        if (takeFacts(head, item) || std::ranges::find(kSilent, head) != kSilent.end()) {
+            return;
+        }
+        settleLayers();
+        if (head == "footprint" || head == "module") {
+            m_footprints.draw(item);
+        } else if (head == "segment" || head == "arc") {
+            drawTrack(m_canvas, item);
+        } else if (head == "via") {
+            m_pads.drawVia(item);
+        } else if (head == "zone") {
+            drawZone(m_canvas, item);
+        } else if (isGraphic(head)) {
+            takeGraphic(item);
+        } else if (head == "gr_text") {
+            takeText(item);
+        } else if (head == "dimension") {
+            takeDimension(item);
+        } else {
+            m_canvas.report(Severity::Info, item.line(),
+                            "items of the kind '" + std::string(head.substr(0, 40)) + "' are not drawn");
+        }
+    }
+
+    bool finish() {
+        settleLayers();
+        m_pads.finish();
+        m_canvas.step().features.resize(m_canvas.job().layers.size());
+        setProfile();
+        setClasses();
+        describe();
+        return !m_canvas.layers().copper().empty();
+    }
+
+private:
+    // ---- facts ----
+
+    bool takeFacts(std::string_view head, const Item& item) {
+        BoardSettings& settings = m_canvas.settings();
+        if (head == "version") {
+            settings.version = static_cast<int>(std::clamp(numberOf(item.word(1)).value_or(0.0), 0.0, 1e9));
+            if (settings.version > kNewestKnown) {
+                m_canvas.report(Severity::Warning, item.line(),
+                                "the board is of a newer version of KiCad; what is new in it is not read");
+            }
+        } else if (head == "host" || head == "generator") {
+            m_generator = item.text(1) + (item.word(2).empty() ? "" : " " + item.text(2));
+        } else if (head == "generator_version") {
+            m_generator += " " + item.text(1);
+        } else if (head == "general") {
+            m_thickness = length(item, "thickness");
+        } else if (head == "layers") {
+            m_layersText = "(kicad_pcb " + std::string(item.source()) + ")";
+        } else if (head == "setup") {
+            takeSetup(item);
+        } else if (head == "net") {
+            m_canvas.declareNet(item);
+        } else if (head == "net_class") {
+            takeClass(item);
+        } else if (head == "property") {
+            settings.variables.try_emplace(item.text(1), item.text(2));
+        } else if (head == "title_block") {
+            takeTitles(item);
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    /// The stackup comes behind the layers, in an item of its own, so these wait for it.
+    void settleLayers() {
+        if (m_isSettled) {
+            return;
+        }
+        m_isSettled = true;
+        Diagnostics ignored;
+        const std::string text = "(kicad_pcb " + m_stackupText + ")";
+        BoardItems layers(m_layersText, "", ignored);
+        BoardItems stackups(text, "", ignored);
+        Item layerItem;
+        Item stackup;
+        static_cast<void>(layers.next(layerItem));
+        static_cast<void>(stackups.next(stackup));
+        m_canvas.layers().read(layerItem, stackup, m_canvas.settings().isOld(), m_canvas.job(), m_canvas.file());
+        m_canvas.step().features.resize(m_canvas.job().layers.size());
+    }
+
+    void takeSetup(const Item& setup) {
+        BoardSettings& settings = m_canvas.settings();
+        settings.maskMargin = length(setup, "pad_to_mask_clearance");
+        settings.pasteMargin = length(setup, "pad_to_paste_clearance");
+        settings.pasteRatio = number(setup, "pad_to_paste_clearance_ratio");
+        settings.viaDrill = length(setup, "via_drill");
+        const Item tenting = setup.find("tenting");
+        if (tenting.isThere()) {
+            settings.isViaTented = {tenting.isSet("front"), tenting.isSet("back")};
+        } else {
+            const std::string_view word = setup.find("pcbplotparams").find("viasonmask").word(1);
+            settings.isViaTented.fill(word != "true" && word != "yes");
+        }
+        const Item stackup = setup.find("stackup");
+        m_stackupText = std::string(stackup.source());
+        if (length(setup, "solder_mask_min_width") > 0.0) {
+            m_canvas.report(Severity::Info, setup.line(),
+                            "openings of the solder mask are not joined by the minimum width of its webs");
+        }
+    }
+
+    void takeClass(const Item& netClass) {
+        for (const Item item : netClass) {
+            if (item.head() == "add_net") {
+                m_classes[item.text(1)] = netClass.text(1);
+            }
+        }
+        m_hasClasses = true;
+    }
+
+    void takeTitles(const Item& titles) {
+        constexpr std::array<std::pair<const char*, const char*>, 4> kTitles = {
+            {{"title", "TITLE"}, {"date", "ISSUE_DATE"}, {"rev", "REVISION"}, {"company", "COMPANY"}}};
+        for (const auto& [head, name] : kTitles) {
+            m_canvas.settings().variables.try_emplace(name, titles.find(head).text(1));
+        }
+        for (const Item item : titles) {
+            if (item.head() == "comment") {
+                m_canvas.settings().variables.try_emplace("COMMENT" + item.text(1), item.text(2));
+            }
+        }
+    }
+
+    // ---- drawing ----
+
+    void takeGraphic(const Item& item) {
+        Origin origin;
+        origin.line = item.line();
+        origin.net = m_canvas.netOf(item);
+        drawGraphic(m_canvas, item, {}, origin);
+        if (item.find("layer").word(1) == "Edge.Cuts") {
+            if (const std::optional<Graphic> graphic = graphicOf(m_canvas, item, {})) {
+                addEdges(*graphic, m_outline);
+            }
+        }
+    }
+
+    void takeText(const Item& item) {
+        if (isHidden(item)) {
+            return;
+        }
+        Origin origin;
+        origin.line = item.line();
+        const Variables variables = [this](std::string_view name) -> std::optional<std::string> {
+            const auto& known = m_canvas.settings().variables;
+            const auto found = known.find(name);
+            return found == known.end() ? std::nullopt : std::optional(found->second);
+        };
+        const std::optional<PointD> at = point(item, "at");
+        const double degrees = numberOf(item.find("at").word(3)).value_or(0.0);
+        drawText(m_canvas, {item, withVariables(item.text(1), variables), {at.value_or(PointD()), degrees}, false},
+                 origin);
+    }
+
+    /// Up to KiCad 5 a dimension holds its lines; later ones only its text.
+    void takeDimension(const Item& dimension) {
+        Origin origin;
+        origin.line = dimension.line();
+        const std::vector<std::int32_t> rows = m_canvas.rowsOf(dimension);
+        double width = length(dimension, "width");
+        width = width > 0.0 ? width : lengthOf(dimension.find("style").find("thickness").word(1)).value_or(100'000.0);
+        bool hasLines = false;
+        for (const Item item : dimension) {
+            if (item.head() == "gr_text") {
+                takeText(item);
+                continue;
+            }
+            const Item pts = item.isList() && item.head() != "pts" ? item.find("pts") : Item();
+            const std::vector<PathNode> nodes = pts.isThere() ? pathOf(m_canvas, pts, {}) : std::vector<PathNode>();
+            for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+                hasLines = true;
+                for (const std::int32_t row : rows) {
+                    m_canvas.drawEdge(row, origin, nodes[i], nodes[i + 1].point, width);
+                }
+            }
+        }
+        if (!hasLines) {
+            drawAlignedDimension(dimension, rows, origin, width);
+        }
+    }
+
+    /// The line between the two points, moved aside by the height, with the lines that lead to it.
+    void drawAlignedDimension(const Item& dimension, const std::vector<std::int32_t>& rows, const Origin& origin,
+                              double width) {
+        const std::vector<PathNode> nodes = pathOf(m_canvas, dimension.find("pts"), {});
+        const std::string_view type = dimension.find("type").word(1);
+        if (nodes.size() != 2 || (type != "aligned" && type != "orthogonal")) {
+            m_canvas.report(Severity::Info, dimension.line(),
+                            "of leaders and radial dimensions only the text is drawn");
+            return;
+        }
+        const PointD a = base::toDouble(nodes[0].point);
+        const PointD b = base::toDouble(nodes[1].point);
+        const double height = length(dimension, "height");
+        const bool isUpright = number(dimension, "orientation") == 1.0;
+        const double reach = std::hypot(b.x - a.x, b.y - a.y);
+        const PointD aside = type == "orthogonal" ? (isUpright ? PointD{height, 0.0} : PointD{0.0, -height})
+                             : reach > 0.0        ? PointD{height * (b.y - a.y) / reach, -height * (b.x - a.x) / reach}
+                                                  : PointD();
+        const PointD c = {a.x + aside.x, a.y + aside.y};
+        const PointD d = type == "aligned" ? PointD{b.x + aside.x, b.y + aside.y}
+                         : isUpright       ? PointD{c.x, b.y}
+                                           : PointD{b.x, c.y};
+        for (const auto& [from, to] : {std::pair(a, c), std::pair(b, d), std::pair(c, d)}) {
+            const std::optional<Point> p = m_canvas.onGrid(from, origin.line);
+            const std::optional<Point> q = m_canvas.onGrid(to, origin.line);
+            for (const std::int32_t row : p&& q ? rows : std::vector<std::int32_t>()) {
+                m_canvas.drawEdge(row, origin, {*p, {}, EdgeKind::Line}, *q, width);
+            }
+        }
+    }
+
+    // ---- the end ----
+
+    void setProfile() {
+        const Chains chains = chained(m_outline, kOutlineJoint);
+        m_canvas.step().profile = nested(chains.loops);
+        if (!chains.open.empty()) {
+            m_canvas.report(Severity::Warning, 0,
+                            "lines on Edge.Cuts that close no outline were left out of the board's outline");
+        }
+        if (chains.widestJoint > kSameEnd) {
+            m_canvas.report(Severity::Info, 0, "ends on Edge.Cuts that lie up to 10 µm apart were joined");
+        }
+    }
+
+    void setClasses() {
+        const bool isKnown = m_hasClasses || !m_project.classOfNet.empty() || !m_project.classPatterns.empty();
+        for (formats::DrawnNet& net : m_canvas.step().nets) {
+            const auto own = m_classes.find(net.name);
+            if (isKnown) {
+                net.properties.emplace_back("net_class",
+                                            own != m_classes.end() ? own->second : m_project.classOf(net.name));
+            }
+        }
+    }
+
+    void describe() {
+        formats::DrawnJob& job = m_canvas.job();
+        job.info.generator = m_generator;
+        job.info.version = versionName(m_canvas.settings().version);
+        job.info.units = "MM";
+        if (m_thickness <= 0.0) {
+            return;
+        }
+        double masks = 0.0;
+        for (const formats::DrawnLayer& layer : job.layers) {
+            masks += layer.type == LayerType::SolderMask ? layer.facts.thicknessNm.value_or(0.0) : 0.0;
+        }
+        // KiCad's thickness counts the masks.
+        job.boardNm = m_thickness - masks;
+    }
+
+    Canvas m_canvas;
+    const Project& m_project;
+    std::vector<ChainEdge> m_outline;
+    Pads m_pads;
+    Footprints m_footprints;
+    std::string m_layersText;
+    std::string m_stackupText;
+    std::string m_generator;
+    std::map<std::string, std::string, std::less<>> m_classes;
+    bool m_hasClasses = false;
+    bool m_isSettled = false;
+    double m_thickness = 0.0;
+};
+
+}  // namespace
+
+base::Result<formats::DrawnJob> drawBoard(std::string_view text, std::string_view file, const Project& project,
+                                          base::Progress& progress) {
+    formats::DrawnJob job;
+    BoardItems items(text, file, job.diagnostics);
+    if (!items.isBoard()) {
+        return base::Error{base::ErrorCode::BadInput, "this is no board of KiCad"};
+    }
+    BoardMaker maker(job, file, project);
+    Item item;
+    for (std::size_t count = 0; items.next(item); ++count) {
+        maker.take(item);
+        if (count % 256 == 0) {
+            progress.setFraction(items.fractionRead());
+            if (progress.isCancelled()) {
+                return base::Error{base::ErrorCode::Cancelled, "cancelled"};
+            }
+        }
+    }
+    if (!maker.finish()) {
+        return base::Error{base::ErrorCode::BadInput, "the board has no copper layers"};
+    }
+    return job;
+}
+
+}  // namespace model::kicad

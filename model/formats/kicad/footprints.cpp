@@ -1,0 +1,276 @@
+#include "model/formats/kicad/footprints.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "model/formats/kicad/text/values.h"
+#include "model/formats/kicad/texts.h"
+#include "model/formats/kicad/zones.h"
+#include "model/geometry/outlines.h"
+
+namespace model::kicad {
+
+namespace {
+
+using formats::DrawnComponent;
+using formats::DrawnPackage;
+using formats::kNoRow;
+
+constexpr double kJoint = 10'000.0;
+constexpr std::array<std::string_view, 6> kMarks = {
+    "exclude_from_bom", "exclude_from_pos_files", "board_only", "allow_missing_courtyard", "dnp", "virtual"};
+
+/// Largest closed outline of drawn shapes; the box around them all where none is closed.
+ShapeSketch bodyOf(const std::vector<Graphic>& graphics) {
+    std::vector<ChainEdge> edges;
+    Box around;
+    for (const Graphic& graphic : graphics) {
+        addEdges(graphic, edges);
+        for (const PathNode& node : graphic.nodes) {
+            around.include(node.point);
+        }
+    }
+    ShapeSketch body;
+    std::int64_t largest = 0;
+    for (const std::vector<PathNode>& loop : chained(edges, kJoint).loops) {
+        const Box box = boxOfPath(PathNodes(loop), true);
+        const std::int64_t area = box.width() * box.height();
+        if (area > largest) {
+            largest = area;
+            body = {};
+            addPath(body, loop, false);
+        }
+    }
+    if (body.isEmpty() && around.width() > 0 && around.height() > 0) {
+        addBox(body, around);
+    }
+    return body;
+}
+
+void append(std::string& key, std::int64_t value) {
+    key.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+void append(std::string& key, const ShapeSketch& sketch) {
+    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
+        append(key, sketch.isHole(i) ? -1 : -2);
+        for (const PathNode& node : sketch.contour(i)) {
+            for (const std::int64_t value : {std::int64_t{node.point.x}, std::int64_t{node.point.y},
+                                             std::int64_t{node.centre.x}, std::int64_t{node.centre.y}}) {
+                append(key, value);
+            }
+            append(key, static_cast<std::int64_t>(node.edge));
+        }
+    }
+}
+
+std::string keyOf(const DrawnPackage& package) {
+    std::string key = package.name + '\n';
+    append(key, package.outline);
+    for (const formats::DrawnPackagePin& pin : package.pins) {
+        key += pin.name + '\n';
+        append(key, pin.position.x);
+        append(key, pin.position.y);
+        append(key, static_cast<std::int64_t>(pin.kind));
+        append(key, pin.outline);
+    }
+    return key;
+}
+
+/// One footprint.
+class FootprintMaker {
+public:
+    FootprintMaker(Canvas& canvas, Pads& pads, std::vector<ChainEdge>& outline, const Item& footprint)
+        : m_canvas(canvas), m_pads(pads), m_outline(outline), m_item(footprint) {
+        m_owner.frame.origin = point(footprint, "at").value_or(PointD());
+        m_owner.frame.degrees = numberOf(footprint.find("at").word(3)).value_or(0.0);
+        m_owner.isOnBack = canvas.layers().nameOf(canvas.layers().row(footprint.find("layer").word(1))) == "B.Cu";
+        m_owner.maskMargin = lengthOf(footprint.find("solder_mask_margin").word(1));
+        m_owner.pasteMargin = lengthOf(footprint.find("solder_paste_margin").word(1));
+        m_owner.pasteRatio = numberOf(footprint.find("solder_paste_margin_ratio").word(1));
+        if (!m_owner.pasteRatio) {
+            m_owner.pasteRatio = numberOf(footprint.find("solder_paste_ratio").word(1));
+        }
+    }
+
+    /// Is there room for it?
+    bool begin() {
+        const std::optional<Point> at = m_canvas.onGrid(m_owner.frame.origin, m_item.line());
+        if (!at) {
+            return false;
+        }
+        const std::string name = m_item.text(1);
+        const std::size_t colon = name.find(':');
+        DrawnPackage package;
+        package.name = colon == std::string::npos ? name : name.substr(colon + 1);
+        DrawnComponent component;
+        component.position = *at;
+        component.package = static_cast<std::int32_t>(m_canvas.step().packages.size());
+        component.side = m_owner.isOnBack ? LayerSide::Bottom : LayerSide::Top;
+        component.isMirrored = m_owner.isOnBack;
+        // What is on the back was turned over its horizontal axis: mirrored x to -x, and half a turn.
+        component.clockwiseDeg =
+            std::fmod((m_owner.isOnBack ? m_owner.frame.degrees + 180.0 : -m_owner.frame.degrees) + 720.0, 360.0);
+        component.line = m_item.line();
+        m_owner.component = static_cast<std::int32_t>(m_canvas.step().components.size());
+        m_canvas.step().packages.push_back(std::move(package));
+        m_canvas.step().components.push_back(std::move(component));
+        return true;
+    }
+
+    void draw() {
+        readFacts();
+        for (const Item item : m_item) {
+            const std::string_view head = item.head();
+            if (head == "pad") {
+                m_pads.drawPad(item, m_owner);
+            } else if (isGraphic(head)) {
+                addGraphic(item);
+            } else if (head == "fp_text" || head == "property") {
+                addText(item);
+            } else if (head == "fp_text_box" || head == "fp_table" || head == "image" || head == "barcode") {
+                m_canvas.report(Severity::Info, item.line(),
+                                "text boxes, tables, images and barcodes of footprints are not drawn");
+            } else if (head == "zone") {
+                drawZone(m_canvas, item);
+            } else if (head == "dimension") {
+                m_canvas.report(Severity::Info, item.line(), "dimensions of footprints are not drawn");
+            }
+        }
+        package().outline.append(bodyOf(m_fab.empty() ? m_courtyard : m_fab),
+                                 {{}, m_owner.isOnBack ? 180.0 : 0.0, m_owner.isOnBack});
+    }
+
+private:
+    [[nodiscard]] DrawnComponent& component() {
+        return m_canvas.step().components[static_cast<std::size_t>(m_owner.component)];
+    }
+    [[nodiscard]] DrawnPackage& package() {
+        return m_canvas.step().packages[static_cast<std::size_t>(component().package)];
+    }
+
+    void readFacts() {
+        const Item attr = m_item.find("attr");
+        component().mount = attr.hasWord("smd")            ? MountType::Surface
+                            : attr.hasWord("through_hole") ? MountType::ThroughHole
+                                                           : MountType::Unknown;
+        component().isPopulated = !attr.hasWord("dnp");
+        for (const Item item : m_item) {
+            if (item.head() == "property") {
+                readProperty(item.text(1), item.text(2));
+            } else if (item.head() == "fp_text" && item.word(1) != "user") {
+                readProperty(item.word(1) == "reference" ? "Reference" : "Value", item.text(2));
+            }
+        }
+        for (const std::string_view mark : kMarks) {
+            if (attr.hasWord(mark)) {
+                component().properties.emplace_back(mark, "yes");
+            }
+        }
+        for (const char* head : {"descr", "tags", "sheetname", "sheetfile", "uuid", "tstamp"}) {
+            const std::string value = m_item.find(head).text(1);
+            if (!value.empty()) {
+                component().properties.emplace_back(std::string(head) == "tstamp" ? "uuid" : head, value);
+            }
+        }
+    }
+
+    void readProperty(const std::string& name, const std::string& value) {
+        if (name == "Reference") {
+            component().refdes = value;
+        } else if (name == "Value") {
+            component().part = value;
+        } else if (!value.empty() && !name.starts_with("ki_")) {
+            component().properties.emplace_back(name, value);
+        }
+    }
+
+    void addGraphic(const Item& item) {
+        const std::int32_t row = m_canvas.layers().row(item.find("layer").word(1));
+        const std::string& layer = m_canvas.layers().nameOf(row);
+        const bool isFab = layer.ends_with(".Fab");
+        const bool isCourtyard = layer.ends_with(".CrtYd");
+        Origin origin;
+        origin.line = item.line();
+        origin.net = m_canvas.netOf(item);
+        origin.component = m_owner.component;
+        drawGraphic(m_canvas, item, m_owner.frame, origin);
+        if (!isFab && !isCourtyard && layer != "Edge.Cuts") {
+            return;
+        }
+        const std::optional<Graphic> graphic =
+            graphicOf(m_canvas, item, layer == "Edge.Cuts" ? m_owner.frame : Frame());
+        if (graphic && layer == "Edge.Cuts") {
+            addEdges(*graphic, m_outline);
+        } else if (graphic) {
+            (isFab ? m_fab : m_courtyard).push_back(*graphic);
+        }
+    }
+
+    void addText(const Item& item) {
+        const std::optional<PointD> at = point(item, "at");
+        if (!at || isHidden(item) || !item.find("effects").isThere()) {
+            return;
+        }
+        const double degrees = numberOf(item.find("at").word(3)).value_or(0.0);
+        Origin origin;
+        origin.line = item.line();
+        origin.component = m_owner.component;
+        const Variables variables = [&](std::string_view name) { return variable(name); };
+        TextPlace place{item, withVariables(item.text(2), variables), {m_owner.frame.apply(*at), degrees}, true};
+        place.isUpright = !item.isSet("unlocked") && !item.find("at").hasWord("unlocked");
+        drawText(m_canvas, place, origin);
+    }
+
+    std::optional<std::string> variable(std::string_view name) {
+        if (name == "REFERENCE") {
+            return component().refdes;
+        }
+        if (name == "VALUE") {
+            return component().part;
+        }
+        for (const auto& [property, value] : component().properties) {
+            if (property == name) {
+                return value;
+            }
+        }
+        const auto& variables = m_canvas.settings().variables;
+        const auto found = variables.find(name);
+        return found == variables.end() ? std::nullopt : std::optional(found->second);
+    }
+
+    Canvas& m_canvas;
+    Pads& m_pads;
+    std::vector<ChainEdge>& m_outline;
+    const Item& m_item;
+    PadOwner m_owner;
+    std::vector<Graphic> m_fab;
+    std::vector<Graphic> m_courtyard;
+};
+
+}  // namespace
+
+void addEdges(const Graphic& graphic, std::vector<ChainEdge>& edges) {
+    for (std::size_t i = 0; i < graphic.edgeCount(); ++i) {
+        edges.push_back({graphic.nodes[i], graphic.endOf(i)});
+    }
+}
+
+void Footprints::draw(const Item& footprint) {
+    FootprintMaker maker(m_canvas, m_pads, m_outline, footprint);
+    if (!maker.begin()) {
+        return;
+    }
+    maker.draw();
+    std::vector<DrawnPackage>& packages = m_canvas.step().packages;
+    const auto row = static_cast<std::int32_t>(packages.size()) - 1;
+    const auto [found, isNew] = m_packages.try_emplace(keyOf(packages.back()), row);
+    if (!isNew) {
+        packages.pop_back();
+        m_canvas.step().components.back().package = found->second;
+    }
+}
+
+}  // namespace model::kicad

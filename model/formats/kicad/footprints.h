@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "model/formats/kicad/canvas.h"
+#include "model/formats/kicad/graphics.h"
+#include "model/formats/kicad/pads.h"
+#include "model/formats/kicad/shapes/chains.h"
+#include "model/formats/kicad/text/tree.h"
+
+namespace model::kicad {
+
+/// The edges of a graphic, for chains.
+void addEdges(const Graphic& graphic, std::vector<ChainEdge>& edges);
+
+/// Draws footprints, with a component and its package for each. What they draw on Edge.Cuts is part of the board's
+/// outline and goes to `outline`. The body of a package is the largest outline that its fabrication layer draws, else
+/// its courtyard's.
+class Footprints {
+public:
+    /// All must live as long as this.
+    Footprints(Canvas& canvas, Pads& pads, std::vector<ChainEdge>& outline)
+        : m_canvas(canvas), m_pads(pads), m_outline(outline) {}
+
+    /// (footprint …), before KiCad 6 (module …).
+    void draw(const Item& footprint);
+
+private:
+    Canvas& m_canvas;
+    Pads& m_pads;
+    std::vector<ChainEdge>& m_outline;
+    std::unordered_map<std::string, std::int32_t> m_packages;  ///< by all that they hold
+};
+
+}  // namespace model::kicad

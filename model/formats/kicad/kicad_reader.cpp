@@ -1,0 +1,110 @@
+#include "model/formats/kicad/kicad_reader.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/formats/drawing/assembly.h"
+#include "model/formats/kicad/board_drawing.h"
+#include "model/formats/kicad/project.h"
+#include "model/text/whole_file.h"
+
+namespace model::kicad {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Board = base::Result<std::shared_ptr<const Document>>;
+
+constexpr std::string_view kBoard = ".kicad_pcb";
+constexpr std::string_view kProject = ".kicad_pro";
+
+/// Rows of the boards, those with a project beside them first.
+std::vector<int> boardsIn(const formats::Archive& archive) {
+    std::vector<int> boards;
+    for (const auto& [path, row] : archive.rows()) {
+        const std::size_t slash = path.rfind('/');
+        const std::string_view name = std::string_view(path).substr(slash == std::string::npos ? 0 : slash + 1);
+        // KiCad's own safety copies
+        const bool isCopy =
+            name.starts_with("_autosave-") || name.starts_with("._") || path.find("-backups/") != std::string::npos;
+        if (path.ends_with(kBoard) && !isCopy) {
+            boards.push_back(row);
+        }
+    }
+    std::ranges::stable_partition(boards, [&](int row) {
+        std::string path = archive.path(row);
+        return archive.find(path.replace(path.size() - kBoard.size(), kBoard.size(), kProject)) >= 0;
+    });
+    return boards;
+}
+
+struct Source {
+    fs::path path;     ///< for errors
+    std::string file;  ///< for messages
+    std::string_view text;
+    Project project;
+    Diagnostics diagnostics;
+};
+
+Board make(Source source, base::Progress& progress, const base::Stopwatch& reading) {
+    progress.beginPhase("Reading the board");
+    base::Result<formats::DrawnJob> job = drawBoard(source.text, source.file, source.project, progress);
+    if (!job) {
+        return base::Error{job.error().code, source.path.string() + ": " + job.error().text};
+    }
+    source.diagnostics.append(job->diagnostics);
+    job->diagnostics = std::move(source.diagnostics);
+    job->info.name = fs::path(source.file).stem().string();
+    return formats::assemble(std::move(*job), reading.milliseconds(), progress);
+}
+
+}  // namespace
+
+bool holdsBoard(const formats::Archive& archive) {
+    return !boardsIn(archive).empty();
+}
+
+Board readBoard(const fs::path& path, base::Progress& progress, const base::Stopwatch& reading) {
+    ASSIGN_OR_RETURN(const std::string text, readWholeFile(path));
+    Source source{path, path.filename().string(), text, {}, {}};
+    fs::path beside = path;
+    beside.replace_extension(kProject);
+    std::error_code error;
+    if (fs::is_regular_file(beside, error)) {
+        const base::Result<std::string> project = readWholeFile(beside);
+        if (project) {
+            source.project = readProject(*project, beside.filename().string(), source.diagnostics);
+        } else {
+            source.diagnostics.report(Severity::Warning, beside.filename().string(), 0,
+                                      "the project beside the board cannot be read");
+        }
+    }
+    return make(std::move(source), progress, reading);
+}
+
+Board readBoard(const formats::Archive& archive, const fs::path& name, const Diagnostics& unpacking,
+                base::Progress& progress, const base::Stopwatch& reading) {
+    const std::vector<int> boards = boardsIn(archive);
+    if (boards.empty()) {
+        return base::Error{base::ErrorCode::BadInput, name.string() + ": there is no board of KiCad in it"};
+    }
+    const std::string file = archive.path(boards[0]);
+    ASSIGN_OR_RETURN(const formats::Bytes bytes, archive.bytes(boards[0]));
+    Source source{name / file, file, bytes.view(), {}, {}};
+    source.diagnostics.append(unpacking);
+    std::string beside = file;
+    const int row = archive.find(beside.replace(beside.size() - kBoard.size(), kBoard.size(), kProject));
+    if (row >= 0) {
+        ASSIGN_OR_RETURN(const formats::Bytes project, archive.bytes(row));
+        source.project = readProject(project.view(), beside, source.diagnostics);
+    }
+    for (std::size_t i = 1; i < boards.size(); ++i) {
+        source.diagnostics.report(Severity::Warning, archive.path(boards[i]), 0,
+                                  "this is another board beside the one that is shown; it was not read");
+    }
+    return make(std::move(source), progress, reading);
+}
+
+}  // namespace model::kicad

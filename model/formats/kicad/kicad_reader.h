@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "model/base/progress.h"
+#include "model/base/result.h"
+#include "model/base/stopwatch.h"
+#include "model/board/document.h"
+#include "model/formats/common/archive.h"
+
+/// Boards of KiCad 4 to 10: .kicad_pcb, with the .kicad_pro beside it.
+namespace model::kicad {
+
+/// Is there a .kicad_pcb among the files?
+[[nodiscard]] bool holdsBoard(const formats::Archive& archive);
+
+/// Reads a board from its file; a project of the same name beside it is read too. Errors: BadInput, Cancelled.
+[[nodiscard]] base::Result<std::shared_ptr<const Document>> readBoard(const std::filesystem::path& path,
+                                                                      base::Progress& progress,
+                                                                      const base::Stopwatch& reading);
+
+/// Reads the board of a project in a folder or an archive: where there are several, the one with a project of the same
+/// name, else the first one by name; the others are named in a message. Errors as above.
+[[nodiscard]] base::Result<std::shared_ptr<const Document>> readBoard(const formats::Archive& archive,
+                                                                      const std::filesystem::path& name,
+                                                                      const Diagnostics& unpacking,
+                                                                      base::Progress& progress,
+                                                                      const base::Stopwatch& reading);
+
+}  // namespace model::kicad

@@ -1,0 +1,104 @@
+#include "model/formats/kicad/project.h"
+
+#include <nlohmann/json.hpp>
+
+#include "model/formats/kicad/text/values.h"
+
+namespace model::kicad {
+
+namespace {
+
+using nlohmann::json;
+
+std::string textOf(const json& value) {
+    return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+const json& member(const json& object, const char* key) {
+    static const json kNothing;
+    const auto found = object.is_object() ? object.find(key) : object.end();
+    return object.is_object() && found != object.end() ? *found : kNothing;
+}
+
+/// Of KiCad 9 a net may have several classes; the first one counts most.
+std::string classNameOf(const json& value) {
+    return value.is_array() && !value.empty() ? textOf(value.front()) : textOf(value);
+}
+
+}  // namespace
+
+bool fits(std::string_view name, std::string_view pattern) {
+    std::size_t n = 0;
+    std::size_t p = 0;
+    std::size_t star = std::string_view::npos;
+    std::size_t behindStar = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            behindStar = n;
+        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+            ++p;
+            ++n;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            n = ++behindStar;
+        } else {
+            return false;
+        }
+    }
+    while (p < pattern.size() && pattern[p] == '*') {
+        ++p;
+    }
+    return p == pattern.size();
+}
+
+std::string Project::classOf(std::string_view net) const {
+    const std::string plain = nameOf(net);
+    const auto found = classOfNet.find(plain);
+    if (found != classOfNet.end()) {
+        return found->second;
+    }
+    for (const auto& [pattern, name] : classPatterns) {
+        if (fits(plain, pattern)) {
+            return name;
+        }
+    }
+    return "Default";
+}
+
+Project readProject(std::string_view text, std::string_view file, Diagnostics& diagnostics) {
+    Project project;
+    const json root = json::parse(text, nullptr, false, true);
+    if (!root.is_object()) {
+        diagnostics.report(Severity::Warning, file, 0,
+                           "the project beside the board is no JSON; text variables and net classes are missing");
+        return project;
+    }
+    for (const auto& [name, value] : member(root, "text_variables").items()) {
+        project.variables[name] = textOf(value);
+    }
+    const json& nets = member(root, "net_settings");
+    for (const auto& [net, value] : member(nets, "netclass_assignments").items()) {
+        const std::string name = classNameOf(value);
+        if (!name.empty()) {
+            project.classOfNet[nameOf(net)] = name;
+        }
+    }
+    for (const json& pattern : member(nets, "netclass_patterns")) {
+        const std::string name = textOf(member(pattern, "netclass"));
+        if (!name.empty()) {
+            project.classPatterns.emplace_back(nameOf(textOf(member(pattern, "pattern"))), name);
+        }
+    }
+    for (const json& netClass : member(nets, "classes")) {  // KiCad 6
+        for (const json& net : member(netClass, "nets")) {
+            const std::string name = textOf(member(netClass, "name"));
+            if (!name.empty() && name != "Default") {
+                project.classOfNet[nameOf(textOf(net))] = name;
+            }
+        }
+    }
+    return project;
+}
+
+}  // namespace model::kicad

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/formats/kicad/canvas.h"
+#include "model/formats/kicad/text/tree.h"
+
+namespace model::kicad {
+
+/// The value of a variable of a text, ${…}; none if there is none of that name.
+using Variables = std::function<std::optional<std::string>(std::string_view name)>;
+
+/// Fills in ${…}; what has no value stays as it is written.
+[[nodiscard]] std::string withVariables(std::string_view text, const Variables& variables);
+
+/// A text of KiCad where it lies: (at …), (effects …), (layer …), (render_cache …).
+struct TextPlace {
+    Item item;               ///< holds all of these
+    std::string text;        ///< as it is drawn, lines separated by \n
+    Frame frame;             ///< of (at …); its angle is the board's, not the footprint's
+    bool isUpright = false;  ///< of a footprint: turned by half a turn where it would stand on its head
+};
+
+/// Is it there to be seen? (hide yes), hide, (effects … hide).
+[[nodiscard]] bool isHidden(const Item& item);
+
+/// Draws it: the polygons that KiCad keeps of outline fonts, else strokes of the font that stands in for KiCad's (its
+/// letters look different and are about as wide), as a group of features. A knockout text is a box without its
+/// characters.
+void drawText(Canvas& canvas, const TextPlace& place, const Origin& origin);
+
+}  // namespace model::kicad

@@ -1,0 +1,238 @@
+#include "model/formats/kicad/board_drawing.h"
+
+#include <QtTest>
+#include <cmath>
+
+#include "model/geometry/discretise.h"
+#include "model/geometry/outlines.h"
+#include "model/geometry/region.h"
+#include "tests/unit/model/formats/kicad/kicad_testing.h"
+
+using namespace kicad_testing;
+
+namespace {
+
+double mm2(const ShapeSketch& sketch) {
+    return static_cast<double>(twiceArea(polygonsOf(sketch, {Discretisation::kMinChordNm, false}))) / 2e12;
+}
+
+}  // namespace
+
+class BoardDrawingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void layersHaveTheNamesOfUsersInPhysicalOrder() {
+        const DrawnJob job = drawn(fileText("small.kicad_pcb"));
+        std::vector<std::string> names;
+        for (const formats::DrawnLayer& layer : job.layers) {
+            names.push_back(layer.name);
+        }
+        const std::vector<std::string> expected = {"F.Silkscreen", "F.Paste",          "F.Mask",  "Top copper",
+                                                   "dielectric 1", "dielectric 1 (2)", "In1.Cu",  "dielectric 2",
+                                                   "B.Cu",         "B.Mask",           "B.Paste", "B.SilkS"};
+        QVERIFY(std::equal(expected.begin(), expected.end(), names.begin()));
+        QCOMPARE(job.layers[4].facts.thicknessNm, std::optional(2e5));
+        QCOMPARE(job.layers[4].facts.material.dielectricConstant, std::optional(4.2));
+        QCOMPARE(job.layers[5].facts.thicknessNm, std::optional(1e5));
+        QCOMPARE(job.layers[5].facts.material.name, std::string("1080"));
+        QCOMPARE(job.layers[5].facts.material.type, std::string("PREPREG"));
+        QCOMPARE(job.layers[6].type, LayerType::PowerGround);
+        QCOMPARE(job.boardNm, std::optional(1.58e6));
+    }
+
+    void padsLieWhereTheirFootprintPutsThem() {
+        const DrawnJob job = drawn(fileText("small.kicad_pcb"));
+        const auto& copper = on(job, "Top copper");
+        QCOMPARE(copper[0].a, (Point{10 * kMm, -11 * kMm}));
+        QCOMPARE(copper[0].clockwiseDeg, -90.0);
+        QCOMPARE(netOf(job, copper[0]), std::string("GND"));
+        QCOMPARE(copper[1].a, (Point{10 * kMm, -9 * kMm}));
+        QCOMPARE(netOf(job, copper[1]), std::string("A{slash}B"));
+        QVERIFY(std::abs(mm2(shapeOf(job, copper[1]).region) - (0.16 + 0.1 - 0.5 * 0.2 * 0.04)) < 1e-4);
+        QCOMPARE(shapeOf(job, on(job, "F.Mask")[0]).width, 1'100'000);
+        QCOMPARE(shapeOf(job, on(job, "F.Paste")[0]).width, 1'000'000);
+    }
+
+    void theHoleIsWhereThePadIsAndItsCopperIsMoved() {
+        const DrawnJob job = drawn(fileText("small.kicad_pcb"));
+        const auto& holes = on(job, "drill_plated_Top copper-B.Cu");
+        QCOMPARE(holes[0].kind, DrawnKind::Line);
+        QCOMPARE((Point{(holes[0].a.x + holes[0].b.x) / 2, holes[0].a.y}), (Point{20 * kMm, -9 * kMm}));
+        QCOMPARE(std::abs(holes[0].a.x - holes[0].b.x), 600'000);
+        QCOMPARE(holes[0].plating, Plating::Plated);
+        QCOMPARE(on(job, "B.Cu")[0].a, (Point{19'700'000, -9 * kMm}));
+        QCOMPARE(on(job, "drill_non-plated_Top copper-B.Cu").size(), std::size_t{1});
+        QCOMPARE(on(job, "B.Mask").size(), std::size_t{2});
+        QCOMPARE(on(job, "B.Cu").size(), std::size_t{3});  // pad, via, zone: none around the bare hole
+    }
+
+    void componentsAndPackagesAgree() {
+        const DrawnJob job = drawn(fileText("small.kicad_pcb"));
+        const auto& components = job.steps[0].components;
+        QCOMPARE(components.size(), std::size_t{2});
+        QCOMPARE(components[0].refdes, std::string("R1"));
+        QCOMPARE(components[0].part, std::string("10k"));
+        QVERIFY(!components[0].isPopulated);
+        QCOMPARE(components[0].mount, MountType::Surface);
+        QCOMPARE(components[1].side, LayerSide::Bottom);
+        for (const formats::DrawnComponent& component : components) {
+            const Placement placement{component.position, component.clockwiseDeg, *component.isMirrored};
+            const auto& package = job.steps[0].packages[static_cast<std::size_t>(component.package)];
+            QCOMPARE(component.pins.size(), package.pins.size());
+            for (std::size_t i = 0; i < component.pins.size(); ++i) {
+                QCOMPARE(placement.apply(package.pins[i].position), component.pins[i].position);
+            }
+            QVERIFY(!package.outline.isEmpty());
+        }
+        QCOMPARE(boxOf(job.steps[0].packages[0].outline).width(), std::int64_t{3 * kMm});
+    }
+
+    void viasReachFromLayerToLayer() {
+        const DrawnJob job = drawn(fileText("small.kicad_pcb"));
+        QCOMPARE(on(job, "drill_plated_Top copper-In1.Cu").size(), std::size_t{1});
+        QCOMPARE(on(job, "drill_plated_Top copper-In1.Cu")[0].plating, Plating::Via);
+        QCOMPARE(on(job, "drill_plated_Top copper-B.Cu").size(), std::size_t{2});
+        // The through via keeps no pad on the inner layer, where nothing ends at it; the header and the blind one do.
+        QCOMPARE(on(job, "In1.Cu").size(), std::size_t{3});
+        QCOMPARE(on(job, "F.Mask").size(), std::size_t{5});  // the blind via is not tented
+    }
+
+    void unusedLayersKeepWhatTracksReach() {
+        const std::string via =
+            "(via (at 1 1) (size 0.6) (drill 0.3) (layers \"F.Cu\" \"B.Cu\") (remove_unused_layers yes) "
+            "(keep_end_layers yes) (net 1))";
+        QCOMPARE(on(boardWith(via), "In1.Cu").size(), std::size_t{0});
+        QCOMPARE(on(boardWith(via), "F.Cu").size(), std::size_t{1});
+        const std::string track = "(segment (start 1.1 1) (end 5 1) (width 0.2) (layer \"In1.Cu\") (net 1))";
+        QCOMPARE(on(boardWith(via + track), "In1.Cu").size(), std::size_t{2});
+        const std::string other = "(segment (start 1.1 1) (end 5 1) (width 0.2) (layer \"In1.Cu\") (net 0))";
+        QCOMPARE(on(boardWith(via + other), "In1.Cu").size(), std::size_t{1});
+    }
+
+    void viasAreTentedUnlessSaidOtherwise() {
+        const std::string via = "(via (at 1 1) (size 0.6) (drill 0.3) (layers \"F.Cu\" \"B.Cu\") (net 1) ";
+        QCOMPARE(on(boardWith(via + ")"), "F.Mask").size(), std::size_t{0});
+        QCOMPARE(on(boardWith(via + ")", "(tenting back)"), "F.Mask").size(), std::size_t{1});
+        QCOMPARE(on(boardWith(via + ")", "(tenting (front no) (back yes))"), "F.Mask").size(), std::size_t{1});
+        QCOMPARE(on(boardWith(via + "(tenting back))"), "F.Mask").size(), std::size_t{1});
+        QCOMPARE(on(boardWith(via + "(tenting (front yes) (back no)))"), "B.Mask").size(), std::size_t{1});
+        const DrawnJob old = boardWith(via + ")", "(pcbplotparams (viasonmask true))", "20221018");
+        QCOMPARE(on(old, "B.Mask").size(), std::size_t{1});
+    }
+
+    void padStacksDifferByLayer() {
+        const DrawnJob job = boardWith(
+            "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (pad \"1\" thru_hole circle (at 0 0) (size 2 2) (drill 1) "
+            "(layers \"*.Cu\") (padstack (mode front_inner_back) (layer \"Inner\" (shape rect) (size 1.5 1.4)) "
+            "(layer \"B.Cu\" (shape circle) (size 1.8 1.8)))))");
+        QCOMPARE(shapeOf(job, on(job, "F.Cu")[0]).width, 2 * kMm);
+        QCOMPARE(shapeOf(job, on(job, "In1.Cu")[0]).height, 1'400'000);
+        QCOMPARE(shapeOf(job, on(job, "B.Cu")[0]).width, 1'800'000);
+    }
+
+    void pasteShrinksByMarginAndRatio() {
+        const DrawnJob job = boardWith(
+            "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (solder_paste_margin_ratio -0.15) (pad \"1\" smd rect (at 0 0) "
+            "(size 0.8 0.815) (layers \"F.Cu\" \"F.Paste\")) (pad \"\" smd rect (at 5 0) (size 1 1) (layers "
+            "\"F.Paste\")))");
+        QCOMPARE(shapeOf(job, on(job, "F.Paste")[0]).width, 560'000);
+        QCOMPARE(shapeOf(job, on(job, "F.Paste")[0]).height, 570'500);
+        QCOMPARE(shapeOf(job, on(job, "F.Paste")[1]).width, 1'000'000);
+    }
+
+    void oldFillsAreGrownAndNewOnesAreNot() {
+        const std::string zone = "(zone (net 1) (net_name \"GND\") (layer \"F.Cu\") (min_thickness 0.2) ";
+        const std::string fill = "(filled_polygon (layer \"F.Cu\") (pts (xy 0 0) (xy 4 0) (xy 4 4) (xy 0 4))))";
+        const auto areaOf = [](const DrawnJob& job) {
+            return mm2(job.steps[0].regions[static_cast<std::size_t>(on(job, "F.Cu")[0].region)]);
+        };
+        const double grown = 16 + 1.6 + 0.0314159;
+        QVERIFY(std::abs(areaOf(boardWith(zone + fill, "", "20211014")) - grown) < 1e-3);
+        QVERIFY(std::abs(areaOf(boardWith(zone + "(filled_areas_thickness no)" + fill, "", "20211014")) - 16.0) < 1e-9);
+        QVERIFY(std::abs(areaOf(boardWith(zone + fill, "", "20260206")) - 16.0) < 1e-9);
+    }
+
+    void zonesWithoutFillAreReported() {
+        const DrawnJob job = boardWith("(zone (net 1) (layer \"F.Cu\") (polygon (pts (xy 0 0) (xy 4 0) (xy 4 4))))");
+        QCOMPARE(on(job, "F.Cu").size(), std::size_t{0});
+        QCOMPARE(messages(job.diagnostics, "not filled"), 1U);
+    }
+
+    void netsHaveNamesOrNumbers() {
+        const DrawnJob job = boardWith(
+            "(segment (start 0 0) (end 1 0) (width 0.2) (layer \"F.Cu\") (net \"NEW\"))"
+            "(segment (start 0 0) (end 1 0) (width 0.2) (layer \"F.Cu\") (net 1))"
+            "(segment (start 0 0) (end 1 0) (width 0.2) (layer \"F.Cu\") (net 7))");
+        QCOMPARE(netOf(job, on(job, "F.Cu")[0]), std::string("NEW"));
+        QCOMPARE(netOf(job, on(job, "F.Cu")[1]), std::string("GND"));
+        QCOMPARE(netOf(job, on(job, "F.Cu")[2]), std::string());
+        QCOMPARE(messages(job.diagnostics, "number of a net"), 1U);
+    }
+
+    void netsHaveTheirClassAsAProperty() {
+        kicad::Project project;
+        project.classPatterns.emplace_back("G*", "Power");
+        const DrawnJob job = drawn(fileText("small.kicad_pcb"), project);
+        QCOMPARE(job.steps[0].nets[0].properties, (formats::Words{{"net_class", "Power"}}));
+        QCOMPARE(job.steps[0].nets[1].properties, (formats::Words{{"net_class", "Default"}}));
+    }
+
+    void theOutlineHasItsCutOuts() {
+        const DrawnJob job = drawn(fileText("small.kicad_pcb"));
+        QVERIFY(std::abs(mm2(job.steps[0].profile) - (600.0 - 3.14159265)) < 5e-3);
+    }
+
+    void textsAreDrawnWithTheirVariables() {
+        const DrawnJob job = drawn(fileText("small.kicad_pcb"));
+        std::vector<std::string> texts;
+        for (const formats::DrawnGroup& group : job.steps[0].groups) {
+            texts.push_back(group.properties[0].second);
+            QVERIFY(!group.features.empty());
+        }
+        std::ranges::sort(texts);
+        QCOMPARE(texts, (std::vector<std::string>{"30", "Conn", "J1", "R1", "Small board B", "cached"}));
+    }
+
+    void oldBoardsAreRead() {
+        const DrawnJob job = drawn(fileText("old.kicad_pcb"));
+        QCOMPARE(job.info.version, std::string("KiCad 4 (4)"));
+        QCOMPARE(job.info.generator, std::string("pcbnew 4.0.7"));
+        QCOMPARE(on(job, "Top").size(), std::size_t{3});
+        QCOMPARE(shapeOf(job, on(job, "drill_plated_Top-Bottom")[1]).width, 400'000);
+        QCOMPARE(on(job, "F.Mask").size(), std::size_t{2});
+        QVERIFY(std::abs(mm2(job.steps[0].profile) - 100.0) < 1e-9);
+        QCOMPARE(job.steps[0].components[0].refdes, std::string("U1"));
+        const auto& region = job.steps[0].regions[static_cast<std::size_t>(on(job, "Bottom").back().region)];
+        QVERIFY(std::abs(mm2(region) - (16 + 1.6 + 0.0314159)) < 1e-3);
+        // Centre, start and a quarter turn clockwise.
+        const DrawnFeature& arc = on(job, "F.SilkS")[static_cast<std::size_t>(on(job, "F.SilkS").size() - 1)];
+        QCOMPARE(arc.kind, DrawnKind::Arc);
+        QVERIFY(arc.isClockwise);
+        QCOMPARE(arc.a, (Point{6 * kMm, -5 * kMm}));
+        QCOMPARE(arc.b, (Point{5 * kMm, -6 * kMm}));
+    }
+
+    void whatIsOutOfRangeIsReported() {
+        const DrawnJob job = boardWith(
+            "(segment (start 0 0) (end 1e6 0) (width 0.2) (layer \"F.Cu\") (net 1))"
+            "(footprint \"x\" (layer \"F.Cu\") (at 1e5 0) (pad \"1\" smd rect (at 0 0) (size 1 1) (layers \"F.Cu\")))"
+            "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (pad \"1\" smd rect (at 0 0) (size 1e5 1) (layers \"F.Cu\")))");
+        QCOMPARE(on(job, "F.Cu").size(), std::size_t{0});
+        QVERIFY(messages(job.diagnostics, "coordinate range") >= 3U);
+    }
+
+    void aBoardWithoutCopperIsNone() {
+        base::Progress progress;
+        const auto job = kicad::drawBoard("(kicad_pcb (version 4))", "x", {}, progress);
+        QVERIFY(!job);
+        QCOMPARE(job.error().code, base::ErrorCode::BadInput);
+        progress.cancel();
+        const auto cancelled = kicad::drawBoard(fileText("small.kicad_pcb"), "x", {}, progress);
+        QVERIFY(!cancelled);
+        QCOMPARE(cancelled.error().code, base::ErrorCode::Cancelled);
+    }
+};
+
+QTEST_APPLESS_MAIN(BoardDrawingTest)
+#include "board_drawing_test.moc"
