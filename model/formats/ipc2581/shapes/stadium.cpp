@@ -23,25 +23,31 @@ struct Frame {
     double left = std::numeric_limits<double>::lowest();
     double right = std::numeric_limits<double>::max();
 
-    void include(Point p) {
-        const double s = along.x * p.x + along.y * p.y;
+    [[nodiscard]] double alongOf(PointD p) const { return along.x * p.x + along.y * p.y; }
+    void include(PointD p) {
         const double t = along.x * p.y - along.y * p.x;
-        low = std::min(low, s);
-        high = std::max(high, s);
+        low = std::min(low, alongOf(p));
+        high = std::max(high, alongOf(p));
         left = std::max(left, t);
         right = std::min(right, t);
     }
     [[nodiscard]] PointD at(double s, double t) const { return {along.x * s - along.y * t, along.y * s + along.x * t}; }
 };
 
-PointD longestEdge(const PathNodes& nodes) {
-    PointD longest;
+struct Side {
+    PointD from;
+    PointD to;
+};
+
+Side longestSide(const PathNodes& nodes) {
+    Side longest;
+    double length = 0.0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const Point end = nodes.endOf(i);
-        const PointD edge = {static_cast<double>(end.x) - nodes[i].point.x,
-                             static_cast<double>(end.y) - nodes[i].point.y};
-        if (nodes[i].edge == EdgeKind::Line && std::hypot(edge.x, edge.y) > std::hypot(longest.x, longest.y)) {
-            longest = edge;
+        const Side side = {base::toDouble(nodes[i].point), base::toDouble(nodes.endOf(i))};
+        const double of = std::hypot(side.to.x - side.from.x, side.to.y - side.from.y);
+        if (nodes[i].edge == EdgeKind::Line && of > length) {
+            longest = side;
+            length = of;
         }
     }
     return longest;
@@ -49,9 +55,30 @@ PointD longestEdge(const PathNodes& nodes) {
 
 double distance(PointD p, PointD a, PointD b) {
     const PointD ab = {b.x - a.x, b.y - a.y};
-    const double length = ab.x * ab.x + ab.y * ab.y;
-    const double part = std::clamp(((p.x - a.x) * ab.x + (p.y - a.y) * ab.y) / length, 0.0, 1.0);
+    const double square = ab.x * ab.x + ab.y * ab.y;
+    const double part = square > 0 ? std::clamp(((p.x - a.x) * ab.x + (p.y - a.y) * ab.y) / square, 0.0, 1.0) : 0.0;
     return std::hypot(p.x - a.x - part * ab.x, p.y - a.y - part * ab.y);
+}
+
+/// The stadium from `a` to `b` that all nodes lie on.
+std::optional<Stadium> stadiumBetween(const PathNodes& nodes, PointD a, PointD b) {
+    double radius = 0.0;  // the mean: corners are rounded
+    for (const PathNode& node : nodes) {
+        radius += distance(base::toDouble(node.point), a, b) / static_cast<double>(nodes.size());
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const Point end = nodes.endOf(i);
+        const PointD half = {(static_cast<double>(nodes[i].point.x) + end.x) / 2,
+                             (static_cast<double>(nodes[i].point.y) + end.y) / 2};
+        const PointD centre = base::toDouble(nodes[i].centre);
+        const double off =
+            std::min(std::hypot(centre.x - a.x, centre.y - a.y), std::hypot(centre.x - b.x, centre.y - b.y));
+        const bool isRound = isArc(nodes[i].edge) ? off <= kTolerance : distance(half, a, b) >= kNearestChord * radius;
+        if (!isRound || std::abs(distance(base::toDouble(nodes[i].point), a, b) - radius) > kTolerance) {
+            return std::nullopt;
+        }
+    }
+    return Stadium{rounded(a), rounded(b), static_cast<Nm>(std::llround(2 * radius))};
 }
 
 }  // namespace
@@ -61,47 +88,25 @@ std::optional<Stadium> stadiumOf(const ShapeSketch& region) {
         return std::nullopt;
     }
     const PathNodes nodes = region.contour(0);
-    const PointD edge = longestEdge(nodes);
-    const double length = std::hypot(edge.x, edge.y);
+    const Side side = longestSide(nodes);
+    const double length = std::hypot(side.to.x - side.from.x, side.to.y - side.from.y);
     if (length <= kTolerance) {
         return std::nullopt;
     }
     Frame frame;
-    frame.along = {edge.x / length, edge.y / length};
+    frame.along = {(side.to.x - side.from.x) / length, (side.to.y - side.from.y) / length};
     for (const PathNode& node : nodes) {
-        frame.include(node.point);
-        if (isArc(node.edge)) {  // its far end, which no corner marks, is half a circle away from the straight sides
-            const double radius = std::hypot(static_cast<double>(node.point.x) - node.centre.x,
-                                             static_cast<double>(node.point.y) - node.centre.y);
-            frame.include(rounded({node.centre.x + frame.along.x * radius, node.centre.y + frame.along.y * radius}));
-            frame.include(rounded({node.centre.x - frame.along.x * radius, node.centre.y - frame.along.y * radius}));
-        }
+        frame.include(base::toDouble(node.point));
     }
-    const double across = frame.left - frame.right;
+    // Polygons have corners either where the ends begin or half a chord beside; arcs begin where the sides end.
     const double middle = (frame.left + frame.right) / 2;
-    if (frame.high - frame.low <= across + kTolerance) {
-        return std::nullopt;
+    const double across = frame.left - frame.right;
+    const auto onAxis = [&](double s) { return frame.at(s, middle); };
+    const auto exact = stadiumBetween(nodes, onAxis(frame.alongOf(side.from)), onAxis(frame.alongOf(side.to)));
+    if (exact || frame.high - frame.low <= across + kTolerance) {
+        return exact;
     }
-    const PointD a = frame.at(frame.low + across / 2, middle);
-    const PointD b = frame.at(frame.high - across / 2, middle);
-    double radius = 0.0;
-    for (const PathNode& node : nodes) {
-        radius = std::max(radius, distance(base::toDouble(node.point), a, b));
-    }
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const Point end = nodes.endOf(i);
-        const PointD half = {(static_cast<double>(nodes[i].point.x) + end.x) / 2,
-                             (static_cast<double>(nodes[i].point.y) + end.y) / 2};
-        const bool isOnEdge = std::abs(distance(base::toDouble(nodes[i].point), a, b) - radius) <= kTolerance;
-        const PointD centre = base::toDouble(nodes[i].centre);
-        const bool isRound = isArc(nodes[i].edge) ? std::min(std::hypot(centre.x - a.x, centre.y - a.y),
-                                                             std::hypot(centre.x - b.x, centre.y - b.y)) <= kTolerance
-                                                  : distance(half, a, b) >= kNearestChord * radius;
-        if (!isOnEdge || !isRound) {
-            return std::nullopt;
-        }
-    }
-    return Stadium{rounded(a), rounded(b), static_cast<Nm>(std::llround(2 * radius))};
+    return stadiumBetween(nodes, onAxis(frame.low + across / 2), onAxis(frame.high - across / 2));
 }
 
 }  // namespace model::ipc2581

@@ -1,6 +1,7 @@
 #include "model/formats/ipc2581/shapes/stadium.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,13 +12,15 @@ using model::ShapeSketch;
 
 namespace {
 
-/// A stadium of 4 × 1.5 mm at (100, -50) mm, rotated, with `chords` for each of its ends, corners on the circle.
-ShapeSketch polygon(double degrees, int chords) {
+/// A stadium of 4 × 1.5 mm at (100, -50) mm, rotated, with `chords` for each of its ends, corners on the circle: half a
+/// chord beside its beginning, and there too if it is asked for.
+ShapeSketch polygon(double degrees, int chords, bool hasTangents = false) {
     std::vector<Point> points;
     const double turn = degrees * std::numbers::pi / 180;
     for (const double sign : {1.0, -1.0}) {
-        for (int i = 0; i < chords; ++i) {
-            const double angle = (-0.5 + (i + 0.5) / chords + (sign < 0 ? 1.0 : 0.0)) * std::numbers::pi;
+        for (int i = hasTangents ? -1 : 0; i < chords + (hasTangents ? 1 : 0); ++i) {
+            const double part = std::clamp((i + 0.5) / chords, 0.0, 1.0);
+            const double angle = (-0.5 + part + (sign < 0 ? 1.0 : 0.0)) * std::numbers::pi;
             const double x = sign * 1.25e6 + 0.75e6 * std::cos(angle);
             const double y = 0.75e6 * std::sin(angle);
             points.push_back(model::rounded(
@@ -37,13 +40,16 @@ class StadiumTest : public QObject {
 private slots:
     void polygonsOfManyChordsAreStadiums_data() {
         QTest::addColumn<double>("degrees");
+        QTest::addColumn<bool>("hasTangents");
         for (const double degrees : {0.0, 30.0, 45.0, 90.0, 200.0}) {
-            QTest::newRow(QByteArray::number(degrees)) << degrees;
+            QTest::newRow(QByteArray::number(degrees)) << degrees << false;
+            QTest::newRow(QByteArray::number(degrees) + " with tangents") << degrees << true;
         }
     }
     void polygonsOfManyChordsAreStadiums() {
         QFETCH(double, degrees);
-        const auto stadium = model::ipc2581::stadiumOf(polygon(degrees, 16));
+        QFETCH(bool, hasTangents);
+        const auto stadium = model::ipc2581::stadiumOf(polygon(degrees, 16, hasTangents));
         QVERIFY(stadium.has_value());
         QVERIFY(std::abs(stadium->width - 1'500'000) <= 10);
         const double length = std::hypot(static_cast<double>(stadium->a.x) - stadium->b.x,
