@@ -44,7 +44,7 @@ base::Error StrictJson::bad(const std::string& why) const {
 base::Status StrictJson::checkKeys(const Json& object, const std::string& path,
                                    std::span<const char* const> known) const {
     for (const auto& [key, value] : object.items()) {
-        if (std::ranges::none_of(known, [&](const char* name) { return key == name; })) {
+        if (std::ranges::none_of(known, [&key = key](const char* name) { return key == name; })) {
             const std::vector<std::string> names(known.begin(), known.end());
             return bad(lineOf(path + '/' + key) + ": unknown key \"" + key + "\"; there are " + joined(names));
         }
