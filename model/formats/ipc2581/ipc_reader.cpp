@@ -49,7 +49,7 @@ public:
         LayerList layers(m_reading, specs, shapes);
         const Stackups stackups = readStackups(m_reading, specs, layers);
         const Bom bom(m_reading);
-        std::vector<SourceStep> steps = readSteps({m_reading, dictionaries, layers, stackups, bom});
+        std::vector<SourceStep> steps = readSteps({m_reading, dictionaries, layers, stackups, bom, m_progress});
         if (m_progress.isCancelled()) {
             return base::Error{base::ErrorCode::Cancelled, "cancelled"};
         }

@@ -70,7 +70,7 @@ public:
                                                          {"PhyNetGroup", &StepReader::readPhyNets}}};
         for (const Rule& rule : kRules) {
             for (const XmlSection& section : sections) {
-                if (section.name == rule.element) {
+                if (section.name == rule.element && !m_file.progress.isCancelled()) {
                     XmlCursor at = m_reading.at(section);
                     at.next();
                     (this->*rule.read)(at);

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/base/progress.h"
 #include "model/formats/ipc2581/feature_reader.h"
 #include "model/formats/ipc2581/stackup_reader.h"
 
@@ -37,9 +38,11 @@ struct StepSurroundings {
     LayerList& layers;
     const Stackups& stackups;
     const Bom& bom;
+    base::Progress& progress;
 };
 
 /// Reads the sections of a step in the order in which they need each other, whatever order they are written in.
+/// Cancelled: what was read so far.
 [[nodiscard]] SourceStep readStep(const StepSurroundings& file, std::string_view name,
                                   std::span<const XmlSection> sections);
 

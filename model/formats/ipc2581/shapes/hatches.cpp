@@ -15,7 +15,9 @@ namespace {
 constexpr double kMostLines = 2000.0;
 
 bool addLines(PolygonSet& set, const Box& box, const HatchLines& lines, double width) {
-    const auto [sine, cosine] = sineCosineOf(lines.ccwDeg);
+    const SineCosine direction = sineCosineOf(lines.ccwDeg);
+    const double sine = direction.sine;
+    const double cosine = direction.cosine;
     const PointD middle = base::toDouble(box.middle());
     const double reach = std::hypot(static_cast<double>(box.width()), static_cast<double>(box.height())) / 2 + width;
     const double across = cosine * middle.y - sine * middle.x;  // of the middle, from the line through the origin
