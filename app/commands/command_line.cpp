@@ -383,7 +383,7 @@ void addAgree(CLI::App& parent, Command& chosen) {
     addNumber(command, "--allow", arguments.allowedPercent, 0.0, 100.0,
               "percent of a layer's area that may differ and still agree");
     addNumber<std::size_t>(command, "--worst", arguments.most, 0, 1'000'000, "how many differences of each are listed");
-    addList(command, "--aspects", arguments.aspects, "only these, separated by commas: ")
+    addList(command, "--aspects", arguments.aspects, "only these, separated by commas")
         ->check(CLI::IsMember(aspectNames()));
     command.add_flag("--json", arguments.asJson, "as JSON");
     addInputFormat(command, arguments.board.request.format);
