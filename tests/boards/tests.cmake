@@ -1,6 +1,7 @@
 # On the boards that COPPERSCOPE_BOARDS names (docs/testing.md): tests of all boards once more, and what is known of single ones.
 copperscope_test(named_boards_test boards/named_boards_test.cpp LABEL boards LINK copperscope_render copperscope_model)
 copperscope_test(oracle_test boards/oracle_test.cpp LABEL boards LINK copperscope_model)
+copperscope_test(gerber_boards_test boards/gerber_boards_test.cpp LABEL boards LINK copperscope_model)
 copperscope_test(kicad_drc_test boards/kicad_drc_test.cpp LABEL boards LINK copperscope_model)
 copperscope_test(ipc2581_boards_test boards/ipc2581_boards_test.cpp LABEL boards LINK copperscope_model)
 copperscope_test(kicad_boards_test boards/kicad_boards_test.cpp LABEL boards LINK copperscope_model)

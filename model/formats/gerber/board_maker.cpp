@@ -408,6 +408,12 @@ private:
             diagnostics().report(Severity::Warning, file.path, 0,
                                  "some lines of the board's outline do not close; they are left out of it");
         }
+        if (outline.isDrawing) {
+            diagnostics().report(
+                Severity::Warning, file.path, 0,
+                "loops within the board's outline hold copper, or are too many for cut-outs; they were "
+                "taken for a drawing");
+        }
         if (outline.widestJoint > 1'000) {
             diagnostics().report(Severity::Info, file.path, 0,
                                  "lines of the board's outline do not meet exactly; they were joined");

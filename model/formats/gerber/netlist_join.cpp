@@ -1,6 +1,7 @@
 #include "model/formats/gerber/netlist_join.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <unordered_map>
 
@@ -26,22 +27,25 @@ Nm added(Nm a, Nm b) {
 }  // namespace
 
 std::vector<std::string> fullNames(const std::vector<std::string>& names, const std::vector<formats::DrawnNet>& nets) {
+    // Whole names first, then the last characters, which KiCad keeps, then the first ones.
+    using Candidates = std::unordered_map<std::string, std::set<std::string>>;
     std::set<std::string> exact;
-    std::unordered_map<std::string, std::set<std::string>> cut;
+    std::array<Candidates, 3> ways;
     for (const formats::DrawnNet& net : nets) {
         exact.insert(net.name);
         const std::string text = plain(net.name);
-        cut[text].insert(net.name);
+        ways[0][text].insert(net.name);
         if (text.size() > kLength) {
-            cut[text.substr(text.size() - kLength)].insert(net.name);
-            cut[text.substr(0, kLength)].insert(net.name);
+            ways[1][text.substr(text.size() - kLength)].insert(net.name);
+            ways[2][text.substr(0, kLength)].insert(net.name);
         }
     }
     std::vector<std::string> full;
     for (const std::string& name : names) {
-        const auto found = cut.find(plain(name));
-        const bool isClear = !exact.contains(name) && found != cut.end() && found->second.size() == 1;
-        full.push_back(isClear ? *found->second.begin() : name);
+        const std::string text = plain(name);
+        const auto way = std::ranges::find_if(ways, [&](const Candidates& some) { return some.contains(text); });
+        const bool isClear = !exact.contains(name) && way != ways.end() && way->at(text).size() == 1;
+        full.push_back(isClear ? *way->at(text).begin() : name);
     }
     return full;
 }

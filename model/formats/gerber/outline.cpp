@@ -223,6 +223,8 @@ double areaOf(const Box& box) {
 }
 
 constexpr std::size_t kMostPlaces = 300;
+/// Mechanical layers with texts and dimensions have many more loops than any board has cut-outs.
+constexpr std::size_t kMostCutouts = 500;
 
 /// How many of the places lie inside, of a few hundred that are looked at.
 double shareInside(std::span<const Point> copper, const Loop& loop, const Box& box) {
@@ -294,6 +296,7 @@ Outline outlineOf(const Image& image, std::span<const Point> copper) {
     for (std::size_t i = 1; i < loops.size(); ++i) {
         first = shares[i] > 0.9 && loops.holds(first, i) ? i : first;
     }
+    const bool isDrawing = loops.size() > kMostCutouts;
     std::vector<std::pair<std::size_t, bool>> taken;  // and whether it is a hole
     for (std::size_t i = first; i < loops.size(); ++i) {
         std::size_t depth = 0;
@@ -301,6 +304,10 @@ Outline outlineOf(const Image& image, std::span<const Point> copper) {
             depth += loops.holds(outer, i) ? 1 : 0;
         }
         const bool isHole = depth % 2 != 0;
+        if (isHole && (isDrawing || shares[i] > 0)) {
+            outline.isDrawing = true;  // copper in a cut-out, or more loops than boards have
+            continue;
+        }
         const bool isWorth = isHole || copper.empty() || shares[i] > 0 || loops.size() == 1;
         if (isWorth) {
             taken.emplace_back(i, isHole);

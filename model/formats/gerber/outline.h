@@ -10,6 +10,7 @@ struct Outline {
     ShapeSketch shape;           ///< islands and cut-outs; empty if nothing closes
     Box box;                     ///< around it
     std::size_t openTracks = 0;  ///< tracks that are part of no closed loop
+    bool isDrawing = false;      ///< loops inside were taken for a drawing, not for cut-outs
     Nm widestJoint = 0;          ///< between ends that were taken as one
 };
 

@@ -114,6 +114,11 @@ double ImageParser::readLength() {
 void ImageParser::comment() {
     const char* const begin = m_at;
     while (m_at != m_end && *m_at != '*') {
+        const bool isOpen = *m_at == '%' && m_at + 1 != m_end && (m_at[1] == '\n' || m_at[1] == '\r');
+        if (isOpen) {
+            ++m_at;
+            return report(Severity::Warning, "a comment that ends with % in place of *; what follows is read");
+        }
         m_line += *m_at == '\n' ? 1 : 0;
         ++m_at;
     }

@@ -218,7 +218,8 @@ std::optional<std::vector<EdgeLoops>> exact(std::span<const Primitive> primitive
 
 /// Is the region a disc, or a ring, around the origin?
 bool isRound(std::span<const EdgeLoops> regions, formats::PadShape& shape) {
-    if (regions.size() != 1 || regions[0].edges.size() != regions[0].loopCount() || regions[0].loopCount() > 2) {
+    if (regions.size() != 1 || regions[0].edges.empty() || regions[0].edges.size() != regions[0].loopCount() ||
+        regions[0].loopCount() > 2) {
         return false;
     }
     for (const Edge& edge : regions[0].edges) {
@@ -305,6 +306,9 @@ std::vector<EdgeLoops> regionsOf(const ShapeSketch& sketch) {
 }
 
 formats::PadShape combined(std::vector<Primitive> primitives) {
+    for (Primitive& one : primitives) {
+        std::erase_if(one.pieces, [](const EdgeLoops& piece) { return piece.loopCount() == 0; });
+    }
     std::erase_if(primitives, [](const Primitive& one) { return one.pieces.empty(); });
     formats::PadShape shape;
     if (!isWithin(primitives)) {
