@@ -223,6 +223,8 @@ double areaOf(const Box& box) {
 }
 
 constexpr std::size_t kMostPlaces = 300;
+/// A ring around a fiducial in the frame of a panel is no board.
+constexpr double kLeastShare = 0.02;
 /// Mechanical layers with texts and dimensions have many more loops than any board has cut-outs.
 constexpr std::size_t kMostCutouts = 500;
 
@@ -308,7 +310,7 @@ Outline outlineOf(const Image& image, std::span<const Point> copper) {
             outline.isDrawing = true;  // copper in a cut-out, or more loops than boards have
             continue;
         }
-        const bool isWorth = isHole || copper.empty() || shares[i] > 0 || loops.size() == 1;
+        const bool isWorth = isHole || i == first || copper.empty() || shares[i] > kLeastShare;
         if (isWorth) {
             taken.emplace_back(i, isHole);
             add(outline, loops.loop(i), loops.box(i), isHole);
