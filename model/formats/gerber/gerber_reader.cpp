@@ -70,6 +70,17 @@ std::shared_ptr<const Document> withBoards(const std::shared_ptr<const Document>
     return result;
 }
 
+/// An image alone that nothing tells the layer of is shown as copper, so that there is a board to look at.
+void takeAsCopper(std::vector<ReadFile>& files) {
+    const bool isAlone = std::ranges::count_if(files, &ReadFile::isImage) == 1;
+    const auto image = std::ranges::find_if(files, &ReadFile::isImage);
+    if (isAlone && image->kind == ReadFile::Kind::Gerber && !image->role.isKnown()) {
+        image->role.kind = FileRole::Kind::Copper;
+        image->role.side = LayerSide::Top;
+        image->role.source = RoleSource::Content;
+    }
+}
+
 Board makeDocument(std::vector<ReadFile> files, const std::filesystem::path& path, const formats::ReadOptions& options,
                    const Diagnostics& unpacking, base::Progress& progress, const base::Stopwatch& reading) {
     const std::string name = path.filename().string();
@@ -87,6 +98,7 @@ Board makeDocument(std::vector<ReadFile> files, const std::filesystem::path& pat
                                        : "there is no Gerber image and no drill file in it");
     }
     assignRoles(files, job);
+    takeAsCopper(files);
     const std::vector<BoardFiles> boards = boardsOf(files);
     ASSIGN_OR_RETURN(const std::size_t chosen, choose(boards, options.step));
     MadeBoard made = makeBoard(files, boards[chosen], path.stem().string());

@@ -208,7 +208,10 @@ private slots:
 
     void aSingleImageIsABoard() {
         const Job job({{"alone.gbr", image(kCopper)}, {"alone.drl", kDrills}});
-        QVERIFY(job.open("alone.gbr").ok());
+        const Board alone = job.open("alone.gbr");
+        QVERIFY(alone.ok());
+        QVERIFY((*alone)->layers[0].isCopper());
+        QVERIFY(isReported(**alone, "taken as top copper"));
         const Board drills = job.open("alone.drl");
         QVERIFY(drills.ok());
         QCOMPARE(holesOf(**drills), std::size_t{3});
