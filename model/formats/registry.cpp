@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <sstream>
 
 #include "model/formats/file_kinds.h"
 #include "model/formats/gerber/gerber_reader.h"
@@ -13,6 +12,7 @@
 #include "model/formats/odb/odb_reader.h"
 #include "model/formats/paper/paper_reader.h"
 #include "model/nets/net_inference.h"
+#include "model/text/whole_file.h"
 
 namespace model {
 
@@ -37,14 +37,6 @@ Board readOdb(const BoardInput& input, const ReadOptions& options, base::Progres
     return odb::readJob(*input.archive, input.path, options, input.unpacking, progress, input.reading);
 }
 
-base::Result<std::string> wholeFile(const fs::path& path) {
-    std::error_code error;
-    std::string text(fs::file_size(path, error), '\0');
-    std::ifstream in(path, std::ios::binary);
-    in.read(text.data(), static_cast<std::streamsize>(text.size()));
-    return !error && in ? base::Result<std::string>(std::move(text)) : badInput(path, "the file cannot be read");
-}
-
 bool isIpc(const BoardInput& input) {
     return input.archive ? ipc2581::holdsIpc2581(*input.archive) : ipc2581::looksLikeIpc2581(input.head);
 }
@@ -53,8 +45,8 @@ Board readIpc(const BoardInput& input, const ReadOptions& options, base::Progres
     if (input.archive) {
         return ipc2581::readJob(*input.archive, input.path, options, input.unpacking, progress, input.reading);
     }
-    const base::Result<std::string> text = wholeFile(input.path);
-    return text ? ipc2581::readJob(*text, input.path, options, input.unpacking, progress, input.reading) : text.error();
+    ASSIGN_OR_RETURN(const std::string text, readWholeFile(input.path));
+    return ipc2581::readJob(text, input.path, options, input.unpacking, progress, input.reading);
 }
 
 bool isGerber(const BoardInput& input) {
@@ -81,13 +73,8 @@ bool isPaper(const BoardInput& input) {
 }
 
 Board readPaper(const BoardInput& input, const ReadOptions&, base::Progress& progress) {
-    std::ifstream in(input.path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in || !text) {
-        return badInput(input.path, "the file cannot be read");
-    }
-    return paper::readModel(std::move(text).str(), input.path, progress);
+    ASSIGN_OR_RETURN(std::string text, readWholeFile(input.path));
+    return paper::readModel(std::move(text), input.path, progress);
 }
 
 // ---- choosing one ----

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "model/formats/gerber/text/words.h"
+#include "model/text/utf8.h"
 
 namespace model::gerber {
 
@@ -20,21 +21,6 @@ void appendUtf8(std::string& out, std::uint32_t code) {
     for (int i = more - 1; i >= 0; --i) {
         out += static_cast<char>(0x80U | ((code >> (6 * i)) & 0x3fU));
     }
-}
-
-/// Length of the UTF-8 sequence that begins the text; 0 if it is none.
-std::size_t utf8Length(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text.front());
-    const std::size_t length = lead < 0x80   ? 1
-                               : lead < 0xc2 ? 0
-                               : lead < 0xe0 ? 2
-                               : lead < 0xf0 ? 3
-                               : lead < 0xf5 ? 4
-                                             : 0;
-    const bool isGood = length > 0 && length <= text.size() &&
-                        std::ranges::all_of(text.substr(1, length - 1),
-                                            [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; });
-    return isGood ? length : 0;
 }
 
 SubnetKind kindOf(std::string_view function) {

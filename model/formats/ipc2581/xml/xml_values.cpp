@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "model/text/utf8.h"
+
 namespace model::ipc2581 {
 
 namespace {
@@ -58,21 +60,6 @@ std::optional<std::uint32_t> characterOf(std::string_view name) {
     const bool isCharacter = number > 0 && number < 0x110000 && (number < 0xD800 || number > 0xDFFF);
     return error == std::errc() && end == name.data() + name.size() && isCharacter ? std::optional(number)
                                                                                    : std::nullopt;
-}
-
-/// Length of the UTF-8 sequence that the text begins with; 0 if it begins with none.
-std::size_t utf8Length(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text[0]);
-    const std::size_t length = lead < 0x80   ? 1
-                               : lead < 0xC2 ? 0
-                               : lead < 0xE0 ? 2
-                               : lead < 0xF0 ? 3
-                               : lead < 0xF5 ? 4
-                                             : 0;
-    const auto isContinuation = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-    const bool isWhole =
-        length <= text.size() && length > 0 && std::ranges::all_of(text.substr(1, length - 1), isContinuation);
-    return isWhole ? length : 0;
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "model/text/utf8.h"
+
 namespace model::odb {
 
 namespace {
@@ -71,27 +73,6 @@ std::optional<Number> parseNumber(std::string_view text) {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
-
-bool isContinuation(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
-/// Length of the UTF-8 sequence that starts here, 0 if it is none.
-std::size_t utf8Length(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text[0]);
-    const std::size_t length = lead < 0x80   ? 1
-                               : lead < 0xC2 ? 0
-                               : lead < 0xE0 ? 2
-                               : lead < 0xF0 ? 3
-                               : lead < 0xF5 ? 4
-                                             : 0;
-    for (std::size_t i = 1; i < length; ++i) {
-        if (i >= text.size() || !isContinuation(text[i])) {
-            return 0;
-        }
-    }
-    return length;
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#include "model/text/utf8.h"
+
+#include <algorithm>
+
+namespace model {
+
+std::size_t utf8Length(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text[0]);
+    const std::size_t length = lead < 0x80   ? 1
+                               : lead < 0xC2 ? 0
+                               : lead < 0xE0 ? 2
+                               : lead < 0xF0 ? 3
+                               : lead < 0xF5 ? 4
+                                             : 0;
+    const auto isContinuation = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+    const bool isWhole =
+        length <= text.size() && length > 0 && std::ranges::all_of(text.substr(1, length - 1), isContinuation);
+    return isWhole ? length : 0;
+}
+
+}  // namespace model
