@@ -167,9 +167,22 @@ private:
         }
         const Item stackup = setup.find("stackup");
         m_stackupText = std::string(stackup.source());
+        reportFinish(stackup);
         if (length(setup, "solder_mask_min_width") > 0.0) {
             m_canvas.report(Severity::Info, setup.line(),
                             "openings of the solder mask are not joined by the minimum width of its webs");
+        }
+    }
+
+    /// What a stackup says of the whole board, which a document has no place for.
+    void reportFinish(const Item& stackup) {
+        for (const char* fact : {"copper_finish", "castellated_pads", "edge_plating", "edge_connector"}) {
+            const Item item = stackup.find(fact);
+            const std::string_view said = item.word(1);
+            if (item.isThere() && said != "None" && said != "none" && said != "no") {
+                m_canvas.report(Severity::Info, item.line(),
+                                "what the stackup says as '" + std::string(fact) + "' is not read");
+            }
         }
     }
 

@@ -222,6 +222,13 @@ private slots:
         QVERIFY(messages(job.diagnostics, "coordinate range") >= 3U);
     }
 
+    void factsOfTheStackupThatAreNotReadAreReported() {
+        const DrawnJob job =
+            boardWith("", "(stackup (copper_finish \"ENIG\") (castellated_pads yes) (edge_plating no))");
+        QCOMPARE(messages(job.diagnostics, "is not read"), 2U);
+        QCOMPARE(messages(boardWith("", "(stackup (copper_finish \"None\"))").diagnostics, "is not read"), 0U);
+    }
+
     void aBoardWithoutCopperIsNone() {
         base::Progress progress;
         const auto job = kicad::drawBoard("(kicad_pcb (version 4))", "x", {}, progress);
