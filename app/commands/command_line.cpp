@@ -10,6 +10,7 @@
 #include "app/commands/export_command.h"
 #include "app/commands/generate_command.h"
 #include "app/commands/info_command.h"
+#include "app/commands/interaction_command.h"
 #include "app/commands/measure_command.h"
 #include "app/commands/render_command.h"
 #include "app/commands/section_command.h"
@@ -123,13 +124,15 @@ void addInfo(CLI::App& parent, Command& chosen) {
     addInputFormat(command, arguments.board.request.format);
 }
 
-void parseSize(const std::string& text, RenderArguments& arguments) {
+/// Of anything with a width and a height.
+template <class Sized>
+void parseSize(const std::string& text, Sized& sized) {
     const std::size_t cross = text.find('x');
     const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, arguments.width);
+    const auto width = std::from_chars(text.data(), end, sized.width);
     const bool isPair = cross != std::string::npos && width.ptr == text.data() + cross;
-    const auto height = isPair ? std::from_chars(width.ptr + 1, end, arguments.height) : width;
-    if (!isPair || height.ptr != end || arguments.width == 0 || arguments.height == 0) {
+    const auto height = isPair ? std::from_chars(width.ptr + 1, end, sized.height) : width;
+    if (!isPair || height.ptr != end || sized.width < 1 || sized.height < 1) {
         throw CLI::ValidationError("--size", "takes WIDTHxHEIGHT in pixels, for example 1600x1000");
     }
 }
@@ -414,14 +417,31 @@ void addTriangulationBench(CLI::App& command, bool& isWanted, TriangulationBench
         ->needs(wanted);
 }
 
+/// What it measures with --interactive.
+void addInteractionBench(CLI::App& command, bool& isWanted, InteractionArguments& arguments) {
+    CLI::Option* wanted = command.add_flag(
+        "--interactive", isWanted,
+        "the window instead: how long pan, zoom, orbit, hover, highlight and layers take until they are seen");
+    for (const char* other : {"--pipeline", "--lod", "--only-culled", "--components", "--triangulation", "--chord"}) {
+        wanted->excludes(command.get_option(other));
+    }
+    command
+        .add_option_function<std::string>(
+            "--size", [&arguments](const std::string& text) { parseSize(text, arguments.request); },
+            "WIDTHxHEIGHT of the canvas in pixels [1920x1080]")
+        ->needs(wanted);
+}
+
 void addBench(CLI::App& parent, Command& chosen) {
-    struct Both {
+    struct All {
         BenchArguments frames;
         TriangulationBenchArguments triangulation;
+        InteractionArguments interaction;
         bool isTriangulation = false;
+        bool isInteraction = false;
     };
-    const auto both = std::make_shared<Both>();
-    BenchArguments& arguments = both->frames;
+    const auto all = std::make_shared<All>();
+    BenchArguments& arguments = all->frames;
     CLI::App& command =
         *parent.add_subcommand("bench", "Measure modelling, memory and frame times (the paper's Tables 2, 4 and 5)");
     command.add_option("BOARD", arguments.boards, "boards, as for info");
@@ -433,15 +453,22 @@ void addBench(CLI::App& parent, Command& chosen) {
     addNumber(command, "--frames", arguments.frames, 1, 1000, "frames per median");
     command.add_flag("--json", arguments.asJson, "as JSON");
     addInputFormat(command, arguments.modelling.request.format);
-    addTriangulationBench(command, both->isTriangulation, both->triangulation);
-    command.callback([&chosen, both] {
-        if (both->frames.boards.empty() && !both->isTriangulation) {
+    addTriangulationBench(command, all->isTriangulation, all->triangulation);
+    addInteractionBench(command, all->isInteraction, all->interaction);
+    command.callback([&chosen, &command, all] {
+        if (all->frames.boards.empty() && !all->isTriangulation) {
             throw CLI::RequiredError("BOARD");
         }
-        both->triangulation.boards = both->frames.boards;
-        both->triangulation.asJson = both->frames.asJson;
-        chosen = [both] {
-            return codeOf(both->isTriangulation ? runTriangulationBench(both->triangulation) : runBench(both->frames));
+        all->triangulation.boards = all->interaction.boards = all->frames.boards;
+        all->triangulation.asJson = all->interaction.asJson = all->frames.asJson;
+        all->interaction.request.board = all->frames.modelling.request;
+        if (command.get_option("--frames")->count() > 0) {
+            all->interaction.request.frames = all->frames.frames;
+        }
+        chosen = [all] {
+            return codeOf(all->isTriangulation ? runTriangulationBench(all->triangulation)
+                          : all->isInteraction ? runInteractionBench(all->interaction)
+                                               : runBench(all->frames));
         };
     });
 }

@@ -9,4 +9,8 @@ int runWorkbench(int, char**, const model::OpenRequest&) {
         {base::ErrorCode::DeviceFailed, "this build has no workbench; use copperscope info or copperscope render"});
 }
 
+base::Result<ui::InteractionReport> measureInWindow(const ui::InteractionRequest&) {
+    return base::Error{base::ErrorCode::DeviceFailed, "this build has no workbench to measure"};
+}
+
 }  // namespace app

@@ -10,4 +10,8 @@ int runWorkbench(int argc, char** argv, const model::OpenRequest& request) {
     return ui::runWorkbench(argc, argv, options);
 }
 
+base::Result<ui::InteractionReport> measureInWindow(const ui::InteractionRequest& request) {
+    return ui::measureInteraction(request);
+}
+
 }  // namespace app

@@ -37,6 +37,45 @@ private slots:
         }
     }
 
+    void benchMovesTheViewsOfTheWindow() {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.remove("DISPLAY");
+        environment.remove("QT_QPA_PLATFORM");
+        const Outcome run =
+            copperscope({"bench", "--interactive", locations::kSample, "--frames", "8", "--size", "800x500", "--json"},
+                        {}, environment);
+        QCOMPARE(run.exitCode, 0);
+        const QJsonObject report = QJsonDocument::fromJson(run.out).object();
+        QCOMPARE(report["width"].toInt(), 800);
+        QCOMPARE(report["height"].toInt(), 500);
+        QVERIFY(!report["device"].toString().isEmpty());
+        const QJsonObject board = onlyOne(report["boards"]);
+        QCOMPARE(board["name"].toString(), QFileInfo(locations::kSample).fileName());
+        QVERIFY(board["first_frame_ms"].toDouble() > 0.0);
+        QStringList runs;
+        for (const QJsonValue& value : board["runs"].toArray()) {
+            const QJsonObject one = value.toObject();
+            runs += one["view"].toString() + " " + one["name"].toString();
+            const double median = one["median_ms"].toDouble();
+            const double longest = one["longest_ms"].toDouble();
+            QVERIFY(median > 0.0 && median <= one["p95_ms"].toDouble() && one["p95_ms"].toDouble() <= longest);
+            QVERIFY(one["longest_stall_ms"].toDouble() > 0.0 && one["frames_per_second"].toDouble() > 0.0);
+            const bool isChange = one["name"] == "highlight" || one["name"] == "layers";
+            QCOMPARE(one["frames"].toInt(), isChange ? 2 : 8);
+        }
+        QCOMPARE(runs, QStringList({"2D pan", "2D zoom", "2D hover", "2D highlight", "2D layers", "3D orbit", "3D pan",
+                                    "3D zoom", "3D hover", "3D highlight"}));
+    }
+
+    void benchOfTheWindowSaysWhatItCannotDo() {
+        QCOMPARE(copperscope({"bench", "--interactive"}).exitCode, 1);
+        QCOMPARE(copperscope({"bench", locations::kSample, "--size", "800x500"}).exitCode, 1);
+        QCOMPARE(copperscope({"bench", "--interactive", locations::kSample, "--pipeline", "hybrid"}).exitCode, 1);
+        const Outcome missing = copperscope({"bench", "--interactive", "/nonexistent.tgz"});
+        QCOMPARE(missing.exitCode, 2);
+        QVERIFY2(missing.err.contains("/nonexistent.tgz"), missing.err.constData());
+    }
+
     void benchSaysWhatCannotBeRead() {
         QCOMPARE(copperscope({"bench", "/nonexistent.tgz"}).exitCode, 2);
         QCOMPARE(copperscope({"bench"}).exitCode, 1);
