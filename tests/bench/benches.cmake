@@ -1,6 +1,8 @@
 # Benchmarks: built on request (`cmake --build --preset test --target parse_bench`), never part of ctest.
 add_executable(parse_bench EXCLUDE_FROM_ALL bench/parse_bench.cpp)
 target_link_libraries(parse_bench PRIVATE copperscope_model)
+add_executable(kicad_bench EXCLUDE_FROM_ALL bench/kicad_bench.cpp)
+target_link_libraries(kicad_bench PRIVATE copperscope_model)
 add_executable(shells_bench EXCLUDE_FROM_ALL bench/shells_bench.cpp)
 target_link_libraries(shells_bench PRIVATE copperscope_model)
 add_executable(curve_bench EXCLUDE_FROM_ALL bench/curve_bench.cpp)

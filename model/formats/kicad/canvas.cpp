@@ -15,14 +15,16 @@ using formats::DrawnKind;
 using formats::kNoRow;
 
 PointD Frame::apply(PointD local) const {
-    // Quarter turns stay on the grid.
     const double turns = degrees / 90.0;
-    double sine = std::sin(degrees * std::numbers::pi / 180.0);
-    double cosine = std::cos(degrees * std::numbers::pi / 180.0);
-    if (turns == std::floor(turns)) {
-        sine = std::round(sine);
-        cosine = std::round(cosine);
+    if (turns == std::floor(turns) && std::abs(turns) < 1e6) {  // stay on the grid
+        constexpr std::array<double, 4> kCosines = {1.0, 0.0, -1.0, 0.0};
+        const auto quarter = static_cast<std::size_t>(static_cast<std::int64_t>(turns) & 3);
+        const double cosine = kCosines[quarter];
+        const double sine = kCosines[(quarter + 3) % 4];
+        return {origin.x + local.x * cosine - local.y * sine, origin.y + local.x * sine + local.y * cosine};
     }
+    const double sine = std::sin(degrees * std::numbers::pi / 180.0);
+    const double cosine = std::cos(degrees * std::numbers::pi / 180.0);
     return {origin.x + local.x * cosine - local.y * sine, origin.y + local.x * sine + local.y * cosine};
 }
 

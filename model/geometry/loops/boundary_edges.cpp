@@ -52,7 +52,8 @@ public:
             addCircle();
             return std::move(m_edges);
         }
-        std::ranges::rotate(m_steps, m_steps.begin() + static_cast<std::ptrdiff_t>(start % m_steps.size()));
+        std::rotate(m_steps.begin(), m_steps.begin() + static_cast<std::ptrdiff_t>(start % m_steps.size()),
+                    m_steps.end());
         for (std::size_t first = 0; first < m_steps.size();) {
             const std::size_t end = endOfRun(first);
             m_steps[first].circle == EdgeArrangement::kLine ? addLine(first, end) : addArc(first, end);

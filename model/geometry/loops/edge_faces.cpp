@@ -140,7 +140,7 @@ private:
         for (std::size_t i = 0; i < start; ++i) {
             around[i].angle += 2 * kPi;
         }
-        std::ranges::rotate(around, around.begin() + static_cast<std::ptrdiff_t>(start));
+        std::rotate(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(start), around.end());
     }
 
     static bool isBefore(const Leaving& a, const Leaving& b) {

@@ -2,40 +2,47 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <limits>
 
 namespace model::kicad {
 
 namespace {
 
-constexpr Node kNothing;
-
 /// What lies right below (kicad_pcb …) and nowhere else.
 constexpr std::array<std::string_view, 4> kBoardItems = {"footprint", "module", "segment", "via"};
 
-bool isBlank(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
+enum class Sort : std::uint8_t { Word, Blank, Open, Close, Quote };
 
-/// 1: ends a word.
-constexpr std::array<bool, 256> kEndsWord = [] {
-    std::array<bool, 256> ends{};
-    for (const char c : {' ', '\t', '\r', '\n', '(', ')', '"'}) {
-        ends[static_cast<unsigned char>(c)] = true;
+/// What each character begins or ends.
+constexpr std::array<Sort, 256> kSorts = [] {
+    std::array<Sort, 256> sorts{};
+    for (const char c : {' ', '\t', '\r', '\n'}) {
+        sorts[static_cast<unsigned char>(c)] = Sort::Blank;
     }
-    return ends;
+    sorts['('] = Sort::Open;
+    sorts[')'] = Sort::Close;
+    sorts['"'] = Sort::Quote;
+    return sorts;
 }();
 
-std::string_view wordAt(std::string_view text, std::size_t at) {
-    std::size_t end = at;
-    while (end < text.size() && !kEndsWord[static_cast<unsigned char>(text[end])]) {
-        ++end;
+Sort sortOf(char c) {
+    return kSorts[static_cast<unsigned char>(c)];
+}
+
+const char* endOfWord(const char* at, const char* end) {
+    while (at < end && kSorts[static_cast<unsigned char>(*at)] == Sort::Word) {
+        ++at;
     }
-    return text.substr(at, end - at);
+    return at;
+}
+
+std::string_view wordAt(std::string_view text, std::size_t at) {
+    const char* begin = text.data() + std::min(at, text.size());
+    return {begin, static_cast<std::size_t>(endOfWord(begin, text.data() + text.size()) - begin)};
 }
 
 std::size_t behindBlanks(std::string_view text, std::size_t at) {
-    while (at < text.size() && isBlank(text[at])) {
+    while (at < text.size() && sortOf(text[at]) == Sort::Blank) {
         ++at;
     }
     return at;
@@ -44,18 +51,6 @@ std::size_t behindBlanks(std::string_view text, std::size_t at) {
 }  // namespace
 
 // ---- items ----
-
-Item::Item() : m_node(&kNothing) {}
-
-bool Item::isThere() const {
-    return m_node != &kNothing;
-}
-
-std::string_view Item::head() const {
-    return m_node->kind == Node::Kind::List && m_node->span > 1 && m_node[1].kind != Node::Kind::List
-               ? m_node[1].source
-               : std::string_view();
-}
 
 Item Item::at(std::size_t place) const {
     for (const Item item : *this) {
@@ -134,15 +129,25 @@ bool looksLikeBoard(std::string_view head) {
 // ---- the text ----
 
 BoardItems::BoardItems(std::string_view text, std::string_view file, Diagnostics& diagnostics)
-    : m_text(text), m_file(file), m_diagnostics(diagnostics), m_isBoard(looksLikeBoard(text)) {
+    : m_file(file),
+      m_diagnostics(diagnostics),
+      m_begin(text.data()),
+      m_end(text.data() + text.size()),
+      m_at(m_begin),
+      m_lineBegin(m_begin),
+      m_isBoard(looksLikeBoard(text)) {
     if (m_isBoard) {
-        m_at = m_text.find("kicad_pcb") + std::string_view("kicad_pcb").size();
-        m_line += static_cast<std::uint32_t>(std::ranges::count(m_text.substr(0, m_at), '\n'));
+        constexpr std::string_view kHead = "kicad_pcb";
+        const std::size_t at = text.find(kHead) + kHead.size();
+        m_at += at;
+        m_line += static_cast<std::uint32_t>(std::ranges::count(text.substr(0, at), '\n'));
+        const std::size_t newLine = text.substr(0, at).rfind('\n');
+        m_lineBegin += newLine == std::string_view::npos ? 0 : newLine + 1;
     }
 }
 
 float BoardItems::fractionRead() const {
-    return m_text.empty() ? 1.0F : static_cast<float>(m_at) / static_cast<float>(m_text.size());
+    return m_begin == m_end ? 1.0F : static_cast<float>(m_at - m_begin) / static_cast<float>(m_end - m_begin);
 }
 
 void BoardItems::report(Severity severity, std::uint32_t line, std::string_view text) {
@@ -150,39 +155,30 @@ void BoardItems::report(Severity severity, std::uint32_t line, std::string_view 
 }
 
 void BoardItems::skipBlanks() {
-    while (m_at < m_text.size()) {
-        const char c = m_text[m_at];
+    for (; m_at < m_end; ++m_at) {
+        const char c = *m_at;
         if (c == '\n') {
             ++m_line;
-        } else if (c == '#') {
-            std::size_t before = m_at;
-            while (before > 0 && (m_text[before - 1] == ' ' || m_text[before - 1] == '\t')) {
-                --before;
-            }
-            if (before > 0 && m_text[before - 1] != '\n') {
-                return;
-            }
-            m_at = std::min(m_text.find('\n', m_at), m_text.size());
-            continue;
-        } else if (!isBlank(c)) {
+            m_lineBegin = m_at + 1;
+        } else if (c == '#' && std::all_of(m_lineBegin, m_at, [](char b) { return b == ' ' || b == '\t'; })) {
+            m_at = std::find(m_at, m_end, '\n') - 1;
+        } else if (sortOf(c) != Sort::Blank) {
             return;
         }
-        ++m_at;
     }
 }
 
 bool BoardItems::next(Item& item) {
     while (m_isBoard) {
         skipBlanks();
-        if (m_at >= m_text.size()) {
+        if (m_at >= m_end) {
             if (!m_isClosed) {
                 report(Severity::Error, m_line, "the file ends before the board does; it was cut off");
                 m_isClosed = true;
             }
             return false;
         }
-        const char c = m_text[m_at];
-        if (c == '(') {
+        if (*m_at == '(') {
             if (m_isClosed) {
                 report(Severity::Warning, m_line, "a parenthesis too many closes the board here; reading goes on");
                 m_isClosed = false;
@@ -191,48 +187,42 @@ bool BoardItems::next(Item& item) {
             item = Item(m_nodes.data());
             return true;
         }
-        if (c == ')') {
+        if (*m_at == ')') {
             m_isClosed = true;
             ++m_at;
             continue;
         }
         report(Severity::Warning, m_line, "a word between the items of the board was passed over");
-        m_nodes.clear();
+        m_count = 0;
         m_open.clear();
-        c == '"' ? readText() : readWord();
+        *m_at == '"' ? readText() : readWord();
     }
     return false;
 }
 
 void BoardItems::readItem() {
-    m_nodes.clear();
+    m_count = 0;
     m_open.clear();
     open(false);
     while (!m_open.empty()) {
         skipBlanks();
-        if (m_at >= m_text.size()) {
-            while (!m_open.empty()) {
-                close();
-            }
-            return;  // next() reports it
+        if (m_at >= m_end) {
+            return closeAll();  // next() reports it
         }
-        switch (m_text[m_at]) {
-            case '(':
+        switch (sortOf(*m_at)) {
+            case Sort::Open:
                 if (beginsBoardItem()) {
                     report(Severity::Error, m_nodes[0].line,
                            "an item of the board is not closed; it was ended where the next one begins");
-                    while (!m_open.empty()) {
-                        close();
-                    }
-                    return;
+                    return closeAll();
                 }
                 open(false);
                 break;
-            case ')':
+            case Sort::Close:
                 ++m_at;
                 close();
                 break;
-            case '"': readText(); break;
+            case Sort::Quote: readText(); break;
             default:
                 if (isForgottenList()) {
                     open(true);
@@ -245,24 +235,36 @@ void BoardItems::readItem() {
 /// KiCad begins a line with each of them. How far it is indented says nothing: KiCad 9.0 counts its own parentheses,
 /// and those that it forgets shift all that follows.
 bool BoardItems::beginsBoardItem() const {
-    std::size_t before = m_at;
-    while (before > 0 && (m_text[before - 1] == ' ' || m_text[before - 1] == '\t')) {
-        --before;
+    const char* word = m_at + 1;
+    const bool mayBe = word < m_end && (*word == 'f' || *word == 'm' || *word == 's' || *word == 'v');
+    if (!mayBe || m_lineBegin == m_begin ||
+        !std::all_of(m_lineBegin, m_at, [](char b) { return b == ' ' || b == '\t'; })) {
+        return false;
     }
-    const bool beginsLine = before > 0 && m_text[before - 1] == '\n';
-    return beginsLine && std::ranges::find(kBoardItems, wordAt(m_text, m_at + 1)) != kBoardItems.end();
+    const std::string_view head{word, static_cast<std::size_t>(endOfWord(word, m_end) - word)};
+    return std::ranges::find(kBoardItems, head) != kBoardItems.end();
 }
 
 bool BoardItems::isForgottenList() const {
-    const Node& list = m_nodes[m_open.back()];
-    const bool isTeardrops =
-        Item(&list).isThere() && m_nodes.size() > m_open.back() + 1 && m_nodes[m_open.back() + 1].source == "teardrops";
-    return isTeardrops && m_nodes.size() > m_open.back() + 2;
+    const std::size_t list = m_open.back();
+    return m_count > list + 2 && m_nodes[list + 1].size == 9 && m_nodes[list + 1].source() == "teardrops";
+}
+
+Node& BoardItems::add(Node::Kind kind, const char* begin, std::size_t size) {
+    constexpr std::size_t kFirst = 1'024;
+    if (m_count == m_nodes.size()) {
+        m_nodes.resize(std::max(kFirst, 2 * m_count));
+    }
+    Node& node = m_nodes[m_count++];
+    node = {begin, static_cast<std::uint32_t>(std::min<std::size_t>(size, std::numeric_limits<std::uint32_t>::max())),
+            1,     m_line,
+            kind,  false};
+    return node;
 }
 
 void BoardItems::open(bool isImplicit) {
-    m_open.push_back(static_cast<std::uint32_t>(m_nodes.size()));
-    m_nodes.push_back({m_text.substr(m_at, 0), 1, m_line, Node::Kind::List, isImplicit});
+    m_open.push_back(static_cast<std::uint32_t>(m_count));
+    add(Node::Kind::List, m_at, 0).isImplicit = isImplicit;
     if (isImplicit) {
         report(Severity::Info, m_line, "an opening parenthesis is missing, as KiCad 9.0 wrote it; it was added");
     } else {
@@ -272,19 +274,25 @@ void BoardItems::open(bool isImplicit) {
 
 void BoardItems::close() {
     Node& list = m_nodes[m_open.back()];
-    list.span = static_cast<std::uint32_t>(m_nodes.size()) - m_open.back();
-    list.source = {list.source.data(), static_cast<std::size_t>(m_text.data() + m_at - list.source.data())};
+    list.span = static_cast<std::uint32_t>(m_count) - m_open.back();
+    list.size = static_cast<std::uint32_t>(
+        std::min<std::ptrdiff_t>(m_at - list.begin, std::numeric_limits<std::uint32_t>::max()));
     m_open.pop_back();
 }
 
-void BoardItems::readText() {
-    const std::size_t begin = ++m_at;
-    while (m_at < m_text.size() && m_text[m_at] != '"' && m_text[m_at] != '\n') {
-        m_at += m_text[m_at] == '\\' && m_at + 1 < m_text.size() && m_text[m_at + 1] != '\n' ? 2 : 1;
+void BoardItems::closeAll() {
+    while (!m_open.empty()) {
+        close();
     }
-    m_at = std::min(m_at, m_text.size());
-    m_nodes.push_back({m_text.substr(begin, m_at - begin), 1, m_line, Node::Kind::Text, false});
-    if (m_at < m_text.size() && m_text[m_at] == '"') {
+}
+
+void BoardItems::readText() {
+    const char* begin = ++m_at;
+    while (m_at < m_end && *m_at != '"' && *m_at != '\n') {
+        m_at += *m_at == '\\' && m_at + 1 < m_end && m_at[1] != '\n' ? 2 : 1;
+    }
+    add(Node::Kind::Text, begin, static_cast<std::size_t>(m_at - begin));
+    if (m_at < m_end && *m_at == '"') {
         ++m_at;
     } else {
         report(Severity::Warning, m_line, "a text does not end on its line; it was ended there");
@@ -292,9 +300,9 @@ void BoardItems::readText() {
 }
 
 void BoardItems::readWord() {
-    const std::string_view word = wordAt(m_text, m_at);
-    m_nodes.push_back({word, 1, m_line, Node::Kind::Word, false});
-    m_at += std::max<std::size_t>(word.size(), 1);
+    const char* begin = m_at;
+    m_at = std::max(endOfWord(m_at, m_end), begin + 1);
+    add(Node::Kind::Word, begin, static_cast<std::size_t>(m_at - begin));
 }
 
 }  // namespace model::kicad

@@ -14,17 +14,23 @@ namespace model::kicad {
 /// A list or an atom of KiCad's S-expressions as it lies in a Tree: a list is followed by all that is in it.
 struct Node {
     enum class Kind : std::uint8_t { List, Word, Text };
-    std::string_view source;  ///< as written: a list with its parentheses, a text without its quotes
-    std::uint32_t span = 1;   ///< how many nodes it is, itself included
-    std::uint32_t line = 0;   ///< 1-based, where it begins
+    const char* begin = nullptr;  ///< as written: a list with its parentheses, a text without its quotes
+    std::uint32_t size = 0;       ///< in bytes; no more than this number holds
+    std::uint32_t span = 1;       ///< how many nodes it is, itself included
+    std::uint32_t line = 0;       ///< 1-based, where it begins
     Kind kind = Kind::Word;
     bool isImplicit = false;  ///< a list whose opening parenthesis the writer forgot
+
+    [[nodiscard]] std::string_view source() const { return {begin, size}; }
 };
+
+/// What is not there.
+inline constexpr Node kNoNode;
 
 /// A look at a node. One that is not there is an empty word, so chains of look-ups need no tests.
 class Item {
 public:
-    Item();
+    Item() : m_node(&kNoNode) {}
     explicit Item(const Node* node) : m_node(node) {}
 
     /// The items of a list, its head included.
@@ -51,13 +57,16 @@ public:
     [[nodiscard]] Iterator begin() const { return Iterator(m_node + 1); }
     [[nodiscard]] Iterator end() const { return Iterator(m_node + m_node->span); }
 
-    [[nodiscard]] bool isThere() const;
+    [[nodiscard]] bool isThere() const { return m_node != &kNoNode; }
     [[nodiscard]] bool isList() const { return m_node->kind == Node::Kind::List; }
     [[nodiscard]] bool isQuoted() const { return m_node->kind == Node::Kind::Text; }
     [[nodiscard]] std::uint32_t line() const { return m_node->line; }
-    [[nodiscard]] std::string_view source() const { return m_node->source; }
+    [[nodiscard]] std::string_view source() const { return m_node->source(); }
     /// The word that a list begins with, else empty.
-    [[nodiscard]] std::string_view head() const;
+    [[nodiscard]] std::string_view head() const {
+        return isList() && m_node->span > 1 && m_node[1].kind != Node::Kind::List ? m_node[1].source()
+                                                                                  : std::string_view();
+    }
     /// The item at a place; the head is at 0.
     [[nodiscard]] Item at(std::size_t place) const;
     /// The atom at a place as it is written, escapes and all; empty for lists and where there is none.
@@ -96,23 +105,28 @@ public:
 
 private:
     void skipBlanks();
-    void open(bool isImplicit);
-    void close();
+    void readItem();
     void readText();
     void readWord();
-    void readItem();
+    void open(bool isImplicit);
+    void close();
+    void closeAll();
+    Node& add(Node::Kind kind, const char* begin, std::size_t size);
     [[nodiscard]] bool beginsBoardItem() const;
     [[nodiscard]] bool isForgottenList() const;
     void report(Severity severity, std::uint32_t line, std::string_view text);
 
-    std::string_view m_text;
     std::string_view m_file;
     Diagnostics& m_diagnostics;
-    std::size_t m_at = 0;
+    const char* m_begin;
+    const char* m_end;
+    const char* m_at;
+    const char* m_lineBegin;  ///< of the line that m_at is in
     std::uint32_t m_line = 1;
     bool m_isBoard = false;
     bool m_isClosed = false;
-    std::vector<Node> m_nodes;
+    std::vector<Node> m_nodes;  ///< of the item; the first m_count hold
+    std::size_t m_count = 0;
     std::vector<std::uint32_t> m_open;
 };
 
