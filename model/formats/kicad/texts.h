@@ -27,9 +27,8 @@ struct TextPlace {
 /// Is it there to be seen? (hide yes), hide, (effects … hide).
 [[nodiscard]] bool isHidden(const Item& item);
 
-/// Draws it: the polygons that KiCad keeps of outline fonts, else strokes of the font that stands in for KiCad's (its
-/// letters look different and are about as wide), as a group of features. A knockout text is a box without its
-/// characters.
+/// Draws it: the polygons that KiCad keeps of outline fonts, else strokes of KiCad's own font, as a group of features.
+/// A knockout text is a box without its characters.
 void drawText(Canvas& canvas, const TextPlace& place, const Origin& origin);
 
 }  // namespace model::kicad

@@ -1,0 +1,147 @@
+#include "model/formats/kicad/text_strokes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "model/formats/common/text_layout.h"
+#include "model/formats/kicad/text/stroke_font.h"
+
+namespace model::kicad {
+
+namespace {
+
+constexpr double kInterline = 1.61;         ///< of the height, from line to line
+constexpr double kFirstLine = 1.17;         ///< of the height, what the first line counts
+constexpr double kPenAcross = 1 / 1.52;     ///< of the pen, from an anchor at the left or right
+constexpr double kPenUp = 0.052;            ///< of the pen, how much higher the base line is
+constexpr double kBelow = 1 / kGlyphGrid;   ///< of the height, capitals stand lower than the base line
+constexpr double kSlant = 1 / 8.0;          ///< of italics
+constexpr double kSmall = 0.8;              ///< of what is raised or lowered
+constexpr double kRaised = 0.35 * kSmall;   ///< of the height
+constexpr double kLowered = 0.15 * kSmall;  ///< of the height
+constexpr double kBar = 1.23;               ///< of the height, where the bar is above the base line
+constexpr double kBarTrim = 0.1;            ///< of the width, at both of its ends
+constexpr double kTab = 4 * 0.82;           ///< of the width
+constexpr std::size_t kLongest = 10'000;    ///< characters
+constexpr std::size_t kDeepest = 16;        ///< marks within each other
+
+std::vector<std::string> linesOf(std::string_view text) {
+    std::vector<std::string> lines(1);
+    for (const char c : text.substr(0, kLongest)) {
+        if (c == '\n') {
+            lines.emplace_back();
+        } else if (c != '\r') {
+            lines.back() += c;
+        }
+    }
+    if (lines.size() > 1 && lines.back().empty()) {
+        lines.pop_back();
+    }
+    return lines;
+}
+
+double advanceOf(char32_t character) {
+    if (character == U'\t') {
+        return kTab;
+    }
+    const std::optional<Glyph> glyph = glyphOf(character);
+    return (glyph ? glyph : glyphOf(U' '))->advance / kGlyphGrid;
+}
+
+}  // namespace
+
+TextStrokes::TextStrokes(std::string_view text, const TextStyle& style) : m_style(style) {
+    const std::vector<std::string> lines = linesOf(text);
+    const double pitch = kInterline * style.height;
+    const double all = kFirstLine * style.height + static_cast<double>(lines.size() - 1) * pitch;
+    const double first = kPenUp * style.pen - style.height + (1.0 - style.up) * all;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        addLine(lines[i], first - static_cast<double>(i) * pitch);
+    }
+}
+
+std::vector<TextStrokes::Run> TextStrokes::runsOf(std::string_view line) {
+    std::vector<Run> runs(1);
+    std::vector<Run> outer;
+    std::string characters;
+    const auto finish = [&](const Run& next) {
+        runs.back().characters = formats::codePoints(characters);
+        runs.push_back({{}, next.scale, next.raised, next.hasBar});
+        characters.clear();
+    };
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        const bool isMark = (c == '~' || c == '^' || c == '_') && i + 1 < line.size() && line[i + 1] == '{';
+        if (isMark && outer.size() < kDeepest) {
+            Run inner = runs.back();
+            inner.hasBar = inner.hasBar || c == '~';
+            inner.scale = c == '~' ? inner.scale : kSmall;
+            inner.raised += c == '^' ? kRaised : c == '_' ? -kLowered : 0.0;
+            outer.push_back(runs.back());
+            finish(inner);
+            ++i;
+        } else if (c == '}' && !outer.empty()) {
+            finish(outer.back());
+            outer.pop_back();
+        } else {
+            characters += c;
+        }
+    }
+    runs.back().characters = formats::codePoints(characters);
+    return runs;
+}
+
+void TextStrokes::addLine(std::string_view line, double baseLine) {
+    const std::vector<Run> runs = runsOf(line);
+    double width = 0.0;
+    for (const Run& run : runs) {
+        for (const char32_t character : run.characters) {
+            width += advanceOf(character) * run.scale * m_style.width;
+        }
+    }
+    double cursor = -m_style.across * width;
+    cursor += m_style.across == 0.5 ? 0.0 : (m_style.across < 0.5 ? 1.0 : -1.0) * kPenAcross * m_style.pen;
+    for (const Run& run : runs) {
+        addRun(run, cursor, baseLine);
+    }
+}
+
+void TextStrokes::addRun(const Run& run, double& cursor, double baseLine) {
+    const double start = cursor;
+    const double x = run.scale * m_style.width / kGlyphGrid;
+    const double y = run.scale * m_style.height / kGlyphGrid;
+    const double slant = m_style.isItalic ? kSlant : 0.0;
+    const double from = baseLine + run.raised * m_style.height;
+    for (const char32_t character : run.characters) {
+        const std::optional<Glyph> glyph = glyphOf(character);
+        m_lacksCharacters = m_lacksCharacters || (!glyph && character != U'\t');
+        for (const std::vector<PointD>& line : glyph ? glyph->lines : std::vector<std::vector<PointD>>()) {
+            const auto at = [&](PointD p) {
+                const double high = p.y * y - kBelow * run.scale * m_style.height;
+                return PointD{cursor + p.x * x + slant * high, from + high};
+            };
+            for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+                add(at(line[i]), at(line[i + 1]));
+            }
+        }
+        cursor += advanceOf(character) * run.scale * m_style.width;
+    }
+    if (run.hasBar && cursor > start) {
+        const double high = kBar * m_style.height * run.scale;
+        const double trim = kBarTrim * m_style.width * run.scale;
+        add({start + trim + slant * high, from + high}, {cursor - trim + slant * high, from + high});
+    }
+}
+
+void TextStrokes::add(PointD a, PointD b) {
+    for (PointD* p : {&a, &b}) {
+        p->x = m_style.isMirrored ? -p->x : p->x;
+        m_min = {std::min(m_min.x, p->x), std::min(m_min.y, p->y)};
+        m_max = {std::max(m_max.x, p->x), std::max(m_max.y, p->y)};
+    }
+    m_strokes.emplace_back(a, b);
+}
+
+}  // namespace model::kicad
