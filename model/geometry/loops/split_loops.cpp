@@ -13,7 +13,8 @@ namespace {
 
 /// Corners closer to a cut than this would make edges that are shorter than 1 nm, or miss one.
 constexpr double kClear = 1.0;
-/// How many corners around the middle one are looked at for the widest place between two.
+/// How many corners around the middle one are looked at for the widest place between two; more where many lie on one
+/// line, as those of holes in rows do.
 constexpr std::size_t kTried = 64;
 
 /// The line x = `at`, or y = `at`.
@@ -276,7 +277,7 @@ std::optional<double> placeFor(const EdgeLoops& region, bool isUpright) {
             place = (corners[i] + corners[i - 1]) / 2;
         }
     };
-    for (std::size_t away = 0; away <= tried; ++away) {
+    for (std::size_t away = 0; away <= tried || (!place && away <= middle); ++away) {
         offer(middle + away);
         offer(middle - away);  // wraps around to nothing
     }

@@ -1,6 +1,7 @@
 #include "model/geometry/loops/split_loops.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <numbers>
 
 #include "model/geometry/loops/edge_faults.h"
@@ -24,9 +25,10 @@ EdgeLoops plane(int corners, int holesAcross) {
         loops.addLine(corner(i), corner((i + 1) % corners));
     }
     loops.endLoop();
+    const double pitch = 60e6 / std::max(1, holesAcross);
     for (int x = 0; x < holesAcross; ++x) {
         for (int y = 0; y < holesAcross; ++y) {
-            loops.addCircle({-30e6 + 60e6 * x / holesAcross, -30e6 + 60e6 * y / holesAcross}, 400'000.0);
+            loops.addCircle({-30e6 + pitch * x, -30e6 + pitch * y}, std::min(400'000.0, 0.3 * pitch));
         }
     }
     return loops;
@@ -52,6 +54,7 @@ private slots:
         QTest::newRow("a long outline") << 5000 << 0;
         QTest::newRow("many holes") << 100 << 30;
         QTest::newRow("both") << 3000 << 25;
+        QTest::newRow("holes in long rows") << 100 << 161;
     }
     void piecesKeepTheLimitsAndCoverTheRegion() {
         QFETCH(int, corners);
@@ -70,7 +73,8 @@ private slots:
             QVERIFY2(!fault, fault ? fault->what.c_str() : "");
         }
         const double area = model::areaOf(region);
-        QVERIFY(std::abs(areaOf(pieces) / area - 1.0) < 1e-12);
+        // A sum near 7e15 nm² is rounded by up to 0.5 nm² with each of up to 80,000 edges.
+        QVERIFY(std::abs(areaOf(pieces) / area - 1.0) < 6e-12);
     }
 
     void aRegionThatKeepsTheLimitsStaysAsItIs() {
