@@ -53,7 +53,8 @@ bool isPhysical(const DrawnLayer& layer) {
 LayerRows::LayerRows(const DrawnJob& job, DocumentBuilder& builder)
     : m_job(job), m_builder(builder), m_order(job.layers.size()), m_layerOfRow(job.layers.size()) {
     std::iota(m_order.begin(), m_order.end(), std::size_t{0});
-    std::ranges::stable_partition(m_order, [&job](std::size_t row) { return isPhysical(job.layers[row]); });
+    std::stable_partition(m_order.begin(), m_order.end(),
+                          [&job](std::size_t row) { return isPhysical(job.layers[row]); });
 }
 
 Layer LayerRows::layerOf(std::size_t row) const {

@@ -229,7 +229,7 @@ std::vector<std::int32_t> BoardLayers::rows(const Item& names) const {
         }
     }
     std::ranges::sort(rows);
-    rows.erase(std::ranges::unique(rows).begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     return rows;
 }
 

@@ -33,7 +33,7 @@ std::vector<int> boardsIn(const formats::Archive& archive) {
             boards.push_back(row);
         }
     }
-    std::ranges::stable_partition(boards, [&](int row) {
+    std::stable_partition(boards.begin(), boards.end(), [&](int row) {
         std::string path = archive.path(row);
         return archive.find(path.replace(path.size() - kBoard.size(), kBoard.size(), kProject)) >= 0;
     });

@@ -446,7 +446,7 @@ void Pads::finish() {
         rows.push_back(waiting.row);
     }
     std::ranges::sort(rows);
-    rows.erase(std::ranges::unique(rows).begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     for (const std::int32_t row : rows) {
         std::vector<Waiting> pads;
         std::ranges::copy_if(m_waiting, std::back_inserter(pads), [&](const Waiting& w) { return w.row == row; });

@@ -116,7 +116,7 @@ private:
 /// No value when a hole lies in no outline.
 std::optional<Regions> nested(std::vector<Loop> loops) {
     const auto firstHole =
-        std::ranges::stable_partition(loops, [](const Loop& loop) { return loop.area > 0.0; }).begin();
+        std::stable_partition(loops.begin(), loops.end(), [](const Loop& loop) { return loop.area > 0.0; });
     const std::span<const Loop> outlines(loops.begin(), firstHole);
     const std::span<const Loop> holes(firstHole, loops.end());
     Regions regions(outlines.size());
