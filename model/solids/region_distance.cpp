@@ -153,19 +153,25 @@ bool EdgeStrips::meets(const Box& box) const {
     return false;
 }
 
+bool EdgeStrips::comesNear(const Edge& edge, const PolygonSet& set, std::span<const PolygonSet::Polygon> polygons,
+                           double margin) {
+    Box around;
+    around.include(edge.a);
+    around.include(edge.b);
+    bool isNear = false;
+    forEachEdge(set, polygons, [&](Point a, Point b) {
+        isNear = isNear || (boxesTouch(a, b, around, margin) && segmentDistance(edge.a, edge.b, a, b) < margin);
+    });
+    return isNear;
+}
+
 bool EdgeStrips::comesNear(const PolygonSet& set, std::span<const PolygonSet::Polygon> polygons, const Box& box,
                            double margin) const {
     const auto reach = static_cast<std::int64_t>(margin);
     const std::size_t last = stripOf(box.max.y + reach);
     for (std::size_t i = stripOf(box.min.y - reach); i <= last; ++i) {
         for (const Edge& edge : m_strips[i]) {
-            bool isNear = false;
-            if (boxesTouch(edge.a, edge.b, box, margin)) {
-                forEachEdge(set, polygons, [&](Point a, Point b) {
-                    isNear = isNear || segmentDistance(edge.a, edge.b, a, b) < margin;
-                });
-            }
-            if (isNear) {
+            if (boxesTouch(edge.a, edge.b, box, margin) && comesNear(edge, set, polygons, margin)) {
                 return true;
             }
         }

@@ -37,6 +37,8 @@ private:
         Point b;
     };
 
+    [[nodiscard]] static bool comesNear(const Edge& edge, const PolygonSet& set,
+                                        std::span<const PolygonSet::Polygon> polygons, double margin);
     [[nodiscard]] std::size_t stripOf(std::int64_t y) const;
 
     Box m_box;
