@@ -222,34 +222,44 @@ private:
     std::optional<BoxIndex> m_index;
 };
 
-/// Finds the polygon around a point.
+/// Finds the polygon around a point. Edges lie in horizontal strips, so that few are looked at.
 class PieceLocator {
 public:
     explicit PieceLocator(const PolygonSet& pieces) : m_pieces(pieces) {
+        for (const Point& point : pieces.points) {
+            m_low = std::min(m_low, std::int64_t{point.y});
+            m_high = std::max(m_high, std::int64_t{point.y});
+        }
+        constexpr std::size_t kEdgesPerStrip = 8;
+        constexpr std::size_t kMostStrips = 1U << 14U;
+        m_strips.resize(std::clamp<std::size_t>(pieces.points.size() / kEdgesPerStrip, 1, kMostStrips));
         for (std::uint32_t p = 0; p < pieces.polygons.size(); ++p) {
             for (std::uint32_t i = 0; i < pieces.polygons[p].loopCount; ++i) {
                 addLoop(p, pieces.loop(pieces.polygons[p].firstLoop + i));
             }
         }
-        std::vector<Box> boxes;
-        for (const Side& edge : m_edges) {
-            boxes.emplace_back().include(edge.low);
-            boxes.back().include(edge.high);
-            m_right = std::max(m_right, boxes.back().max.x);
-        }
-        m_index.emplace(boxes);
     }
 
     /// Number of pieces when the point lies in none.
     [[nodiscard]] std::size_t pieceAt(Point point) const {
-        std::map<std::uint32_t, bool> isInside;  // by piece: crossings to the right are odd
-        m_index->visit({point, {std::max(point.x, m_right), point.y}}, [&](std::uint32_t row) {
-            if (crossesToTheRight(m_edges[row], point)) {
-                isInside[m_edges[row].piece] ^= true;
+        if (point.y < m_low || point.y > m_high) {
+            return m_pieces.polygons.size();
+        }
+        std::vector<std::uint32_t> crossed;
+        for (const Side& edge : m_strips[stripOf(point.y)]) {
+            if (crossesToTheRight(edge, point)) {
+                crossed.push_back(edge.piece);
             }
-        });
-        const auto found = std::ranges::find_if(isInside, [](const auto& entry) { return entry.second; });
-        return found == isInside.end() ? m_pieces.polygons.size() : found->first;
+        }
+        std::ranges::sort(crossed);
+        for (auto first = crossed.begin(); first != crossed.end();) {  // crossings of the piece around it are odd
+            const auto end = std::upper_bound(first, crossed.end(), *first);
+            if ((end - first) % 2 != 0) {
+                return *first;
+            }
+            first = end;
+        }
+        return m_pieces.polygons.size();
     }
 
 private:
@@ -263,8 +273,17 @@ private:
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const Point a = loop[i];
             const Point b = loop[(i + 1) % loop.size()];
-            m_edges.push_back(a.y < b.y ? Side{a, b, piece} : Side{b, a, piece});
+            const Side side = a.y < b.y ? Side{a, b, piece} : Side{b, a, piece};
+            const std::size_t last = stripOf(side.high.y);
+            for (std::size_t strip = stripOf(side.low.y); strip <= last && a.y != b.y; ++strip) {
+                m_strips[strip].push_back(side);
+            }
         }
+    }
+
+    [[nodiscard]] std::size_t stripOf(std::int64_t y) const {
+        return static_cast<std::size_t>((y - m_low) * static_cast<std::int64_t>(m_strips.size() - 1) /
+                                        std::max<std::int64_t>(m_high - m_low, 1));
     }
 
     static bool crossesToTheRight(const Side& edge, Point p) {
@@ -278,9 +297,9 @@ private:
     }
 
     const PolygonSet& m_pieces;
-    std::vector<Side> m_edges;
-    std::optional<BoxIndex> m_index;
-    Nm m_right = std::numeric_limits<Nm>::min();
+    std::int64_t m_low = std::numeric_limits<Nm>::max();
+    std::int64_t m_high = std::numeric_limits<Nm>::min();
+    std::vector<std::vector<Side>> m_strips;
 };
 
 /// The first one of those with most votes.
@@ -289,18 +308,17 @@ PieceNet winner(const std::map<NetId, std::size_t>& counts) {
     return most == counts.end() ? PieceNet{} : PieceNet{most->first, counts.size() > 1};
 }
 
-void addPiece(DocumentBuilder& builder, const PolygonSet& pieces, const PolygonSet::Polygon& piece, NetId net,
-              const OutlineSources& sources) {
-    ShapeSketch sketch;
+Inverse::Piece pieceOf(const PolygonSet& pieces, const PolygonSet::Polygon& polygon, NetId net,
+                       const OutlineSources& sources) {
+    Inverse::Piece piece;
+    piece.net = net;
     std::set<std::uint32_t> features;
-    for (std::uint32_t i = 0; i < piece.loopCount; ++i) {
-        sketch.addPolygon(pieces.loop(piece.firstLoop + i), i > 0);
-        sources.collect(pieces.loop(piece.firstLoop + i), features);
+    for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
+        piece.sketch.addPolygon(pieces.loop(polygon.firstLoop + i), i > 0);
+        sources.collect(pieces.loop(polygon.firstLoop + i), features);
     }
-    DocumentBuilder::Origin origin;
-    origin.net = net;
-    builder.addPaintedArea({builder.addShape(sketch), {}}, origin,
-                           std::vector<std::uint32_t>(features.begin(), features.end()));
+    piece.features.assign(features.begin(), features.end());
+    return piece;
 }
 
 }  // namespace
@@ -355,19 +373,27 @@ std::vector<PieceNet> netsOf(const PolygonSet& pieces, std::span<const NetVote> 
     return nets;
 }
 
-InverseSummary addInverse(DocumentBuilder& builder, const PolygonSet& base, const Document& painted,
-                          std::span<const std::uint8_t> negatives, std::span<const NetVote> votes) {
+Inverse inverseOf(const PolygonSet& base, const Document& painted, std::span<const std::uint8_t> negatives,
+                  std::span<const NetVote> votes) {
     const PolygonSet pieces = subtract(base, visible(painted, negatives));
     const std::vector<PieceNet> nets = netsOf(pieces, votes);
     const OutlineSources sources(painted);
-    InverseSummary summary;
-    summary.pieces = pieces.polygons.size();
+    Inverse inverse;
+    inverse.summary.pieces = pieces.polygons.size();
     for (std::size_t i = 0; i < nets.size(); ++i) {
-        addPiece(builder, pieces, pieces.polygons[i], nets[i].net, sources);
-        summary.withoutNet += nets[i].net.isValid() ? 0 : 1;
-        summary.withSeveralNets += nets[i].hasOtherVotes ? 1 : 0;
+        inverse.pieces.push_back(pieceOf(pieces, pieces.polygons[i], nets[i].net, sources));
+        inverse.summary.withoutNet += nets[i].net.isValid() ? 0 : 1;
+        inverse.summary.withSeveralNets += nets[i].hasOtherVotes ? 1 : 0;
     }
-    return summary;
+    return inverse;
+}
+
+void addInverse(DocumentBuilder& builder, const Inverse& inverse) {
+    for (const Inverse::Piece& piece : inverse.pieces) {
+        DocumentBuilder::Origin origin;
+        origin.net = piece.net;
+        builder.addPaintedArea({builder.addShape(piece.sketch), {}}, origin, piece.features);
+    }
 }
 
 ShapeSketch regionOf(const Document& painted, std::span<const std::uint8_t> negatives) {

@@ -44,10 +44,22 @@ struct InverseSummary {
     std::size_t withSeveralNets = 0;  ///< votes for several nets lie in one piece
 };
 
-/// Adds base minus everything that `painted` leaves visible, one painted Area per connected piece: the copper of a
-/// negative layer. The sources of a piece are the features that shaped its outline; its net is that of the votes in it.
-InverseSummary addInverse(DocumentBuilder& builder, const PolygonSet& base, const Document& painted,
-                          std::span<const std::uint8_t> negatives, std::span<const NetVote> votes);
+/// The copper of a negative layer.
+struct Inverse {
+    struct Piece {
+        ShapeSketch sketch;
+        NetId net;                            ///< that of the votes in it
+        std::vector<std::uint32_t> features;  ///< that shaped its outline, rising
+    };
+    std::vector<Piece> pieces;  ///< connected each
+    InverseSummary summary;
+};
+
+/// Base minus everything that `painted` leaves visible.
+[[nodiscard]] Inverse inverseOf(const PolygonSet& base, const Document& painted,
+                                std::span<const std::uint8_t> negatives, std::span<const NetVote> votes);
+/// Adds the pieces to the builder's current layer, a painted Area each.
+void addInverse(DocumentBuilder& builder, const Inverse& inverse);
 
 /// The region that all elements together leave visible. Exact when there is no negative and no two elements come near
 /// each other, else straight-edged within 1 µm.

@@ -1,6 +1,7 @@
 #include "model/formats/drawing/step_assembly.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "model/board/holes.h"
 #include "model/board/stackup_checks.h"
@@ -49,7 +50,7 @@ public:
     bool run() {
         m_copies.add();
         addParts(m_builder, m_step, m_nets);
-        if (!addLayers(false)) {
+        if (!addPositiveLayers()) {
             return false;
         }
         addProfile();
@@ -57,7 +58,7 @@ public:
         if (m_isShown) {
             reportStackup(m_builder.soFar(), m_builder.diagnostics());
         }
-        if (!addLayers(true)) {
+        if (!addNegatives()) {
             return false;
         }
         cutPlating(m_builder);
@@ -73,13 +74,12 @@ public:
     }
 
 private:
-    /// All layers whose polarity is `isNegative`; negative ones need the profile and the holes, so they come last.
-    bool addLayers(bool isNegative) {
+    bool addPositiveLayers() {
         for (const std::size_t row : m_parts.layers.order()) {
             if (m_parts.progress.isCancelled()) {
                 return false;
             }
-            if (m_parts.job.layers[row].isNegative == isNegative) {
+            if (!m_parts.job.layers[row].isNegative) {
                 addLayer(row);
                 m_parts.progress.layerDone();
             }
@@ -87,35 +87,74 @@ private:
         return true;
     }
 
-    void addLayer(std::size_t row) {
+    /// They need the profile and the holes, so they come last.
+    bool addNegatives() {
+        std::vector<NegativeLayer> negatives;
+        for (const std::size_t row : m_parts.layers.order()) {
+            const DrawnSource source = sourceOf(row);
+            if (m_parts.job.layers[row].isNegative && source.features.empty()) {
+                m_builder.beginLayer(source.layer);
+                m_parts.progress.layerDone();
+            } else if (m_parts.job.layers[row].isNegative) {
+                negatives.push_back(paintNegative(source, holesOf(row)));
+            }
+        }
+        if (!addNegativeLayers(m_builder, negatives, m_parts.progress)) {
+            return false;
+        }
+        for (const NegativeLayer& layer : negatives) {
+            m_copies.reportNegativesOfCopies(layer.layer, layer.file);
+        }
+        return true;
+    }
+
+    [[nodiscard]] DrawnSource sourceOf(std::size_t row) const {
+        return {&m_step, featuresOf(m_step, row), m_parts.job.layers[row].file, m_parts.layers.id(row)};
+    }
+
+    /// None for layers without holes.
+    [[nodiscard]] std::optional<HoleRules> holesOf(std::size_t row) {
         const DrawnLayer& layer = m_parts.job.layers[row];
-        const LayerId id = m_parts.layers.id(row);
-        m_builder.beginLayer(id);
-        const DrawnSource source{&m_step, featuresOf(m_step, row), layer.file, id};
+        return isHoles(layer.type) ? std::optional<HoleRules>(std::in_place, m_builder.layer(m_parts.layers.id(row)),
+                                                              layer.tools, m_pins)
+                                   : std::nullopt;
+    }
+
+    void addLayer(std::size_t row) {
+        const DrawnSource source = sourceOf(row);
+        m_builder.beginLayer(source.layer);
         if (source.features.empty()) {
             return;
         }
-        std::optional<HoleRules> holes;
-        if (isHoles(layer.type)) {
-            holes.emplace(m_builder.layer(id), layer.tools, m_pins);
-        }
-        if (layer.isNegative || hasNegatives(source.features)) {
-            paintLayer(source, layer.isNegative, holes ? &*holes : nullptr);
+        const std::optional<HoleRules> holes = holesOf(row);
+        if (hasNegatives(source.features)) {
+            paintLayer(source, holes);
         } else {
             addDrawn(m_builder, m_nets, m_builder.diagnostics(), source, holes ? &*holes : nullptr);
         }
-        m_copies.reportNegativesOfCopies(id, layer.file);
+        m_copies.reportNegativesOfCopies(source.layer, source.path);
     }
 
-    void paintLayer(const DrawnSource& source, bool isNegativeLayer, const HoleRules* holes) {
-        DocumentBuilder scratch;
+    std::vector<std::uint8_t> paint(DocumentBuilder& scratch, const DrawnSource& source,
+                                    const std::optional<HoleRules>& holes) {
         scratch.beginLayer(scratch.addLayer({}));
-        const std::vector<std::uint8_t> negatives = addDrawn(scratch, m_nets, m_builder.diagnostics(), source, holes);
-        if (isNegativeLayer) {
-            return addNegativeLayer(m_builder, source.layer, scratch.soFar(), negatives, source.path, 0);
-        }
+        return addDrawn(scratch, m_nets, m_builder.diagnostics(), source, holes ? &*holes : nullptr);
+    }
+
+    void paintLayer(const DrawnSource& source, const std::optional<HoleRules>& holes) {
+        DocumentBuilder scratch;
+        const std::vector<std::uint8_t> negatives = paint(scratch, source, holes);
         m_copies.reportOwnNegatives(source.layer, source.path, scratch.soFar(), negatives);
         addPainted(m_builder, scratch.soFar(), negatives);
+    }
+
+    NegativeLayer paintNegative(const DrawnSource& source, const std::optional<HoleRules>& holes) {
+        NegativeLayer layer;
+        layer.layer = source.layer;
+        layer.painted = std::make_unique<DocumentBuilder>();
+        layer.negatives = paint(*layer.painted, source, holes);
+        layer.file = std::string(source.path);
+        return layer;
     }
 
     void addProfile() {

@@ -1,6 +1,7 @@
 #include "model/formats/odb/job_builder.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "model/board/stackup_checks.h"
 #include "model/formats/common/back_drills.h"
@@ -54,7 +55,7 @@ public:
     bool build() {
         takeDiagnostics();
         m_copies.add();
-        if (!buildLayers(false)) {
+        if (!buildPositives()) {
             return false;
         }
         setProfile();
@@ -62,7 +63,7 @@ public:
         if (m_isChosen) {
             reportStackup(m_builder.soFar(), diagnostics());
         }
-        if (!buildLayers(true)) {
+        if (!buildNegatives()) {
             return false;
         }
         formats::cutPlating(m_builder);
@@ -100,13 +101,12 @@ private:
 
     // ---- elements ----
 
-    /// All layers whose polarity is `isNegative`; negative ones need the profile, so they come last.
-    bool buildLayers(bool isNegative) {
+    bool buildPositives() {
         for (const std::size_t row : m_layers.order()) {
             if (m_parts.progress.isCancelled()) {
                 return false;
             }
-            if (m_matrix.layers[row].isNegative == isNegative) {
+            if (!m_matrix.layers[row].isNegative) {
                 buildLayer(row);
                 m_parts.progress.layerDone();
             }
@@ -114,37 +114,76 @@ private:
         return true;
     }
 
+    /// They need the profile and the holes, so they come last.
+    bool buildNegatives() {
+        std::vector<formats::NegativeLayer> negatives;
+        for (const std::size_t row : m_layers.order()) {
+            const bool isNegative = m_matrix.layers[row].isNegative;
+            if (isNegative && m_step.layers[row].features.isPresent()) {
+                negatives.push_back(paintNegative(row));
+            } else if (isNegative) {
+                m_builder.beginLayer(m_layers.id(row));
+                m_parts.progress.layerDone();
+            }
+        }
+        if (!addNegativeLayers(m_builder, negatives, m_parts.progress)) {
+            return false;
+        }
+        for (const formats::NegativeLayer& layer : negatives) {
+            m_copies.reportNegativesOfCopies(layer.layer, m_step.layers[m_layers.rowOf(layer.layer)].features.path);
+        }
+        return true;
+    }
+
+    [[nodiscard]] FeatureSource sourceOf(std::size_t row) const {
+        const Parsed<FeatureFile>& features = m_step.layers[row].features;
+        return {&features.value, features.path, m_nets.linksOf(row), m_parts.job.attributeTypes};
+    }
+
+    /// None for layers without holes.
+    [[nodiscard]] std::optional<formats::HoleRules> holesOf(std::size_t row) {
+        return m_matrix.layers[row].isHoles()
+                   ? std::optional<formats::HoleRules>(std::in_place, m_builder.layer(m_layers.id(row)),
+                                                       m_step.layers[row].tools.value, m_pins)
+                   : std::nullopt;
+    }
+
     void buildLayer(std::size_t row) {
-        const MatrixLayer& layer = m_matrix.layers[row];
         const Parsed<FeatureFile>& features = m_step.layers[row].features;
         m_builder.beginLayer(m_layers.id(row));
         if (!features.isPresent()) {
             return;
         }
-        std::optional<formats::HoleRules> holes;
-        if (layer.isHoles()) {
-            holes.emplace(m_builder.layer(m_layers.id(row)), m_step.layers[row].tools.value, m_pins);
-        }
-        const FeatureSource source{&features.value, features.path, m_nets.linksOf(row), m_parts.job.attributeTypes};
-        if (layer.isNegative || features.value.hasNegatives) {
-            paintLayer(row, source, holes ? &*holes : nullptr);
+        if (features.value.hasNegatives) {
+            paintLayer(row);
         } else {
-            addFeatures(m_builder, m_symbols, diagnostics(), source, holes ? &*holes : nullptr);
+            const std::optional<formats::HoleRules> holes = holesOf(row);
+            addFeatures(m_builder, m_symbols, diagnostics(), sourceOf(row), holes ? &*holes : nullptr);
         }
         m_copies.reportNegativesOfCopies(m_layers.id(row), features.path);
     }
 
-    void paintLayer(std::size_t row, const FeatureSource& source, const formats::HoleRules* holes) {
-        DocumentBuilder scratch;
+    std::vector<std::uint8_t> paint(DocumentBuilder& scratch, std::size_t row) {
+        const std::optional<formats::HoleRules> holes = holesOf(row);
         scratch.beginLayer(scratch.addLayer({}));
-        const std::vector<std::uint8_t> negatives = addFeatures(scratch, m_symbols, diagnostics(), source, holes);
-        const MatrixLayer& layer = m_matrix.layers[row];
-        if (layer.isNegative) {
-            return formats::addNegativeLayer(m_builder, m_layers.id(row), scratch.soFar(), negatives, "matrix/matrix",
-                                             layer.line);
-        }
-        m_copies.reportOwnNegatives(m_layers.id(row), source.path, scratch.soFar(), negatives);
+        return addFeatures(scratch, m_symbols, diagnostics(), sourceOf(row), holes ? &*holes : nullptr);
+    }
+
+    void paintLayer(std::size_t row) {
+        DocumentBuilder scratch;
+        const std::vector<std::uint8_t> negatives = paint(scratch, row);
+        m_copies.reportOwnNegatives(m_layers.id(row), m_step.layers[row].features.path, scratch.soFar(), negatives);
         formats::addPainted(m_builder, scratch.soFar(), negatives);
+    }
+
+    formats::NegativeLayer paintNegative(std::size_t row) {
+        formats::NegativeLayer layer;
+        layer.layer = m_layers.id(row);
+        layer.painted = std::make_unique<DocumentBuilder>();
+        layer.negatives = paint(*layer.painted, row);
+        layer.file = "matrix/matrix";
+        layer.line = m_matrix.layers[row].line;
+        return layer;
     }
 
     static bool hasNegatives(const JobParts& parts, std::size_t step, LayerId layer) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "model/base/parallel.h"
 #include "model/formats/common/board_outline.h"
 #include "model/formats/common/painting.h"
 #include "model/geometry/region.h"
@@ -16,27 +17,53 @@ std::string summaryText(const InverseSummary& summary) {
            " pieces have a net, that of the plated holes and pads in them";
 }
 
+ShapeId outlineOf(const DocumentBuilder& builder, LayerId layer) {
+    const ShapeId own = builder.soFar().layer(layer).profile;
+    return own.isValid() ? own : builder.soFar().profile;
+}
+
+Inverse inverseOf(const DocumentBuilder& builder, const NegativeLayer& layer) {
+    const Document& board = builder.soFar();
+    const PolygonSet outline = discretise(board.shapes, outlineOf(builder, layer.layer), kBooleanChords);
+    const std::vector<NetVote> votes = votesOn(board, layer.layer, layer.painted->soFar());
+    return inverseOf(withoutCopies(board, outline, kBooleanChords), layer.painted->soFar(), layer.negatives, votes);
+}
+
+void report(Diagnostics& diagnostics, const NegativeLayer& layer, const std::string& name,
+            const InverseSummary& summary) {
+    diagnostics.report(Severity::Info, layer.file, layer.line, name + summaryText(summary));
+    if (summary.withSeveralNets > 0) {
+        diagnostics.report(Severity::Warning, layer.file, layer.line,
+                           name + ": in " + std::to_string(summary.withSeveralNets) +
+                               " pieces lie holes of several nets; the most frequent one was taken");
+    }
+}
+
 }  // namespace
 
-void addNegativeLayer(DocumentBuilder& builder, LayerId layer, const Document& painted,
-                      std::span<const std::uint8_t> negatives, std::string_view file, std::uint32_t line) {
-    const std::string name = "layer " + builder.layer(layer).name;
-    const ShapeId own = builder.layer(layer).profile;
-    const ShapeId profile = own.isValid() ? own : builder.soFar().profile;
-    if (!profile.isValid()) {
-        return builder.diagnostics().report(Severity::Error, file, line,
-                                            name + " is negative, but the board has no outline; it stays empty");
+bool addNegativeLayers(DocumentBuilder& builder, std::span<const NegativeLayer> layers, StepProgress& progress) {
+    std::vector<Inverse> inverses(layers.size());
+    base::parallelFor(layers.size(), [&](std::size_t i) {
+        if (!progress.isCancelled() && outlineOf(builder, layers[i].layer).isValid()) {
+            inverses[i] = inverseOf(builder, layers[i]);
+        }
+        progress.layerDone();
+    });
+    if (progress.isCancelled()) {
+        return false;
     }
-    const PolygonSet outline = discretise(builder.shapes(), profile, kBooleanChords);
-    const std::vector<NetVote> votes = votesOn(builder.soFar(), layer, painted);
-    const InverseSummary summary =
-        addInverse(builder, withoutCopies(builder.soFar(), outline, kBooleanChords), painted, negatives, votes);
-    builder.diagnostics().report(Severity::Info, file, line, name + summaryText(summary));
-    if (summary.withSeveralNets > 0) {
-        builder.diagnostics().report(Severity::Warning, file, line,
-                                     name + ": in " + std::to_string(summary.withSeveralNets) +
-                                         " pieces lie holes of several nets; the most frequent one was taken");
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const std::string name = "layer " + builder.layer(layers[i].layer).name;
+        builder.beginLayer(layers[i].layer);
+        if (outlineOf(builder, layers[i].layer).isValid()) {
+            addInverse(builder, inverses[i]);
+            report(builder.diagnostics(), layers[i], name, inverses[i].summary);
+        } else {
+            builder.diagnostics().report(Severity::Error, layers[i].file, layers[i].line,
+                                         name + " is negative, but the board has no outline; it stays empty");
+        }
     }
+    return true;
 }
 
 }  // namespace model::formats

@@ -1,6 +1,7 @@
 #include "model/formats/drawing/assembly.h"
 
 #include <QtTest>
+#include <algorithm>
 
 #include "tests/unit/model/formats/drawing/drawn_testing.h"
 
@@ -129,6 +130,28 @@ private slots:
         }
         QCOMPARE(withNet, 1);
         QVERIFY(findMessage(*d, "1 of 2 pieces have a net") != nullptr);
+    }
+
+    void negativeLayersKeepTheirOrder() {
+        DrawnJob job = boardOfTwoLayers();
+        job.layers[0].isNegative = job.layers[1].isNegative = true;
+        DrawnStep& step = job.steps[0];
+        const std::int32_t pen = addRound(step, 2 * kMm);
+        draw(step, 0, line(pen, mm(30, -5), mm(30, 55)));
+        draw(step, 1, line(pen, mm(50, -5), mm(50, 55)));
+        const auto d = assembled(job);
+        const model::Layer& top = d->layer(LayerId{0});
+        const model::Layer& bottom = d->layer(LayerId{1});
+        QCOMPARE(top.elements.count, 2U);
+        QCOMPARE(bottom.elements.count, 2U);
+        QCOMPARE(bottom.elements.first, top.elements.first + 2);
+        const auto edgeOfLeft = [&](const char* layer) {
+            return std::min(d->boxOf(elementOf(*d, layer, 0)).max.x, d->boxOf(elementOf(*d, layer, 1)).max.x);
+        };
+        QCOMPARE(edgeOfLeft("TOP"), 29 * kMm);
+        QCOMPARE(edgeOfLeft("BOTTOM"), 49 * kMm);
+        QVERIFY(findMessage(*d, "Layer TOP is negative") != nullptr);
+        QVERIFY(findMessage(*d, "Layer BOTTOM is negative") != nullptr);
     }
 
     void holesHaveTheirSpanPlatingAndPurpose() {
