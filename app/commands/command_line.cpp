@@ -89,10 +89,12 @@ void addNetOptions(CLI::App& command, model::OpenRequest& request) {
 }
 
 /// To be called when all other options of the command are there: `--format` may be that of its report.
-void addInputFormat(CLI::App& command, std::string& format) {
+void addInputOptions(CLI::App& command, model::OpenRequest& request) {
     const bool isFree = command.get_option_no_throw("--format") == nullptr;
-    addChoice(command, isFree ? "--input-format,--format" : "--input-format", format, model::formatKeys(),
+    addChoice(command, isFree ? "--input-format,--format" : "--input-format", request.format, model::formatKeys(),
               ": what to read of a job that is there in several formats; default: the richest");
+    command.add_option("--layer-map", request.layerMap,
+                       "a file that says what each file of a Gerber job draws (see docs/command-line.md)");
 }
 
 void addModellingOptions(CLI::App& command, BoardArguments& board) {
@@ -121,7 +123,9 @@ void addInfo(CLI::App& parent, Command& chosen) {
     addBoardOptions(command, arguments.board);
     command.add_flag("--json", arguments.asJson, "as JSON");
     command.add_flag("--check-nets", arguments.checkNets, "compare the nets with the copper: opens and shorts");
-    addInputFormat(command, arguments.board.request.format);
+    command.add_flag("--print-layer-map", arguments.printsLayerMap,
+                     "only what the files of a Gerber job are taken to draw, and why, as a file for --layer-map");
+    addInputOptions(command, arguments.board.request);
 }
 
 /// Of anything with a width and a height.
@@ -189,7 +193,7 @@ void addRender(CLI::App& parent, Command& chosen) {
     command.add_flag("--outlines", arguments.isOutlined, "in 2D, outlines without fill");
     command.add_flag("--transparent", arguments.isTransparent, "without background");
     command.add_flag("--mono", arguments.isMono, "shapes white on black, neither shaded nor smoothed");
-    addInputFormat(command, arguments.board.request.format);
+    addInputOptions(command, arguments.board.request);
 }
 
 void addGenerate(CLI::App& parent, Command& chosen) {
@@ -280,7 +284,7 @@ void addClearance(CLI::App& parent, Command& chosen) {
     command.add_option("-o,--output", arguments.output, "write the report to this file; default: stdout");
     addWaivers(command, *rules, arguments);
     addMapOptions(command, arguments.map);
-    addInputFormat(command, request.format);
+    addInputOptions(command, request);
 }
 
 void addSection(CLI::App& parent, Command& chosen) {
@@ -296,7 +300,7 @@ void addSection(CLI::App& parent, Command& chosen) {
         ->check(CLI::Range(0.001, 1000.0));
     command.add_option("--height-times", arguments.heightTimes, "vertical scale; default: as large as is easy to read")
         ->check(CLI::Range(0.01, 10'000.0));
-    addInputFormat(command, arguments.board.request.format);
+    addInputOptions(command, arguments.board.request);
 }
 
 void addExport(CLI::App& parent, Command& chosen) {
@@ -325,7 +329,7 @@ void addExport(CLI::App& parent, Command& chosen) {
     command.add_flag("--one-page", arguments.isOnePage, "PDF: all layers on one page instead of a page each");
     command.add_flag("--written-out", arguments.isWrittenOut,
                      "equal pads and barrels one by one, for programs that do not know placed shapes");
-    addInputFormat(command, arguments.board.request.format);
+    addInputOptions(command, arguments.board.request);
 }
 
 void addVerify(CLI::App& parent, Command& chosen) {
@@ -344,7 +348,7 @@ void addVerify(CLI::App& parent, Command& chosen) {
     command.add_flag("--strict", arguments.isStrict, "read without the repairs that the reader makes on its own");
     command.add_flag("--no-pictures", arguments.noPictures, "without pictures of both pipelines");
     command.add_flag("--json", arguments.asJson, "as JSON");
-    addInputFormat(command, arguments.board.request.format);
+    addInputOptions(command, arguments.board.request);
 }
 
 void addMeasure(CLI::App& parent, Command& chosen) {
@@ -360,7 +364,7 @@ void addMeasure(CLI::App& parent, Command& chosen) {
                     "exit code 4 if the distance is less than this, with um, mm, mil or inch")
         ->excludes(path);
     addReportFormat(command, arguments.format);
-    addInputFormat(command, arguments.board.request.format);
+    addInputOptions(command, arguments.board.request);
 }
 
 std::vector<std::string> aspectNames() {
@@ -389,7 +393,7 @@ void addAgree(CLI::App& parent, Command& chosen) {
     addList(command, "--aspects", arguments.aspects, "only these, separated by commas")
         ->check(CLI::IsMember(aspectNames()));
     command.add_flag("--json", arguments.asJson, "as JSON");
-    addInputFormat(command, arguments.board.request.format);
+    addInputOptions(command, arguments.board.request);
     addChoice(command, "--format-a", arguments.formatA, model::formatKeys(), ": of A alone");
     addChoice(command, "--format-b", arguments.formatB, model::formatKeys(), ": of B alone");
 }
@@ -452,7 +456,7 @@ void addBench(CLI::App& parent, Command& chosen) {
     command.add_flag("--components", arguments.hasComponents, "with the bodies of the components");
     addNumber(command, "--frames", arguments.frames, 1, 1000, "frames per median");
     command.add_flag("--json", arguments.asJson, "as JSON");
-    addInputFormat(command, arguments.modelling.request.format);
+    addInputOptions(command, arguments.modelling.request);
     addTriangulationBench(command, all->isTriangulation, all->triangulation);
     addInteractionBench(command, all->isInteraction, all->interaction);
     command.callback([&chosen, &command, all] {
@@ -492,7 +496,7 @@ Command parseCommandLine(int argc, char** argv) {
     addStep(parser, *workbench);
     addStackupOptions(parser, *workbench);
     addNetOptions(parser, *workbench);
-    addInputFormat(parser, workbench->format);
+    addInputOptions(parser, *workbench);
     Command chosen = [argc, argv, workbench] { return runWorkbench(argc, argv, *workbench); };
     for (const auto addCommand : kCommands) {
         addCommand(parser, chosen);

@@ -7,6 +7,8 @@
 #include "app/common/console_progress.h"
 #include "app/reports/info_json.h"
 #include "app/reports/stackup_report.h"
+#include "model/formats/common/read_options.h"
+#include "model/formats/gerber/layer_proposals.h"
 #include "model/text/json_text.h"
 #include "render/standard/standard_triangles.h"
 
@@ -125,9 +127,22 @@ void printText(const OpenBoard& board, const std::vector<StepCheck>* checks) {
     }
 }
 
+Outcome printLayerMap(const model::OpenRequest& request) {
+    ConsoleProgress console;
+    model::formats::ReadOptions options;
+    options.layerMap = request.layerMap;
+    ASSIGN_OR_RETURN(const std::vector<model::gerber::LayerProposal> proposals,
+                     model::gerber::proposeLayers(orSample(request).path, options, console.progress()));
+    std::fputs(model::gerber::explainedMapText(proposals).c_str(), stdout);
+    return int{kDone};
+}
+
 }  // namespace
 
 Outcome runInfo(const InfoArguments& arguments) {
+    if (arguments.printsLayerMap) {
+        return printLayerMap(arguments.board.request);
+    }
     ASSIGN_OR_RETURN(const OpenBoard board, openBoard(arguments.board));
     std::optional<std::vector<StepCheck>> checks;
     if (arguments.checkNets) {

@@ -9,9 +9,11 @@ struct InfoArguments {
     BoardArguments board;
     bool asJson = false;
     bool checkNets = false;
+    bool printsLayerMap = false;
 };
 
-/// `copperscope info BOARD [--json] [--check-nets]`: what is in the job, on stdout.
+/// `copperscope info BOARD [--json] [--check-nets]`: what is in the job, on stdout. With `--print-layer-map` instead
+/// what the files of a Gerber job are taken to draw, as a layer map.
 [[nodiscard]] Outcome runInfo(const InfoArguments& arguments);
 
 }  // namespace app

@@ -177,6 +177,10 @@ base::Result<ReadBoard> readAsItIs(const fs::path& path, const ReadOptions& opti
         return unknown(input);
     }
     ASSIGN_OR_RETURN(const BoardFormat* format, choose(found, options.format, input));
+    if (!options.layerMap.empty() && format->read != readGerber) {
+        input.unpacking.report(Severity::Warning, options.layerMap.filename().string(), 0,
+                               "the layer map is not used: only Gerber jobs need one");
+    }
     ASSIGN_OR_RETURN(auto document, format->read(input, options, progress));
     return ReadBoard{std::move(document), format};
 }

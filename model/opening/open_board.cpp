@@ -35,8 +35,8 @@ Thicknesses SetThicknesses::all() const {
 }
 
 base::Result<OpenedBoard> openBoard(const OpenRequest& request, base::Progress& progress) {
-    ASSIGN_OR_RETURN(ReadBoard read,
-                     readAnyBoard(request.path, {request.step, request.inferNets, request.format}, progress));
+    const ReadOptions options{request.step, request.inferNets, request.format, request.layerMap};
+    ASSIGN_OR_RETURN(ReadBoard read, readAnyBoard(request.path, options, progress));
     session::LoadedSession found;
     if (!request.noSession) {
         found = session::loadSession(request.path, *read.document);

@@ -19,6 +19,7 @@ struct OpenRequest {
     bool noSession = false;                  ///< as if there were no session file; none is written either
     bool inferNets = false;                  ///< nets by following the copper, instead of the job's
     std::string format{};                    ///< BoardFormat::key; empty: the richest that is there
+    std::filesystem::path layerMap{};        ///< what files of a Gerber job draw; empty: ReadOptions::layerMap
 };
 
 /// What thicknesses are set over those of the job: those of the session file, and over them those for this time only.

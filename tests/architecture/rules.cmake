@@ -93,7 +93,7 @@ set(architecture_rows
     "app/reports                   | app             | app/common model/board model/nets model/statistics render/modelling render/standard | json"
     "app/verify                    | app             | app/common model/board model/export/solids model/figures model/geometry model/geometry/loops model/solids/shells model/text render/frame render/gpu render/modelling render/scene render/standard | json occt"
     "app/bench                     | app tri::bench  | app/common model/board model/formats model/text render/frame render/gpu render/modelling render/scene render/standard tri tri/gpu | json"
-    "app/commands                  | app             | app/bench app/common app/reports app/verify model/agreement model/board model/clearance model/design_rules model/export model/export/files model/export/solids model/formats model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
+    "app/commands                  | app             | app/bench app/common app/reports app/verify model/agreement model/board model/clearance model/design_rules model/export model/export/files model/export/solids model/formats model/formats/common model/formats/gerber model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
     "app                           |                 | app/commands app/common | log"
 )
 

@@ -70,6 +70,30 @@ private slots:
         QCOMPARE(copperscope({"agree", locations::kSample, locations::kSample, "--format-b", "paper"}).exitCode, 2);
     }
 
+    void whatFilesDrawIsSaid() {
+        const QTemporaryDir folder;
+        const auto write = [&](const QString& name, const QByteArray& text) {
+            QFile file(folder.filePath(name));
+            return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+        };
+        QVERIFY(QDir(folder.path()).mkdir("job"));
+        const QByteArray pads = "%FSLAX46Y46*%\n%MOMM*%\n%ADD10C,1.5*%D10*X2000000Y2000000D03*X8000000D03*M02*\n";
+        QVERIFY(write("job/one.gbr", pads) && write("job/two.gbr", pads));
+        const QString job = folder.filePath("job");
+        const QString map = folder.filePath("map.txt");
+        const Outcome proposed = copperscope({"info", job, "--print-layer-map"});
+        QVERIFY2(proposed.exitCode == 0, proposed.err.constData());
+        QVERIFY(proposed.out.contains("# not sure: nothing tells\none.gbr = document\n"));
+        QVERIFY(write("map.txt", "one.gbr = copper top\ntwo.gbr = copper bottom\nthree.gbr = outline\n"));
+        const Outcome told = copperscope({"info", job, "--layer-map", map});
+        QVERIFY2(told.exitCode == 0, told.err.constData());
+        QVERIFY(told.out.contains("top copper") && told.out.contains("bottom copper"));
+        QVERIFY(told.out.contains("map.txt:3: The layer map names \"three.gbr\""));
+        QVERIFY(copperscope({"info", job, "--layer-map", map, "--print-layer-map"}).out.contains("# the layer map\n"));
+        QCOMPARE(copperscope({"info", job, "--layer-map", folder.filePath("none.txt")}).exitCode, 2);
+        QVERIFY(copperscope({"info", locations::kSample, "--layer-map", map}).out.contains("layer map is not used"));
+    }
+
     void aChangedJobDiffersInTheLayerThatChanged() {
         const QTemporaryDir folder;
         const std::filesystem::path job = folder.filePath("job").toStdString();

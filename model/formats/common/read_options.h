@@ -1,13 +1,15 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace model::formats {
 
 struct ReadOptions {
-    std::string step;        ///< empty: the first one that draws anything itself
-    bool inferNets = false;  ///< follow the copper instead of the job's nets (model/nets/net_inference.h)
-    std::string format{};    ///< BoardFormat::key; empty: the richest that is there
+    std::string step;                  ///< empty: the first one that draws anything itself
+    bool inferNets = false;            ///< follow the copper instead of the job's nets (model/nets/net_inference.h)
+    std::string format{};              ///< BoardFormat::key; empty: the richest that is there
+    std::filesystem::path layerMap{};  ///< a file of gerber::LayerMap; empty: the one beside the job, if there is one
 };
 
 }  // namespace model::formats

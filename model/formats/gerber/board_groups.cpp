@@ -35,7 +35,7 @@ template <class Key>
 Groups groupedBy(const std::vector<ReadFile>& files, Key key) {
     Groups groups;
     for (std::size_t row = 0; row < files.size(); ++row) {
-        if (files[row].kind != ReadFile::Kind::Other) {
+        if (files[row].kind != ReadFile::Kind::Other && !files[row].isIgnored()) {
             groups[key(files[row])].push_back(row);
         }
     }

@@ -97,7 +97,7 @@ private:
             }
             fitToCopper(file, m_filePads, m_copperBox);
             for (const std::size_t other : seen) {
-                if (areSameHoles(m_files[other].image, file.image)) {
+                if (file.role.source != RoleSource::Told && areSameHoles(m_files[other].image, file.image)) {
                     file.diagnostics.report(Severity::Info, file.path, 0,
                                             "another file drills the same holes; this one is shown as a document");
                     file.role = FileRole{FileRole::Kind::Document};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/formats/drawing/assembly.h"
+#include "model/formats/gerber/assigned_files.h"
 #include "model/formats/gerber/board_groups.h"
 #include "model/formats/gerber/board_maker.h"
 #include "model/formats/gerber/job_files.h"
@@ -17,10 +18,6 @@ namespace model::gerber {
 namespace {
 
 using Board = base::Result<std::shared_ptr<const Document>>;
-
-base::Error badInput(const std::filesystem::path& path, const std::string& text) {
-    return {base::ErrorCode::BadInput, path.string() + ": " + text};
-}
 
 std::string nameOf(const BoardFiles& board) {
     return board.name.empty() ? "board" : board.name;
@@ -70,42 +67,18 @@ std::shared_ptr<const Document> withBoards(const std::shared_ptr<const Document>
     return result;
 }
 
-/// An image alone that nothing tells the layer of is shown as copper, so that there is a board to look at.
-void takeAsCopper(std::vector<ReadFile>& files) {
-    const bool isAlone = std::ranges::count_if(files, &ReadFile::isImage) == 1;
-    const auto image = std::ranges::find_if(files, &ReadFile::isImage);
-    if (isAlone && image->kind == ReadFile::Kind::Gerber && !image->role.isKnown()) {
-        image->role.kind = FileRole::Kind::Copper;
-        image->role.side = LayerSide::Top;
-        image->role.source = RoleSource::Content;
-    }
-}
-
 Board makeDocument(std::vector<ReadFile> files, const std::filesystem::path& path, const formats::ReadOptions& options,
                    const Diagnostics& unpacking, base::Progress& progress, const base::Stopwatch& reading) {
     const std::string name = path.filename().string();
-    JobFileFacts job;
-    std::size_t jobs = 0;
-    for (const ReadFile& file : files) {
-        if (file.kind == ReadFile::Kind::Job) {
-            job.functions.insert(file.job.functions.begin(), file.job.functions.end());
-            job.polarities.insert(file.job.polarities.begin(), file.job.polarities.end());
-            ++jobs;
-        }
-    }
-    if (std::ranges::none_of(files, &ReadFile::isImage)) {
-        return badInput(path, jobs > 0 ? "the job file lists images, but none of them is beside it"
-                                       : "there is no Gerber image and no drill file in it");
-    }
-    assignRoles(files, job);
-    takeAsCopper(files);
-    const std::vector<BoardFiles> boards = boardsOf(files);
+    ASSIGN_OR_RETURN(AssignedFiles assigned, assignFiles(std::move(files), path, options));
+    const std::vector<BoardFiles>& boards = assigned.boards;
     ASSIGN_OR_RETURN(const std::size_t chosen, choose(boards, options.step));
-    MadeBoard made = makeBoard(files, boards[chosen], path.stem().string());
+    MadeBoard made = makeBoard(assigned.files, boards[chosen], path.stem().string());
     Diagnostics all = unpacking;
+    all.append(assigned.diagnostics);
     all.append(made.job.diagnostics);
-    for (const ReadFile& file : files) {
-        if (file.kind == ReadFile::Kind::Other) {
+    for (const ReadFile& file : assigned.files) {
+        if (file.kind == ReadFile::Kind::Other || file.isIgnored()) {
             all.append(file.diagnostics);
         }
     }
@@ -115,7 +88,7 @@ Board makeDocument(std::vector<ReadFile> files, const std::filesystem::path& pat
         all.report(Severity::Info, name, 0, "the images name no nets; nets follow from the copper");
     }
     made.job.diagnostics = std::move(all);
-    files.clear();
+    assigned.files.clear();
     ASSIGN_OR_RETURN(std::shared_ptr<const Document> document,
                      formats::assemble(std::move(made.job), reading.milliseconds(), progress));
     if (!made.hasNets && hasCopper && !options.inferNets) {

@@ -6,6 +6,7 @@
 
 #include "model/base/parallel.h"
 #include "model/formats/gerber/text/words.h"
+#include "model/text/whole_file.h"
 
 namespace model::gerber {
 
@@ -222,6 +223,24 @@ base::Result<std::vector<ReadFile>> readFiles(const formats::Archive& archive, b
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
     return files;
+}
+
+base::Result<std::vector<ReadFile>> readFilesAt(const std::filesystem::path& path, base::Progress& progress) {
+    std::error_code error;
+    std::filesystem::path folder = path;
+    if (std::filesystem::is_regular_file(path, error)) {
+        ASSIGN_OR_RETURN(std::string text, readWholeFile(path));
+        const ReadFile::Kind kind = kindOf(text, path.filename().string());
+        if (kind == ReadFile::Kind::Gerber || kind == ReadFile::Kind::Drills) {
+            std::vector<ReadFile> files;
+            files.push_back(readFile(path.filename().string(), formats::Bytes(std::move(text))));
+            return files;
+        }
+        folder = kind != ReadFile::Kind::Job ? path : path.has_parent_path() ? path.parent_path() : ".";
+    }
+    Diagnostics unpacking;
+    ASSIGN_OR_RETURN(const formats::Archive archive, formats::Archive::open(folder, {}, progress, unpacking));
+    return readFiles(archive, progress);
 }
 
 void assignRoles(std::vector<ReadFile>& files, const JobFileFacts& job) {

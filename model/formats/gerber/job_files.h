@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,7 +40,9 @@ struct ReadFile {
         const std::size_t slash = path.find_last_of('/');
         return slash == std::string::npos ? std::string_view() : std::string_view(path).substr(0, slash);
     }
-    [[nodiscard]] bool isImage() const { return kind == Kind::Gerber || kind == Kind::Drills; }
+    [[nodiscard]] bool isIgnored() const { return role.kind == FileRole::Kind::Ignored; }
+    /// Something to draw?
+    [[nodiscard]] bool isImage() const { return (kind == Kind::Gerber || kind == Kind::Drills) && !isIgnored(); }
 };
 
 /// What the text of a file is, by its content.
@@ -49,6 +52,10 @@ struct ReadFile {
 
 /// All files of a job, images parsed, those of a size first. Errors: Cancelled.
 [[nodiscard]] base::Result<std::vector<ReadFile>> readFiles(const formats::Archive& archive, base::Progress& progress);
+/// The same of what lies at a path: a folder, an archive, a job file with what is beside it, or one file. Errors:
+/// BadInput when it cannot be read; Cancelled.
+[[nodiscard]] base::Result<std::vector<ReadFile>> readFilesAt(const std::filesystem::path& path,
+                                                              base::Progress& progress);
 /// One file whose bytes are at hand.
 [[nodiscard]] ReadFile readFile(std::string path, formats::Bytes bytes);
 

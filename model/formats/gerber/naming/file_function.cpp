@@ -99,6 +99,7 @@ std::string describe(const FileRole& role) {
         case Kind::Rout: return "routed slots";
         case Kind::Components: return std::string(side) + "components";
         case Kind::Glue: return std::string(side) + "glue";
+        case Kind::Ignored: return "nothing";
         default: return "a document";
     }
 }

@@ -10,7 +10,7 @@
 
 namespace model::gerber {
 
-/// How it is known what a file draws, the best first.
+/// How it is known what a file draws, the best first. Told: by a layer map.
 enum class RoleSource : std::uint8_t { Told, Attribute, JobFile, Comment, Name, Content, Unknown };
 
 /// What a file of a Gerber job draws.
@@ -26,7 +26,8 @@ struct FileRole {
         Rout,
         Components,  ///< X3
         Glue,
-        Document  ///< drill maps, fabrication and assembly drawings, everything else
+        Document,  ///< drill maps, fabrication and assembly drawings, everything else
+        Ignored    ///< left out, as a layer map says
     };
     Kind kind = Kind::Unknown;
     LayerSide side = LayerSide::None;
