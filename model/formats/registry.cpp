@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 
+#include "model/formats/board_forms.h"
 #include "model/formats/file_kinds.h"
 #include "model/formats/gerber/gerber_reader.h"
 #include "model/formats/ipc2581/ipc_reader.h"
@@ -29,16 +30,12 @@ base::Error badInput(const fs::path& path, const std::string& text) {
 
 // ---- the rows ----
 
-bool isOdb(const BoardInput& input) {
-    return input.archive && odb::holdsJob(*input.archive);
-}
-
 Board readOdb(const BoardInput& input, const ReadOptions& options, base::Progress& progress) {
     return odb::readJob(*input.archive, input.path, options, input.unpacking, progress, input.reading);
 }
 
 bool isIpc(const BoardInput& input) {
-    return input.archive ? ipc2581::holdsIpc2581(*input.archive) : ipc2581::looksLikeIpc2581(input.head);
+    return ipc2581::looksLikeIpc2581(input.head);
 }
 
 Board readIpc(const BoardInput& input, const ReadOptions& options, base::Progress& progress) {
@@ -50,7 +47,7 @@ Board readIpc(const BoardInput& input, const ReadOptions& options, base::Progres
 }
 
 bool isGerber(const BoardInput& input) {
-    return input.archive ? gerber::holdsJob(*input.archive) : gerber::looksLikeFile(input.head, input.path);
+    return gerber::looksLikeFile(input.head, input.path);
 }
 
 Board readGerber(const BoardInput& input, const ReadOptions& options, base::Progress& progress) {
@@ -60,12 +57,12 @@ Board readGerber(const BoardInput& input, const ReadOptions& options, base::Prog
 }
 
 bool isKicad(const BoardInput& input) {
-    return kicad::looksLikeBoard(input.head) || (input.archive && kicad::holdsBoard(*input.archive));
+    return kicad::looksLikeBoard(input.head);
 }
 
 Board readKicad(const BoardInput& input, const ReadOptions&, base::Progress& progress) {
     return input.archive ? kicad::readBoard(*input.archive, input.path, input.unpacking, progress, input.reading)
-                         : kicad::readBoard(input.path, progress, input.reading);
+                         : kicad::readBoard(input.path, input.unpacking, progress, input.reading);
 }
 
 bool isPaper(const BoardInput& input) {
@@ -79,42 +76,41 @@ Board readPaper(const BoardInput& input, const ReadOptions&, base::Progress& pro
 
 // ---- choosing one ----
 
-using Formats = std::vector<const BoardFormat*>;
+using Forms = std::vector<BoardForm>;
 
-/// What is there in forms that may be read, the richest first.
-Formats formatsOf(const BoardInput& input) {
-    Formats found;
-    for (const BoardFormat& format : knownFormats()) {
-        if (format.probe(input)) {
-            found.push_back(&format);
-        }
-    }
-    return found;
+bool isOf(const BoardFormat& format, const BoardInput& file) {
+    return format.probe != nullptr && format.probe(file);
 }
 
-std::string namesOf(const Formats& formats) {
+/// What a file is by its own bytes.
+const BoardFormat* formatOf(const BoardInput& input) {
+    const auto found =
+        std::ranges::find_if(knownFormats(), [&input](const BoardFormat& format) { return isOf(format, input); });
+    return found == knownFormats().end() ? nullptr : &*found;
+}
+
+std::string namesOf(const Forms& forms) {
     std::string names;
-    for (const BoardFormat* format : formats) {
-        names += (names.empty() ? "" : ", ") + std::string(format->name) + " (" + std::string(format->key) + ")";
+    for (const BoardFormat& format : knownFormats()) {
+        if (std::ranges::find(forms, &format, &BoardForm::format) != forms.end()) {
+            names += (names.empty() ? "" : ", ") + std::string(format.name) + " (" + std::string(format.key) + ")";
+        }
     }
     return names;
 }
 
-/// The one to read; what else is there is said in its messages. Errors: BadInput if it is not there in that form.
-base::Result<const BoardFormat*> choose(const Formats& found, const std::string& wanted, BoardInput& input) {
-    const auto chosen =
-        wanted.empty() ? found.begin() : std::ranges::find(found, std::string_view(wanted), &BoardFormat::key);
-    if (chosen == found.end()) {
-        return badInput(input.path, "there is no board of format " + wanted + ", but " + namesOf(found));
+/// Puts the one to read first. Errors: BadInput if it is not there as the options want it.
+base::Status putChosenFirst(Forms& forms, const ReadOptions& options, const fs::path& path) {
+    const auto chosen = std::ranges::find_if(forms, [&options](const BoardForm& form) {
+        return (options.format.empty() || form.format->key == options.format) &&
+               (options.member.empty() || form.member == options.member);
+    });
+    if (chosen == forms.end()) {
+        return badInput(path, "there is no board of format " + options.format +
+                                  (options.member.empty() ? "" : " in " + options.member) + ", but " + namesOf(forms));
     }
-    Formats others = found;
-    std::erase(others, *chosen);
-    if (!others.empty()) {
-        input.unpacking.report(
-            Severity::Info, "", 0,
-            "read as " + std::string((*chosen)->name) + "; it is there in other formats too: " + namesOf(others));
-    }
-    return *chosen;
+    std::rotate(forms.begin(), chosen, chosen + 1);
+    return base::Done{};
 }
 
 std::string readHead(const fs::path& path) {
@@ -162,42 +158,113 @@ base::Status unpack(BoardInput& input, base::Progress& progress) {
     return base::Done{};
 }
 
+/// What else lies there is said in the messages of the board.
+void reportOthers(const Forms& forms, BoardInput& input) {
+    const std::string file = fileOf(forms.front(), input.path);
+    input.unpacking.report(Severity::Info, "", 0,
+                           "read as " + std::string(forms.front().format->name) + (file.empty() ? "" : ", " + file) +
+                               "; what else is there: " + othersOf(forms, input.path));
+}
+
+/// The archive in the archive of the input becomes the input. Errors: BadInput if it is none; Cancelled.
+base::Status enter(BoardInput& input, const std::string& member, base::Progress& progress) {
+    const int row = input.archive->find(member);
+    if (row < 0) {
+        return badInput(input.path, "there is no " + member + " in it");
+    }
+    ASSIGN_OR_RETURN(const formats::Bytes bytes, input.archive->bytes(row));
+    input.path /= member;
+    ASSIGN_OR_RETURN(formats::Archive inner,
+                     formats::Archive::unpack(bytes.view(), input.path, {}, progress, input.unpacking));
+    input.archive = std::move(inner);
+    return base::Done{};
+}
+
+/// What lies open in the archive of the input, without other files of the same format.
+base::Result<std::shared_ptr<const Document>> readPart(BoardInput& input, const BoardForm& form,
+                                                       const ReadOptions& options, base::Progress& progress) {
+    for (const formats::FormPart& part : form.format->parts(*input.archive)) {
+        if (!form.member.empty() && part.member != form.member) {
+            input.archive->leaveOut(input.archive->find(part.member));
+        }
+    }
+    return form.format->read(input, options, progress);
+}
+
+base::Result<std::shared_ptr<const Document>> readForm(BoardInput& input, const BoardForm& form,
+                                                       const ReadOptions& options, base::Progress& progress) {
+    if (form.path != input.path) {
+        BoardInput inner{form.path, readHead(form.path), {}, std::move(input.unpacking), input.reading};
+        if (isOf(*form.format, inner)) {
+            return form.format->read(inner, options, progress);
+        }
+        RETURN_IF_ERROR(unpack(inner, progress));
+        return inner.archive ? readPart(inner, form, options, progress) : unknown(inner);
+    }
+    if (isNamedLikeArchive(form.member)) {
+        RETURN_IF_ERROR(enter(input, form.member, progress));
+        return form.format->read(input, options, progress);
+    }
+    return readPart(input, form, options, progress);
+}
+
+void reportUnusedMap(const ReadOptions& options, const BoardFormat& format, BoardInput& input) {
+    if (!options.layerMap.empty() && format.read != readGerber) {
+        input.unpacking.report(Severity::Warning, options.layerMap.filename().string(), 0,
+                               "the layer map is not used: only Gerber jobs need one");
+    }
+}
+
 base::Result<ReadBoard> readAsItIs(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
     std::error_code error;
     if (!fs::exists(path, error)) {
         return badInput(path, "there is no such file or folder");
     }
     BoardInput input{path, readHead(path), {}, {}, {}};
-    Formats found = formatsOf(input);
-    if (found.empty()) {
-        RETURN_IF_ERROR(unpack(input, progress));
-        found = formatsOf(input);
+    if (const BoardFormat* format = formatOf(input)) {
+        Forms itself{{format, path}};
+        RETURN_IF_ERROR(putChosenFirst(itself, options, path));
+        reportUnusedMap(options, *format, input);
+        ASSIGN_OR_RETURN(auto document, format->read(input, options, progress));
+        return ReadBoard{std::move(document), format};
     }
-    if (found.empty()) {
+    RETURN_IF_ERROR(unpack(input, progress));
+    Forms forms;
+    if (input.archive) {
+        ASSIGN_OR_RETURN(forms, formsIn(input, progress));
+    }
+    if (forms.empty()) {
         return unknown(input);
     }
-    ASSIGN_OR_RETURN(const BoardFormat* format, choose(found, options.format, input));
-    if (!options.layerMap.empty() && format->read != readGerber) {
-        input.unpacking.report(Severity::Warning, options.layerMap.filename().string(), 0,
-                               "the layer map is not used: only Gerber jobs need one");
+    RETURN_IF_ERROR(putChosenFirst(forms, options, path));
+    const BoardForm chosen = forms.front();
+    if (forms.size() == 1) {
+        forms.clear();
+    } else if (options.onlyAsks && options.format.empty() && options.member.empty()) {
+        return ReadBoard{nullptr, chosen.format, std::move(forms)};
+    } else {
+        reportOthers(forms, input);
     }
-    ASSIGN_OR_RETURN(auto document, format->read(input, options, progress));
-    return ReadBoard{std::move(document), format};
+    reportUnusedMap(options, *chosen.format, input);
+    ASSIGN_OR_RETURN(auto document, readForm(input, chosen, options, progress));
+    return ReadBoard{std::move(document), chosen.format, std::move(forms)};
 }
 
 }  // namespace
 
 std::span<const BoardFormat> knownFormats() {
     static const std::array kFormats = {
-        BoardFormat{"ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", isOdb, readOdb, "odb"},
-        BoardFormat{"IPC-2581", {".xml", ".cvg"}, "an IPC-2581 file", isIpc, readIpc, "ipc2581"},
-        BoardFormat{"KiCad board", {".kicad_pcb"}, "a KiCad board", isKicad, readKicad, "kicad"},
+        BoardFormat{
+            "ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", nullptr, readOdb, "odb", odb::jobsIn},
+        BoardFormat{"IPC-2581", {".xml", ".cvg"}, "an IPC-2581 file", isIpc, readIpc, "ipc2581", ipc2581::filesIn},
+        BoardFormat{"KiCad board", {".kicad_pcb"}, "a KiCad board", isKicad, readKicad, "kicad", kicad::boardsOf},
         BoardFormat{"Gerber job",
                     {".zip", ".gbrjob", ".gbr", ".ger", ".gtl", ".gbl", ".art", ".pho", ".gdo", ".drl", ".xln"},
                     "Gerber images",
                     isGerber,
                     readGerber,
-                    "gerber"},
+                    "gerber",
+                    gerber::jobsIn},
         BoardFormat{"model of the paper", {".txt"}, "", isPaper, readPaper, "paper"},
     };
     return kFormats;
@@ -248,7 +315,7 @@ base::Result<ReadBoard> readAnyBoard(const fs::path& path, const ReadOptions& op
         return base::Error{base::ErrorCode::BadUsage, "there is no format " + options.format};
     }
     ASSIGN_OR_RETURN(ReadBoard board, readAsItIs(path, options, progress));
-    if (options.inferNets) {
+    if (board.document && options.inferNets) {
         ASSIGN_OR_RETURN(board.document, withInferredNets(*board.document, progress));
     }
     return board;

@@ -13,6 +13,7 @@
 #include "model/base/stopwatch.h"
 #include "model/board/document.h"
 #include "model/formats/common/archive.h"
+#include "model/formats/common/form_part.h"
 #include "model/formats/common/read_options.h"
 
 /// The one place that knows the formats: another one is a folder below model/formats and a row in registry.cpp.
@@ -34,16 +35,28 @@ struct BoardFormat {
     std::string_view name;                     ///< "ODB++ job"
     std::vector<std::string_view> extensions;  ///< ".tgz"; only hints: what a file is follows from its bytes
     std::string_view part;                     ///< what folders and archives of it hold, "an ODB++ matrix"; empty: none
-    bool (*probe)(const BoardInput& input);    ///< is it one of its boards? Before and after unpacking; touches no file
+    bool (*probe)(const BoardInput& input);    ///< is the file one of its boards, by its first bytes? Null: no file is
     base::Result<std::shared_ptr<const Document>> (*read)(const BoardInput& input, const ReadOptions& options,
                                                           base::Progress& progress);
     std::string_view key{};  ///< for the command line and reports: "odb"; one word, each its own
+    /// Its boards in a folder or archive; null: it is in files alone.
+    std::vector<formats::FormPart> (*parts)(const formats::Archive& archive) = nullptr;
+};
+
+/// A board in one of the forms that lie in a folder or archive, as it can be opened by itself.
+struct BoardForm {
+    const BoardFormat* format = nullptr;  ///< of knownFormats()
+    std::filesystem::path path;           ///< the folder or archive itself, or a file in the folder
+    std::string member{};                 ///< the file or archive inside an archive; empty: all of it
+    std::string contents{};               ///< for people, in a few words
 };
 
 /// A board and what it was read from.
 struct ReadBoard {
     std::shared_ptr<const Document> document;
     const BoardFormat* format = nullptr;  ///< of knownFormats()
+    /// All that lie there where there are several: the one that was read, or that is proposed, first.
+    std::vector<BoardForm> forms{};
 };
 
 /// Those that say more of a board come first: of several forms in one folder or archive the first is read.
@@ -57,7 +70,8 @@ struct ReadBoard {
 [[nodiscard]] bool isNamedLikeBoard(const std::filesystem::path& path);
 
 /// Opens a board of any known format, whatever its name. Folders and archives may hold it in several: the format that
-/// the options name is read, or else the first, and the others are named in its messages. Errors: BadUsage for formats
+/// the options name is read, or else the richest, and the others are named in its messages; options that only ask leave
+/// `document` null where there are several. Errors: BadUsage for formats
 /// that are not known; BadInput with the reason in plain words when the input
 /// is missing, is no board (then with what it is, and what can be read) or cannot be unpacked; Cancelled. A bad record
 /// inside a readable job is no error: it is listed in Document::diagnostics.

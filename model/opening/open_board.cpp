@@ -24,6 +24,22 @@ base::Result<Thicknesses> parseThicknesses(const std::vector<std::string>& texts
     return all;
 }
 
+/// The board as its session and the request stack it.
+base::Result<OpenedBoard> withSession(const OpenRequest& request, ReadBoard read) {
+    session::LoadedSession found;
+    if (!request.noSession) {
+        found = session::loadSession(request.path, *read.document);
+    }
+    ASSIGN_OR_RETURN(Thicknesses once, parseThicknesses(request.thicknesses, read.document->stackup));
+    OpenedBoard board{request, {}, {found.session.thicknesses, std::move(once)}};
+    board.document = session::applyThicknesses(std::move(read.document), board.thicknesses.all());
+    board.format = read.format->key;
+    board.session = std::move(found.session);
+    board.forms = std::move(read.forms);
+    board.notes = std::move(found.ignored);
+    return board;
+}
+
 }  // namespace
 
 Thicknesses SetThicknesses::all() const {
@@ -35,19 +51,24 @@ Thicknesses SetThicknesses::all() const {
 }
 
 base::Result<OpenedBoard> openBoard(const OpenRequest& request, base::Progress& progress) {
-    const ReadOptions options{request.step, request.inferNets, request.format, request.layerMap};
+    const ReadOptions options{request.step,   request.inferNets, request.format,
+                              request.member, request.onlyAsks,  request.layerMap};
     ASSIGN_OR_RETURN(ReadBoard read, readAnyBoard(request.path, options, progress));
-    session::LoadedSession found;
-    if (!request.noSession) {
-        found = session::loadSession(request.path, *read.document);
+    if (!read.document) {
+        OpenedBoard asks{request, nullptr};
+        asks.forms = std::move(read.forms);
+        return asks;
     }
-    ASSIGN_OR_RETURN(Thicknesses once, parseThicknesses(request.thicknesses, read.document->stackup));
-    OpenedBoard board{request, {}, {found.session.thicknesses, std::move(once)}};
-    board.document = session::applyThicknesses(std::move(read.document), board.thicknesses.all());
-    board.format = read.format->key;
-    board.session = std::move(found.session);
-    board.notes = std::move(found.ignored);
-    return board;
+    const OpenRequest found = read.forms.empty() ? request : requestOf(request, read.forms.front());
+    return withSession(found, std::move(read));
+}
+
+OpenRequest requestOf(OpenRequest request, const BoardForm& form) {
+    request.path = form.path;
+    request.member = form.member;
+    request.format = form.format->key;
+    request.onlyAsks = false;
+    return request;
 }
 
 OpenRequest reloadRequest(const OpenedBoard& board) {

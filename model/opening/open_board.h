@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/base/progress.h"
+#include "model/formats/registry.h"
 #include "model/session/session.h"
 
 /// From a path to a board that is ready: the one way for the command line and the window.
@@ -19,6 +20,8 @@ struct OpenRequest {
     bool noSession = false;                  ///< as if there were no session file; none is written either
     bool inferNets = false;                  ///< nets by following the copper, instead of the job's
     std::string format{};                    ///< BoardFormat::key; empty: the richest that is there
+    std::string member{};                    ///< BoardForm::member
+    bool onlyAsks = false;                   ///< reads nothing where there are several forms and none is named here
     std::filesystem::path layerMap{};        ///< what files of a Gerber job draw; empty: ReadOptions::layerMap
 };
 
@@ -33,12 +36,13 @@ struct SetThicknesses {
 };
 
 struct OpenedBoard {
-    OpenRequest request;
-    std::shared_ptr<const Document> document;  ///< with the thicknesses in it
+    OpenRequest request;                       ///< of several forms it names the one that was read
+    std::shared_ptr<const Document> document;  ///< with the thicknesses in it; null if one of `forms` is to be chosen
     SetThicknesses thicknesses{};
     bool areThicknessesSaved = true;   ///< those of `thicknesses.saved` are in the session file
     session::Session session{};        ///< as the file holds it, of other steps too
     std::string format{};              ///< BoardFormat::key of what was read
+    std::vector<BoardForm> forms{};    ///< where there are several: the one that was read or is proposed first
     std::vector<std::string> notes{};  ///< what of the session file is not used, a sentence each
 };
 
@@ -46,6 +50,8 @@ struct OpenedBoard {
 /// by `progress`. Errors: those of readBoard; BadUsage for thicknesses.
 [[nodiscard]] base::Result<OpenedBoard> openBoard(const OpenRequest& request, base::Progress& progress);
 
+/// The request with the form that was chosen.
+[[nodiscard]] OpenRequest requestOf(OpenRequest request, const BoardForm& form);
 /// The request that opens the board again as it is now: with the thicknesses that are in no file.
 [[nodiscard]] OpenRequest reloadRequest(const OpenedBoard& board);
 

@@ -361,7 +361,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), kPatienceMs);
         QVERIFY(!window().workspace().isWorking());
         QVERIFY(!window().workspace().isWorking());
-        QVERIFY(!window().find<ui::Lens>().isSearching());
+        QTRY_VERIFY_WITH_TIMEOUT(!window().find<ui::Lens>().isSearching(), kPatienceMs);  // about what stays selected
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QCOMPARE(window().netCheck().rowCount(), 0);
     }

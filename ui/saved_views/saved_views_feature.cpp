@@ -49,6 +49,7 @@ SavedViewsFeature::SavedViewsFeature(FeatureContext& context)
     context.on(ActionId::SaveSession, this, [this] { saveDesk(); });
     connect(&m_list, &ViewListModel::renamed, this,
             [this](int row, const QString& name) { m_saved.rename(tr("the name of a view"), row, name); });
+    connect(&m_workspace, &Workspace::boardLeaves, this, &SavedViewsFeature::keep);
     connect(&m_workspace, &Workspace::sessionRestored, this, &SavedViewsFeature::restoreDesk);
 }
 
@@ -152,13 +153,53 @@ void SavedViewsFeature::saveDesk() {
         m_workspace.reportError(tr("This board was opened without its session, so nothing is saved."));
         return;
     }
-    const session::Desk desk{board.document->job.step, poseOf(m_views.flat().controller()),
-                             poseOf(m_views.solid().controller()), unitName(m_workspace.unit()), m_layers.states()};
-    m_workspace.reportSaved(session::saveDesk(board.request.path, *board.document, desk),
+    m_workspace.reportSaved(session::saveDesk(board.request.path, *board.document, desk()),
                             QString::fromStdString(session::sessionPath(board.request.path).string()));
 }
 
+session::Desk SavedViewsFeature::desk() const {
+    return {m_workspace.board()->document->job.step, poseOf(m_views.flat().controller()),
+            poseOf(m_views.solid().controller()), unitName(m_workspace.unit()), m_layers.states()};
+}
+
+void SavedViewsFeature::keep(const LoadedBoard& next) {
+    const LoadedBoard& board = *m_workspace.board();
+    const SelectionModel& selection = m_workspace.selection();
+    m_kept.reset();
+    if (board.request.path != next.request.path || board.request.member != next.request.member ||
+        board.format != next.format || !m_workspace.isOpen(next.document->job.step)) {
+        return;
+    }
+    m_kept = Kept{desk(), {}, selection.title(), board.model->origin};
+    const bool isFew = selection.selected().size() <= session::kMostSavedElements;
+    m_kept->selection = session::saveSelection(
+        selection.tree(), isFew ? selection.selected() : std::vector<model::BoardElement>{}, selection.nets());
+}
+
+void SavedViewsFeature::restoreKept(const LoadedBoard& board) {
+    const Kept kept = *std::exchange(m_kept, std::nullopt);
+    const auto moved = [&](session::Pose pose) {  // the middle of the board may be another
+        pose.target[0] += base::toMm(static_cast<double>(kept.origin.x - board.model->origin.x));
+        pose.target[1] += base::toMm(static_cast<double>(kept.origin.y - board.model->origin.y));
+        return pose;
+    };
+    m_layers.setStates(kept.desk.layers);
+    setCameras(moved(kept.desk.flat), moved(kept.desk.solid));
+    SelectionModel& selection = m_workspace.selection();
+    session::FoundSelection found = session::findSelection(selection.tree(), kept.selection);
+    selection.setNets(std::move(found.nets));
+    if (!kept.title.isEmpty() && !found.elements.empty()) {
+        selection.selectAs(kept.title, found.elements);
+    } else {
+        selection.select(found.elements);
+    }
+}
+
 void SavedViewsFeature::restoreDesk(const LoadedBoard& board) {
+    if (m_kept) {
+        restoreKept(board);
+        return;
+    }
     const std::optional<session::Desk>& desk = board.session.desk;
     if (desk && m_workspace.isOpen(desk->step)) {
         m_layers.setStates(desk->layers);

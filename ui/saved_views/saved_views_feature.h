@@ -29,8 +29,12 @@ private:
     void addPanel(FeatureContext& context);
     /// Lists the views, and offers their layers to whoever shows layers.
     void take(const std::vector<model::session::SavedView>& views);
-    /// Shows what was saved for this step of the board.
+    /// Shows what was saved for this step of the board, or what was shown before the same board was read anew.
     void restoreDesk(const LoadedBoard& board);
+    [[nodiscard]] model::session::Desk desk() const;
+    /// Keeps what is shown and selected if the next board is the same one, read anew.
+    void keep(const LoadedBoard& next);
+    void restoreKept(const LoadedBoard& board);
     void setCameras(const model::session::Pose& flat, const model::session::Pose& solid);
     void select(const model::session::SavedView& saved);
 
@@ -39,6 +43,14 @@ private:
     LayerModel& m_layers;
     QAction& m_orthographic;
     ViewListModel m_list;
+    /// What the window showed of a board that is being read anew.
+    struct Kept {
+        model::session::Desk desk;
+        model::session::SavedSelection selection;
+        QString title;       ///< of the selection
+        base::Point origin;  ///< nm of the board, that the cameras count from
+    };
+    std::optional<Kept> m_kept;
     SavedList<model::session::SavedView> m_saved;
 };
 

@@ -1,6 +1,7 @@
 #include "ui/shell/main_window.h"
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QLabel>
 #include <QMenu>
@@ -14,9 +15,12 @@
 #include <algorithm>
 #include <span>
 
+#include "model/formats/board_forms.h"
 #include "model/formats/registry.h"
 #include "ui/common/paths.h"
+#include "ui/shell/change_bar.h"
 #include "ui/shell/features.h"
+#include "ui/shell/form_chooser.h"
 #include "ui/shell/help_dialogs.h"
 #include "ui/shell/icons.h"
 #include "ui/shell/keyboard.h"
@@ -25,6 +29,7 @@
 #include "ui/shell/status_line.h"
 #include "ui/theme/theme.h"
 #include "ui/views/height_controls.h"
+#include "ui/workspace/board_watch.h"
 
 namespace ui {
 
@@ -83,7 +88,9 @@ QWidget* startPage(const ActionSet& actions) {
     layout->setSpacing(12);
     layout->addStretch();
     layout->addWidget(title);
-    layout->addWidget(centredLabel(MainWindow::tr("Drop an ODB++ archive or folder here, or open one.")));
+    layout->addWidget(
+        centredLabel(MainWindow::tr("Drop a board here, or open one: ODB++, IPC-2581, KiCad or Gerber,\n"
+                                    "as a file, a folder or an archive.")));
     layout->addLayout(buttons);
     layout->addStretch();
     return page;
@@ -106,6 +113,8 @@ MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Wo
                  m_netStyles, m_parts, *m_views,    m_probing, m_plan,     m_position},
       m_pages(new QStackedWidget),
       m_messageBar(new MessageBar),
+      m_changeBar(new ChangeBar),
+      m_watch(new BoardWatch(this)),
       m_statusLine(new StatusLine(*statusBar())) {
     setObjectName(QStringLiteral("workbench"));
     resize(1280, 800);  // before the panels take their shares of it
@@ -139,6 +148,7 @@ void MainWindow::createCentre() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_messageBar);
+    layout->addWidget(m_changeBar);
     layout->addWidget(m_pages, 1);
     setCentralWidget(centre);
     setAcceptDrops(true);
@@ -202,21 +212,58 @@ void MainWindow::connectFiles() {
     m_features.on(ActionId::Reload, [this] { m_workspace.reload(); });
     m_features.on(ActionId::CancelLoading, [this] { m_workspace.cancelWork(); });
     m_features.on(ActionId::Quit, [this] { close(); });
-    connect(&m_dropTarget, &DropTarget::dropped, this, [this](const QStringList& paths) {
-        openPath(paths.first());
-        if (paths.size() > 1) {
-            m_workspace.report(tr("One board at a time: opening the first of %1").arg(paths.size()));
-        }
-    });
+    connect(&m_dropTarget, &DropTarget::dropped, this, [this](const QStringList& paths) { openDropped(paths); });
     connect(m_statusLine, &StatusLine::stepChosen, this, [this](const QString& step) {
         m_workspace.reload([&step](model::OpenRequest& request) { request.step = step.toStdString(); });
     });
+    connect(&m_workspace, &Workspace::formsFound, this, &MainWindow::chooseForm);
+    connect(&m_workspace, &Workspace::openingBegan, m_watch, &BoardWatch::begin);
+    connect(&m_workspace, &Workspace::boardOpened, m_watch,
+            [this](const LoadedBoard& board) { m_watch->watch(board.request); });
+    connect(m_watch, &BoardWatch::changed, this, &MainWindow::onFilesChanged);
+    connect(m_changeBar, &ChangeBar::reloadRequested, this, [this] { m_workspace.reload(); });
+    connect(&m_workspace, &Workspace::boardRead, m_changeBar, &QWidget::hide);
     connect(&m_workspace, &Workspace::boardRead, m_messageBar, &QWidget::hide);
     connect(&m_workspace, &Workspace::boardOpened, this, &MainWindow::onOpened);
 }
 
+void MainWindow::open(model::OpenRequest request) {
+    request.onlyAsks = true;
+    m_workspace.open(std::move(request));
+}
+
 void MainWindow::openPath(const QString& path) {
     open({.path = toPath(path)});
+}
+
+void MainWindow::openDropped(const QStringList& paths) {
+    std::vector<std::filesystem::path> files;
+    std::ranges::transform(paths, std::back_inserter(files), toPath);
+    const std::filesystem::path job = model::jobOfFiles(files);
+    open({.path = job.empty() ? files.front() : job});
+    if (!job.empty()) {
+        m_workspace.report(tr("These are files of one job: opening their folder %1").arg(displayName(job)));
+    } else if (paths.size() > 1) {
+        m_workspace.report(tr("One board at a time: opening the first of %1").arg(paths.size()));
+    }
+}
+
+void MainWindow::chooseForm(const model::OpenRequest& request, const std::vector<model::BoardForm>& forms) {
+    auto* chooser = new FormChooser(request.path, forms, this);
+    chooser->setAttribute(Qt::WA_DeleteOnClose);
+    connect(chooser, &FormChooser::chosen, this,
+            [this, request](const model::BoardForm& form) { m_workspace.open(model::requestOf(request, form)); });
+    connect(&m_workspace, &Workspace::openingBegan, chooser, &QDialog::close);
+    chooser->open();
+}
+
+void MainWindow::onFilesChanged() {
+    const bool isAtWork = m_workspace.isWorking() || QApplication::activeModalWidget() != nullptr;
+    if (m_workspace.board()->format == "kicad" && !isAtWork) {
+        m_workspace.reload();  // its board is looked at here while it is edited there
+    } else {
+        m_changeBar->show();
+    }
 }
 
 void MainWindow::connectCommands() {
@@ -279,7 +326,9 @@ void MainWindow::connectStatus() {
 
 void MainWindow::onOpened(const LoadedBoard& board) {
     m_pages->setCurrentWidget(m_views);
-    setWindowTitle(QStringLiteral("%1 – Copperscope").arg(displayName(board.request.path)));
+    const QString member = QString::fromStdString(board.request.member);
+    const QString name = displayName(board.request.path);
+    setWindowTitle(QStringLiteral("%1 – Copperscope").arg(member.isEmpty() ? name : tr("%1: %2").arg(name, member)));
 }
 
 void MainWindow::enableActions() {

@@ -17,6 +17,8 @@ class QStackedWidget;
 
 namespace ui {
 
+class BoardWatch;
+class ChangeBar;
 class Keyboard;
 class MessageBar;
 class StatusLine;
@@ -31,8 +33,8 @@ public:
     MainWindow(GpuContext& context, Settings& settings, const Loader::Work& work = loadBoard);
     ~MainWindow() override;
 
-    /// Starts to load a board.
-    void open(model::OpenRequest request) { m_workspace.open(std::move(request)); }
+    /// Starts to load a board. Where a folder or archive holds several forms, the user chooses one first.
+    void open(model::OpenRequest request);
     /// Back to the state of a first start, except for the board.
     void resetSettings();
 
@@ -52,6 +54,9 @@ private:
 
     void escape();
     void openPath(const QString& path);
+    void openDropped(const QStringList& paths);
+    void chooseForm(const model::OpenRequest& request, const std::vector<model::BoardForm>& forms);
+    void onFilesChanged();
     void onOpened(const LoadedBoard& board);
     void enableActions();
 
@@ -69,6 +74,8 @@ private:
     DropTarget m_dropTarget;
     QStackedWidget* m_pages;  // owned by the window, as the rest
     MessageBar* m_messageBar;
+    ChangeBar* m_changeBar;
+    BoardWatch* m_watch;
     StatusLine* m_statusLine;
     Keyboard* m_keyboard = nullptr;
     std::optional<PanelArrangements> m_arrangements;  ///< once the panels are there

@@ -12,6 +12,9 @@ base::Result<LoadedBoard> loadBoard(const model::OpenRequest& request, base::Pro
     clock.start();
     ASSIGN_OR_RETURN(model::OpenedBoard opened, model::openBoard(request, progress));
     LoadedBoard board{std::move(opened)};
+    if (!board.document) {
+        return board;
+    }
     ASSIGN_OR_RETURN(render::BoardModel boardModel, render::buildBoardModel(*board.document, {}, progress));
     board.model = std::make_shared<const render::BoardModel>(std::move(boardModel));
     ASSIGN_OR_RETURN(board.index, model::indexBoard(board.document, progress));
@@ -39,7 +42,9 @@ void Loader::open(model::OpenRequest request) {
 
 void Loader::deliver() {
     const base::Result<LoadedBoard> result = m_load.take();
-    if (result) {
+    if (result && !result->document) {
+        emit asked(m_request, result->forms);
+    } else if (result) {
         emit loaded(*result);
     } else if (result.error().code == base::ErrorCode::Cancelled) {
         emit cancelled(m_request);

@@ -13,7 +13,8 @@
 
 namespace ui {
 
-/// An opened board with what the window needs besides.
+/// An opened board with what the window needs besides. Where one of several forms is to be chosen first it has these
+/// and nothing else.
 struct LoadedBoard : model::OpenedBoard {
     std::shared_ptr<const render::BoardModel> model{};
     std::shared_ptr<const model::BoardIndex> index{};  ///< may be null: then nothing can be picked
@@ -27,8 +28,8 @@ struct LoadedBoard : model::OpenedBoard {
 /// render::buildBoardModel.
 [[nodiscard]] base::Result<LoadedBoard> loadBoard(const model::OpenRequest& request, base::Progress& progress);
 
-/// Loads boards in the background. Opening another board cancels the one being loaded. Exactly one of loaded, failed
-/// and cancelled follows each started.
+/// Loads boards in the background. Opening another board cancels the one being loaded. Exactly one of loaded, asked,
+/// failed and cancelled follows each started.
 class Loader : public QObject {
     Q_OBJECT
 
@@ -48,6 +49,8 @@ public:
 signals:
     void started(const model::OpenRequest& request);
     void loaded(const ui::LoadedBoard& board);
+    /// The request only asks, and there are several forms to choose from.
+    void asked(const model::OpenRequest& request, const std::vector<model::BoardForm>& forms);
     void failed(const model::OpenRequest& request, const QString& reason);
     void cancelled(const model::OpenRequest& request);
 

@@ -40,6 +40,8 @@ QString summaryOf(const LoadedBoard& board) {
 Workspace::Workspace(Loader::Work work, QObject* parent)
     : QObject(parent), m_selection(this), m_history(this), m_loader(std::move(work), this) {
     connect(&m_loader, &Loader::loaded, this, &Workspace::take);
+    connect(&m_loader, &Loader::started, this, &Workspace::openingBegan);
+    connect(&m_loader, &Loader::asked, this, &Workspace::formsFound);
     connect(&m_loader, &Loader::failed, this, [this](const model::OpenRequest& request, const QString& reason) {
         reportError(tr("%1 was not opened. %2").arg(displayName(request.path), reason));
     });
@@ -65,6 +67,9 @@ void Workspace::reload(const std::function<void(model::OpenRequest&)>& change) {
 }
 
 void Workspace::take(const LoadedBoard& board) {
+    if (m_board) {
+        emit boardLeaves(board);
+    }
     m_board = board;
     m_history.clear();
     m_currentLayer = {};

@@ -17,7 +17,8 @@ namespace ui {
 ///
 /// A board is opened in four steps; everybody has taken the board in one before the next begins, so nobody hears of a
 /// board before what it stands on has it: `boardRead`, `boardShown`, then the selection is emptied, `boardOpened`,
-/// `sessionRestored`. Within a step the order does not matter.
+/// `sessionRestored`. Within a step the order does not matter. Before the first, whoever keeps something of the board on
+/// the screen hears `boardLeaves`.
 class Workspace : public QObject {
     Q_OBJECT
 
@@ -70,6 +71,11 @@ public:
     void showLocation(base::PointD nm, model::LayerId layer) { emit locationWanted(nm, layer); }
 
 signals:
+    void openingBegan(const model::OpenRequest& request);
+    /// There are several forms to choose from, the proposed one first; one of them is to be opened (requestOf).
+    void formsFound(const model::OpenRequest& request, const std::vector<model::BoardForm>& forms);
+    /// Another board, or the same one anew, is about to take the place of the one on the screen.
+    void boardLeaves(const ui::LoadedBoard& next);
     void boardRead(const ui::LoadedBoard& board);        ///< 1: item models; the selection is of the board before
     void boardShown(const ui::LoadedBoard& board);       ///< 2: the views, and what picks in them
     void boardOpened(const ui::LoadedBoard& board);      ///< 3: panels, tools, overlays; the selection is of this board

@@ -39,6 +39,9 @@ private:
     std::string_view m_borrowed;
 };
 
+/// ASCII lower case; other bytes stay.
+[[nodiscard]] std::string lowerCase(std::string_view text);
+
 /// The files of a board as one tree, whatever they came in: a folder, a .tgz, .tar.gz, .tar (V7 included) or .zip, or
 /// a file that is packed by itself (board.xml.gz), which is then the only one and named without its last ending.
 /// Names are found whatever their case. Archives are held in memory and nothing is ever written to disk; permissions in
@@ -64,6 +67,8 @@ public:
     /// The stored bytes, not yet decoded; they may point into the archive. Errors: BadInput when a file of a folder
     /// cannot be read.
     [[nodiscard]] base::Result<Bytes> bytes(int row) const;
+    /// As if the file were not there.
+    void leaveOut(int row) { m_rows.erase(lowerCase(path(row))); }
     /// Rows of all files in the order of their lower-case paths.
     [[nodiscard]] const std::map<std::string, int, std::less<>>& rows() const { return m_rows; }
 
@@ -91,8 +96,5 @@ private:
     std::vector<Entry> m_entries;
     std::map<std::string, int, std::less<>> m_rows;
 };
-
-/// ASCII lower case; other bytes stay.
-[[nodiscard]] std::string lowerCase(std::string_view text);
 
 }  // namespace model::formats

@@ -1,6 +1,8 @@
 #include "model/formats/gerber/gerber_reader.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -97,10 +99,45 @@ Board makeDocument(std::vector<ReadFile> files, const std::filesystem::path& pat
     return withBoards(document, boards, chosen);
 }
 
+using Counts = std::map<ReadFile::Kind, std::size_t>;
+
+/// Names under which a job's images, drills and netlists lie.
+bool isNamedLikeJobFile(std::string_view name) {
+    constexpr std::array<std::string_view, 3> kOthers = {".drl", ".xln", ".txt"};
+    return isNamedLikeGerber(name) ||
+           std::ranges::any_of(kOthers, [name](std::string_view ending) { return name.ends_with(ending); });
+}
+
+/// How many files of each kind there are, by their content.
+Counts countFiles(const formats::Archive& archive, bool (*isCandidate)(std::string_view name)) {
+    Counts counts;
+    for (const auto& [path, row] : archive.rows()) {
+        const base::Result<formats::Bytes> bytes = isCandidate(path) ? archive.bytes(row) : formats::Bytes();
+        ++counts[bytes ? kindOf(bytes->view(), path) : ReadFile::Kind::Other];
+    }
+    return counts;
+}
+
+std::string textOf(std::size_t count, const std::string& one) {
+    return count == 0 ? "" : ", " + std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
 }  // namespace
 
-bool holdsJob(const formats::Archive& archive) {
-    return std::ranges::any_of(archive.rows(), [](const auto& row) { return isNamedLikeGerber(row.first); });
+std::vector<formats::FormPart> jobsIn(const formats::Archive& archive) {
+    const bool isNamedSo =
+        std::ranges::any_of(archive.rows(), [](const auto& row) { return isNamedLikeGerber(row.first); });
+    Counts counts = isNamedSo ? countFiles(archive, isNamedLikeJobFile) : Counts{};
+    if (isNamedSo && counts[ReadFile::Kind::Gerber] + counts[ReadFile::Kind::Drills] == 0) {
+        counts = countFiles(archive, [](std::string_view) { return true; });
+    }
+    std::string contents =
+        textOf(counts[ReadFile::Kind::Gerber], "image") + textOf(counts[ReadFile::Kind::Drills], "drill file");
+    if (contents.empty()) {
+        return {};
+    }
+    contents += textOf(counts[ReadFile::Kind::Netlist], "netlist");
+    return {{"", contents.substr(2)}};
 }
 
 bool looksLikeFile(std::string_view head, const std::filesystem::path& path) {

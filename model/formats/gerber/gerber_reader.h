@@ -3,20 +3,23 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/base/stopwatch.h"
 #include "model/board/document.h"
 #include "model/formats/common/archive.h"
+#include "model/formats/common/form_part.h"
 #include "model/formats/common/read_options.h"
 
 /// Gerber jobs: images (X1 to X3), Excellon and XNC drills, IPC-D-356 netlists, job files and pick-and-place files, as
 /// a folder, an archive or a single file.
 namespace model::gerber {
 
-/// Are there files in the archive that are named like those of a Gerber job?
-[[nodiscard]] bool holdsJob(const formats::Archive& archive);
+/// The job in the archive, if files are named like those of one and there are images or drills by their content, with
+/// how many there are.
+[[nodiscard]] std::vector<formats::FormPart> jobsIn(const formats::Archive& archive);
 /// Does a file begin like an image, drills or a job file?
 [[nodiscard]] bool looksLikeFile(std::string_view head, const std::filesystem::path& path);
 

@@ -197,6 +197,26 @@ std::optional<formats::Bytes> ipcText(const formats::Archive& archive, int row) 
     return *std::move(bytes);
 }
 
+/// What stands in quotes after `key` in the text; empty if it is not there.
+std::string_view quotedAfter(std::string_view text, std::string_view key) {
+    const std::size_t at = text.find(key);
+    const std::size_t begin = at == std::string_view::npos ? at : text.find('"', at + key.size());
+    const std::size_t end = begin == std::string_view::npos ? begin : text.find('"', begin + 1);
+    return end == std::string_view::npos ? std::string_view() : text.substr(begin + 1, end - begin - 1);
+}
+
+/// "revision C, by KiCad EDA": the root says the one, the history at the end or at the beginning the other.
+std::string contentsOf(std::string_view text) {
+    const std::string_view root = text.substr(std::min(text.find("<IPC-2581"), text.size())).substr(0, kHeadBytes);
+    const std::string_view revision = quotedAfter(root, "revision=");
+    const std::size_t software = text.find("<SoftwarePackage");
+    const std::string_view writer = software == std::string_view::npos
+                                        ? std::string_view()
+                                        : quotedAfter(text.substr(software, kHeadBytes), " name=");
+    std::string contents = revision.empty() ? "no revision" : "revision " + std::string(revision);
+    return writer.empty() ? contents : contents + ", by " + std::string(writer);
+}
+
 }  // namespace
 
 bool looksLikeIpc2581(std::string_view head) {
@@ -209,8 +229,17 @@ bool looksLikeIpc2581(std::string_view head) {
     return head.starts_with('<') && head.substr(0, kHeadBytes).find(kRoot) != std::string_view::npos;
 }
 
-bool holdsIpc2581(const formats::Archive& archive) {
-    return std::ranges::any_of(candidates(archive), [&](int row) { return ipcText(archive, row).has_value(); });
+std::vector<formats::FormPart> filesIn(const formats::Archive& archive) {
+    std::vector<formats::FormPart> files;
+    for (const int row : candidates(archive)) {
+        if (const std::optional<formats::Bytes> text = ipcText(archive, row)) {
+            files.push_back({archive.path(row), contentsOf(text->view())});
+        }
+    }
+    std::ranges::stable_sort(files, std::ranges::greater(), [](const formats::FormPart& file) {
+        return file.contents.substr(0, file.contents.find(','));
+    });
+    return files;
 }
 
 base::Result<DrawnJob> parseJob(std::string_view text, const std::filesystem::path& path,

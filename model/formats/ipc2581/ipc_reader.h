@@ -3,11 +3,13 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/base/stopwatch.h"
 #include "model/formats/common/archive.h"
+#include "model/formats/common/form_part.h"
 #include "model/formats/common/read_options.h"
 #include "model/formats/drawing/drawn_job.h"
 
@@ -17,8 +19,9 @@ namespace model::ipc2581 {
 
 /// Do these first bytes of a text look like IPC-2581?
 [[nodiscard]] bool looksLikeIpc2581(std::string_view head);
-/// Does an archive or folder hold such a file, packed or not?
-[[nodiscard]] bool holdsIpc2581(const formats::Archive& archive);
+/// Such files of an archive or folder, packed or not, each with its revision and what wrote it, the newest revision
+/// first.
+[[nodiscard]] std::vector<formats::FormPart> filesIn(const formats::Archive& archive);
 
 /// What the text says, the step wanted by the options first, else the first one that draws anything itself. `path` is
 /// the file's name for messages. Errors: BadInput (no XML, another encoding than UTF-8, a DOCTYPE, no CadData),

@@ -60,15 +60,43 @@ Board make(Source source, base::Progress& progress, const base::Stopwatch& readi
     return formats::assemble(std::move(*job), reading.milliseconds(), progress);
 }
 
-}  // namespace
-
-bool holdsBoard(const formats::Archive& archive) {
-    return !boardsIn(archive).empty();
+/// The value of an item "(key value)" of the text, without its quotes; empty if there is none.
+std::string_view valueOf(std::string_view text, std::string_view key) {
+    const std::string item = "(" + std::string(key) + " ";
+    const std::size_t at = text.find(item);
+    if (at == std::string_view::npos) {
+        return {};
+    }
+    std::string_view value = text.substr(at + item.size());
+    const bool isQuoted = value.starts_with('"');
+    value.remove_prefix(isQuoted ? 1 : 0);
+    return value.substr(0, value.find_first_of(isQuoted ? "\"" : " )\n"));
 }
 
-Board readBoard(const fs::path& path, base::Progress& progress, const base::Stopwatch& reading) {
+/// "by KiCad 9.0, format 20241229"; older versions do not say themselves which they are.
+std::string contentsOf(std::string_view text) {
+    constexpr std::size_t kHeadBytes = 1000;
+    const std::string_view head = text.substr(0, kHeadBytes);
+    const std::string version(valueOf(head, "generator_version"));
+    const std::string format(valueOf(head, "version"));
+    return (version.empty() ? "" : "by KiCad " + version + ", ") + "format " + (format.empty() ? "unknown" : format);
+}
+
+}  // namespace
+
+std::vector<formats::FormPart> boardsOf(const formats::Archive& archive) {
+    std::vector<formats::FormPart> boards;
+    for (const int row : boardsIn(archive)) {
+        const base::Result<formats::Bytes> bytes = archive.bytes(row);
+        boards.push_back({archive.path(row), bytes ? contentsOf(bytes->view()) : "cannot be read"});
+    }
+    return boards;
+}
+
+Board readBoard(const fs::path& path, const Diagnostics& before, base::Progress& progress,
+                const base::Stopwatch& reading) {
     ASSIGN_OR_RETURN(const std::string text, readWholeFile(path));
-    Source source{path, path.filename().string(), text, {}, {}};
+    Source source{path, path.filename().string(), text, {}, before};
     fs::path beside = path;
     beside.replace_extension(kProject);
     std::error_code error;

@@ -1,5 +1,6 @@
 #include "model/formats/odb/odb_reader.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "model/formats/common/archive.h"
@@ -106,8 +107,20 @@ void describe(JobInfo& job, const MiscInfo& info, const formats::FileTree& tree,
 
 }  // namespace
 
-bool holdsJob(const formats::Archive& archive) {
-    return findJob(archive).ok();
+std::vector<formats::FormPart> jobsIn(const formats::Archive& archive) {
+    const base::Result<formats::FileTree> tree = findJob(archive);
+    if (!tree) {
+        return {};
+    }
+    Diagnostics ignored;  // reading the job reports them
+    const auto file = tree->read("matrix/matrix", ignored);
+    const Matrix matrix = file ? parseMatrix(file->text(), file->path, ignored) : Matrix{};
+    const auto copper = std::ranges::count_if(matrix.layers, &MatrixLayer::isCopper);
+    std::string contents = std::to_string(matrix.layers.size()) + " layers, " + std::to_string(copper) + " of copper";
+    if (matrix.steps.size() > 1) {
+        contents += ", " + std::to_string(matrix.steps.size()) + " steps";
+    }
+    return {{"", contents}};
 }
 
 base::Result<std::shared_ptr<const Document>> readJob(const formats::Archive& archive,

@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/base/stopwatch.h"
 #include "model/board/document.h"
+#include "model/formats/common/form_part.h"
 #include "model/formats/common/read_options.h"
 
 namespace model::formats {
@@ -17,8 +19,8 @@ class Archive;
 /// as "odb-notes" with the section.
 namespace model::odb {
 
-/// Is there a job in the archive: a folder with matrix/matrix and steps/?
-[[nodiscard]] bool holdsJob(const formats::Archive& archive);
+/// The job in the archive, if there is one (a folder with matrix/matrix and steps/), with what its matrix says.
+[[nodiscard]] std::vector<formats::FormPart> jobsIn(const formats::Archive& archive);
 
 /// Reads the step of a job that `options` names. `name` stands in messages and, without its ending, for a job that does
 /// not name itself; `diagnostics` is what the unpacking had to say; `reading` runs since it began. Errors: BadInput

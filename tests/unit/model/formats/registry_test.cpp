@@ -136,7 +136,7 @@ private slots:
         QCOMPARE(chosen->format->key, std::string_view("odb"));
         const auto isChoice = [](const model::Diagnostic& entry) {
             return entry.severity == model::Severity::Info &&
-                   entry.text == "Read as ODB++ job; it is there in other formats too: IPC-2581 (ipc2581)";
+                   entry.text == "Read as ODB++ job; what else is there: IPC-2581 (board.xml, --input-format ipc2581)";
         };
         QVERIFY(std::ranges::any_of(chosen->document->diagnostics.entries(), isChoice));
         model::ReadOptions options;

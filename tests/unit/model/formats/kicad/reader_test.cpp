@@ -55,7 +55,7 @@ private slots:
         const auto board = read(path);
         QVERIFY(board);
         QCOMPARE(board->job.name, std::string("b"));
-        QCOMPARE(messages(board->diagnostics, "another board"), 1U);
+        QCOMPARE(messages(board->diagnostics, "what else is there: KiCad board (a.kicad_pcb)"), 1U);
     }
 
     void everyPrefixIsReadWithoutHarm() {

@@ -1,0 +1,132 @@
+#include "model/formats/board_forms.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "model/formats/gerber/gerber_reader.h"
+
+namespace model {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// More archives in a folder than this are a collection and no board.
+constexpr std::size_t kMostArchives = 24;
+constexpr std::size_t kMostListed = 8;
+
+/// What KiCad packs from time to time by itself.
+bool isSafetyCopy(std::string_view path) {
+    return path.find("-backups/") != std::string_view::npos;
+}
+
+/// Those that lie open in the archive. `path` and `member` say where the archive is.
+std::vector<BoardForm> openForms(const formats::Archive& archive, const fs::path& path, const std::string& member) {
+    std::vector<BoardForm> forms;
+    for (const BoardFormat& format : knownFormats()) {
+        if (format.parts == nullptr) {
+            continue;
+        }
+        for (formats::FormPart& part : format.parts(archive)) {
+            forms.push_back(
+                {&format, path, member.empty() ? std::move(part.member) : member, std::move(part.contents)});
+            if (!member.empty()) {
+                break;  // its reader chooses among them
+            }
+        }
+    }
+    return forms;
+}
+
+/// Those in the file `row` of the input, an archive.
+std::vector<BoardForm> packedForms(const BoardInput& input, int row, base::Progress& progress) {
+    const std::string& member = input.archive->path(row);
+    const base::Result<formats::Bytes> bytes = input.archive->bytes(row);
+    Diagnostics ignored;  // reading the board reports them
+    const base::Result<formats::Archive> inner =
+        bytes ? formats::Archive::unpack(bytes->view(), member, {}, progress, ignored) : bytes.error();
+    if (!inner) {
+        return {};
+    }
+    std::error_code error;
+    const bool isFile = fs::is_directory(input.path, error);
+    return isFile ? openForms(*inner, input.path / member, {}) : openForms(*inner, input.path, member);
+}
+
+bool isGerberFile(const fs::path& path) {
+    std::error_code error;
+    std::string head(fs::is_regular_file(path, error) ? std::size_t{4096} : 0, '\0');
+    std::ifstream in(path, std::ios::binary);
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    return gerber::looksLikeFile(head, path);
+}
+
+}  // namespace
+
+fs::path jobOfFiles(std::span<const fs::path> files) {
+    const fs::path folder = files.empty() ? fs::path() : files.front().parent_path();
+    const bool isOneFolder =
+        std::ranges::all_of(files, [&](const fs::path& file) { return file.parent_path() == folder; });
+    return isOneFolder && std::ranges::count_if(files, isGerberFile) > 1 ? folder : fs::path();
+}
+
+bool isNamedLikeArchive(std::string_view name) {
+    constexpr std::array<std::string_view, 4> kEndings = {".tgz", ".tar.gz", ".tar", ".zip"};
+    const std::string lower = formats::lowerCase(name);
+    return std::ranges::any_of(kEndings, [&lower](std::string_view ending) { return lower.ends_with(ending); });
+}
+
+base::Result<std::vector<BoardForm>> formsIn(BoardInput& input, base::Progress& progress) {
+    std::vector<BoardForm> forms = openForms(*input.archive, input.path, {});
+    std::size_t archives = 0;
+    for (const auto& [path, row] : input.archive->rows()) {
+        if (progress.isCancelled()) {
+            return base::Error{base::ErrorCode::Cancelled, "cancelled"};
+        }
+        if (!isNamedLikeArchive(path) || isSafetyCopy(path)) {
+            continue;
+        }
+        if (++archives <= kMostArchives) {
+            std::ranges::move(packedForms(input, row, progress), std::back_inserter(forms));
+        }
+    }
+    if (archives > kMostArchives) {
+        input.unpacking.report(Severity::Info, "", 0,
+                               "there are " + std::to_string(archives) + " archives in it; the first " +
+                                   std::to_string(kMostArchives) + " were looked into");
+    }
+    std::error_code error;
+    if (forms.size() > 1 && fs::is_directory(input.path, error)) {
+        for (BoardForm& form : forms) {
+            const bool isFile = form.path == input.path && !form.member.empty();
+            form.path = isFile ? form.path / std::exchange(form.member, {}) : form.path;
+        }
+    }
+    std::ranges::stable_sort(forms, {}, &BoardForm::format);  // rows of one table
+    return forms;
+}
+
+std::string fileOf(const BoardForm& form, const fs::path& path) {
+    const std::string below = form.path == path ? std::string() : form.path.lexically_relative(path).generic_string();
+    return below + (below.empty() || form.member.empty() ? "" : ": ") + form.member;
+}
+
+std::string othersOf(std::span<const BoardForm> forms, const fs::path& path) {
+    std::string list;
+    const std::size_t end = std::min(forms.size(), kMostListed + 1);
+    for (std::size_t i = 1; i < end; ++i) {
+        const BoardForm& form = forms[i];
+        std::string how = fileOf(form, path);
+        if (std::ranges::find(forms.first(i), form.format, &BoardForm::format) == forms.begin() + i) {
+            how += (how.empty() ? "" : ", ") + ("--input-format " + std::string(form.format->key));
+        }
+        list += (i == 1 ? "" : ", ") + std::string(form.format->name) + (how.empty() ? "" : " (" + how + ")");
+    }
+    return list + (end < forms.size() ? " and " + std::to_string(forms.size() - end) + " more" : "");
+}
+
+}  // namespace model

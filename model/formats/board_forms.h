@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/formats/registry.h"
+
+/// Which boards lie in a folder or archive: often one board in several forms, what a CAD system exported beside what it
+/// saved; sometimes several boards.
+namespace model {
+
+/// All forms in the folder or archive of the input and in archives in it, the richest format first, within a format
+/// what lies open before what is packed once more. Safety copies of CAD systems do not count. Archives that cannot be
+/// unpacked hold nothing. Errors: Cancelled. What was not looked into is reported in `input.unpacking`.
+[[nodiscard]] base::Result<std::vector<BoardForm>> formsIn(BoardInput& input, base::Progress& progress);
+
+/// The file of the form below `path` for people: "export/board-odb.tgz"; empty where it is all that lies there.
+[[nodiscard]] std::string fileOf(const BoardForm& form, const std::filesystem::path& path);
+/// All but the first, and the options that choose them: "IPC-2581 (board.xml.gz, --input-format ipc2581), …"; not all
+/// where there are many.
+[[nodiscard]] std::string othersOf(std::span<const BoardForm> forms, const std::filesystem::path& path);
+
+/// The folder of files that were named together if at least two of them are of one Gerber job; else empty.
+[[nodiscard]] std::filesystem::path jobOfFiles(std::span<const std::filesystem::path> files);
+
+/// Is the file of an archive an archive itself, by its name?
+[[nodiscard]] bool isNamedLikeArchive(std::string_view name);
+
+}  // namespace model

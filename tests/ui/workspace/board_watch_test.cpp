@@ -1,0 +1,136 @@
+#include "ui/workspace/board_watch.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <fstream>
+
+using ui::BoardWatch;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kQuietMs = 120;
+
+void write(const fs::path& path, const std::string& text) {
+    fs::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+/// As programs save that never leave half a file behind.
+void replace(const fs::path& path, const std::string& text) {
+    const fs::path beside = path.string() + ".new";
+    write(beside, text);
+    fs::rename(beside, path);
+}
+
+/// A watch over what a board was read from.
+struct Watched {
+    explicit Watched(const fs::path& path) {
+        watch.setQuietMs(kQuietMs);
+        watch.begin({path});
+        watch.watch({path});
+        QTest::qWait(3 * kQuietMs);
+    }
+    BoardWatch watch;
+    QSignalSpy changes{&watch, &BoardWatch::changed};
+};
+
+}  // namespace
+
+class BoardWatchTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyChangeOfAFileIsToldOnce() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "board.kicad_pcb";
+        write(board, "one");
+        Watched watched(board);
+        QCOMPARE(watched.changes.count(), 0);
+        write(board, "two, in place");
+        QTRY_COMPARE(watched.changes.count(), 1);
+        replace(board, "three, put in its place");
+        QTRY_COMPARE(watched.changes.count(), 2);
+        replace(board, "four, another one put in its place");
+        QTRY_COMPARE(watched.changes.count(), 3);
+        write(board, "five, in place of what replaced it");
+        QTRY_COMPARE(watched.changes.count(), 4);
+        QTest::qWait(4 * kQuietMs);
+        QCOMPARE(watched.changes.count(), 4);
+    }
+
+    void aFileThatIsWrittenInPiecesCountsWhenItIsWhole() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "board.xml";
+        write(board, "one");
+        Watched watched(board);
+        std::ofstream file(board, std::ios::binary);
+        for (int piece = 0; piece < 10; ++piece) {
+            file << "piece" << std::flush;
+            QTest::qWait(kQuietMs / 3);
+            QCOMPARE(watched.changes.count(), 0);
+        }
+        file.close();
+        QTRY_COMPARE(watched.changes.count(), 1);
+    }
+
+    void aFileThatIsGoneIsWaitedFor() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "board.tgz";
+        write(board, "one");
+        Watched watched(board);
+        fs::remove(board);
+        QTest::qWait(4 * kQuietMs);
+        QCOMPARE(watched.changes.count(), 0);
+        write(board, "here again");
+        QTRY_COMPARE(watched.changes.count(), 1);
+    }
+
+    void whatLiesBesideAFileIsNoChangeButItsProjectIs() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "board.kicad_pcb";
+        write(board, "one");
+        write(board.parent_path() / "board.kicad_pro", "{}");
+        Watched watched(board);
+        write(board.parent_path() / "board.kicad_pcb.copperscope.json", "{}");
+        write(board.parent_path() / "other.kicad_pcb", "another");
+        QTest::qWait(4 * kQuietMs);
+        QCOMPARE(watched.changes.count(), 0);
+        replace(board.parent_path() / "board.kicad_pro", "{ }");
+        QTRY_COMPARE(watched.changes.count(), 1);
+    }
+
+    void filesOfAFolderThatComeGoOrChangeAreTold() {
+        QTemporaryDir folder;
+        const fs::path job = fs::path(folder.path().toStdString()) / "job";
+        write(job / "top.gtl", "one");
+        write(job / "drills" / "thru.drl", "one");
+        Watched watched(job);
+        write(job / "drills" / "thru.drl", "two, below");
+        QTRY_COMPARE(watched.changes.count(), 1);
+        write(job / "bottom.gbl", "one");
+        QTRY_COMPARE(watched.changes.count(), 2);
+        fs::remove(job / "top.gtl");
+        QTRY_COMPARE(watched.changes.count(), 3);
+        write(job / "bottom.gbl", "the new one is watched too");
+        QTRY_COMPARE(watched.changes.count(), 4);
+    }
+
+    void whatChangesWhileTheBoardIsReadIsTold() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "board.xml";
+        write(board, "one");
+        BoardWatch watch;
+        watch.setQuietMs(kQuietMs);
+        QSignalSpy changes(&watch, &BoardWatch::changed);
+        watch.begin({board});
+        write(board, "two, half way through");
+        watch.watch({board});
+        QTRY_COMPARE(changes.count(), 1);
+    }
+};
+
+QTEST_MAIN(BoardWatchTest)
+#include "board_watch_test.moc"
