@@ -43,7 +43,7 @@ model::Diagnostics messagesOf(const std::vector<model::NotExported>& missing, co
     model::Diagnostics messages;
     const std::string start = "Not in " + QFileInfo(path).fileName().toStdString() + ": ";
     for (const model::NotExported& item : missing) {
-        messages.report(model::Severity::Warning, item.file, item.line, start + item.reason);
+        messages.report(model::Severity::Warning, item.file, item.line, start + item.reason, item.element);
     }
     return messages;
 }

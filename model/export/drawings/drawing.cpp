@@ -137,7 +137,8 @@ private:
         if (m_noted.emplace(step, element).second) {
             const Document& document = *m_tree.steps[step];
             const Layer& layer = document.layer(document.elements.layer[element.row()]);
-            report.notDrawn.push_back({layer.name, element, layer.file, document.elements.line[element.row()], reason});
+            report.notDrawn.push_back(
+                {layer.name, element, layer.file, document.elements.line[element.row()], reason, step});
         }
     }
 

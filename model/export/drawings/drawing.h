@@ -37,6 +37,7 @@ struct NotDrawn {
     std::string file;        ///< of the job
     std::uint32_t line = 0;  ///< of that file, from 1
     std::string_view reason;
+    std::uint32_t step = 0;  ///< row of model::StepTree::steps
 };
 
 struct DrawingReport {

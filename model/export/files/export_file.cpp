@@ -25,7 +25,8 @@ NotExported describe(const SolidPlan& plan, const MissingSolid& missing) {
     const Document& step = *plan.steps[missing.step].document;
     const std::size_t row = missing.element.row();
     const Layer& layer = step.layer(step.elements.layer[row]);
-    return {layer.name, layer.file, step.elements.line[row], std::string(missing.reason)};
+    return {layer.name, layer.file, step.elements.line[row], std::string(missing.reason),
+            missing.step == 0 ? missing.element : ElementId{}};
 }
 
 std::vector<NotExported> describe(const SolidPlan& plan, const std::vector<MissingSolid>& missing) {
@@ -98,7 +99,8 @@ Result<ExportSummary> finish(const DrawingReport& report, FileWriter& file) {
         formatted("%zu layers, %llu regions", report.layers.size(), static_cast<unsigned long long>(report.regions)),
         {}};
     for (const NotDrawn& item : report.notDrawn) {
-        summary.missing.push_back({item.layer, item.file, item.line, std::string(item.reason)});
+        summary.missing.push_back(
+            {item.layer, item.file, item.line, std::string(item.reason), item.step == 0 ? item.element : ElementId{}});
     }
     return summary;
 }

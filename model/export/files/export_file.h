@@ -31,6 +31,7 @@ struct NotExported {
     std::string file;        ///< of the job
     std::uint32_t line = 0;  ///< of that file, from 1
     std::string reason;
+    ElementId element{};  ///< none where it is one of a placed step
 };
 
 /// What became of an export.

@@ -275,6 +275,10 @@ private slots:
                  QString("Not in everything.dxf: it has no width"));
         QCOMPARE(messages.index(before, ui::MessageModel::Location).data().toString(),
                  QString("steps/board/layers/top/features:63"));
+        const model::ElementId element = messages.message(before).element;
+        QVERIFY(element.isValid());
+        emit window().table("messages").rowChosen(before);
+        QCOMPARE(window().selection().selected(), (std::vector{model::BoardElement{0, element}}));
         open();
         click(button("&Copper"));  // the next export takes the place of that one
         part<QLineEdit>("exportFile").setText(folder() + "/again.dxf");
