@@ -113,9 +113,9 @@ Result<model::ExportRequest> requestFor(const Document& board, const ExportArgum
 
 base::Status sayEstimate(const Document& board, const model::ExportFormat& format, const model::ExportRequest& request,
                          const base::Progress& progress) {
-    ASSIGN_OR_RETURN(const std::optional<double> bytes, model::estimateExport(board, format, request, progress));
-    if (bytes) {
-        std::fprintf(stderr, "about %.1f MB\n", *bytes / 1e6);
+    ASSIGN_OR_RETURN(const auto estimate, model::estimateExport(board, format, request, progress));
+    if (estimate) {
+        std::fprintf(stderr, "about %.1f MB, %.0f s\n", estimate->bytes / 1e6, std::ceil(estimate->seconds));
     }
     return base::Done{};
 }

@@ -21,6 +21,10 @@ QString sizeText(double bytes) {
     return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
 }
 
+QString textOf(const model::StepEstimate& estimate) {
+    return ExportFeature::tr("About %1, %2 s").arg(sizeText(estimate.bytes)).arg(std::ceil(estimate.seconds));
+}
+
 std::vector<std::string> namesOf(const model::StepTree& tree, const std::vector<model::BoardNet>& nets) {
     std::vector<std::string> names;
     for (const model::BoardNet& net : nets) {
@@ -118,11 +122,11 @@ void ExportFeature::estimate() {
 }
 
 void ExportFeature::showEstimate() {
-    const base::Result<std::optional<double>> bytes = m_estimate.take();
+    const base::Result<std::optional<model::StepEstimate>> estimate = m_estimate.take();
     if (m_dialog) {
-        m_dialog->setEstimate(!bytes   ? QString::fromStdString(bytes.error().text)
-                              : *bytes ? tr("About %1").arg(sizeText(**bytes))
-                                       : tr("The size is known once it is written"));
+        m_dialog->setEstimate(!estimate   ? QString::fromStdString(estimate.error().text)
+                              : *estimate ? textOf(**estimate)
+                                          : tr("The size is known once it is written"));
     }
 }
 

@@ -32,7 +32,7 @@ private:
     Workspace& m_workspace;
     QPointer<ExportDialog> m_dialog;
     QTimer m_due;  ///< runs out when nothing was changed in the dialog for a moment
-    BackgroundResult<std::optional<double>> m_estimate;
+    BackgroundResult<std::optional<model::StepEstimate>> m_estimate;
     BackgroundResult<model::ExportSummary> m_export;
     QString m_path;  ///< of the file that is being written, or was the last
 };

@@ -39,6 +39,8 @@ std::vector<NotExported> describe(const SolidPlan& plan, const std::vector<Missi
 
 /// Of a STEP file that gzip leaves; 0.19 to 0.21 on boards of all kinds.
 constexpr double kPackedShare = 0.2;
+/// How much longer a packed file takes.
+constexpr double kPackedTime = 1.8;
 
 template <bool isPacked>
 Result<ExportSummary> writeStep(const Document& board, const ExportRequest& request, const fs::path& path,
@@ -168,14 +170,18 @@ const ExportFormat* exportFormatOf(const fs::path& path) {
     return found != std::end(kFormats) ? found : nullptr;
 }
 
-Result<std::optional<double>> estimateExport(const Document& board, const ExportFormat& format,
-                                             const ExportRequest& request, const Progress& progress) {
+Result<std::optional<StepEstimate>> estimateExport(const Document& board, const ExportFormat& format,
+                                                   const ExportRequest& request, const Progress& progress) {
     if (!format.isStep) {
-        return std::optional<double>();
+        return std::optional<StepEstimate>();
     }
     ASSIGN_OR_RETURN(const SolidPlan plan, planSolids(board, request.choice, progress));
-    const double packing = format.write == writeStep<true> ? kPackedShare : 1.0;
-    return std::optional(estimateStep(plan).bytes * packing);
+    StepEstimate estimate = estimateStep(plan);
+    if (format.write == writeStep<true>) {
+        estimate.bytes *= kPackedShare;
+        estimate.seconds *= kPackedTime;
+    }
+    return std::optional(estimate);
 }
 
 Result<ExportSummary> exportBoard(const Document& board, const ExportFormat& format, const ExportRequest& request,

@@ -60,10 +60,12 @@ struct ExportFormat {
 /// By what the name ends with; nullptr if it is none of them.
 [[nodiscard]] const ExportFormat* exportFormatOf(const std::filesystem::path& path);
 
-/// About how large the file will be, in bytes; no value for formats that cannot be told before. Errors: as planSolids.
-[[nodiscard]] base::Result<std::optional<double>> estimateExport(const Document& board, const ExportFormat& format,
-                                                                 const ExportRequest& request,
-                                                                 const base::Progress& progress);
+/// About how large the file will be and how long it takes; no value for formats that cannot be told before. Errors: as
+/// planSolids.
+[[nodiscard]] base::Result<std::optional<StepEstimate>> estimateExport(const Document& board,
+                                                                       const ExportFormat& format,
+                                                                       const ExportRequest& request,
+                                                                       const base::Progress& progress);
 /// Writes the file, all of it or nothing. Errors: BadUsage for choices that the format does not know, names that are
 /// not there and when nothing is left to write; OutputFailed; Cancelled.
 [[nodiscard]] base::Result<ExportSummary> exportBoard(const Document& board, const ExportFormat& format,

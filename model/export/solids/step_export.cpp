@@ -1,5 +1,9 @@
 #include "model/export/solids/step_export.h"
 
+#include <algorithm>
+#include <cmath>
+#include <span>
+
 #include "model/export/solids/step_assembly.h"
 #include "model/export/solids/step_solid_text.h"
 #include "model/text/file_writer.h"
@@ -196,8 +200,10 @@ constexpr double kBytesOfSolid = 47.0;
 constexpr double kBytesOfCopy = 180.0;
 constexpr double kBytesOfGroup = 900.0;
 constexpr double kBytesPerSecond = 150e6;
-/// Elements that are looked at for an estimate.
-constexpr std::size_t kSampled = 2000;
+/// Solids that are made for an estimate of a step, at most about so many.
+constexpr double kSampled = 1000.0;
+/// What a track or a pad counts, in corners.
+constexpr double kCornersOfPlain = 4.0;
 
 double bytesOf(const std::vector<Shell>& shells) {
     double bytes = 0.0;
@@ -209,18 +215,55 @@ double bytesOf(const std::vector<Shell>& shells) {
     return bytes;
 }
 
+/// How much of the file an element may be: its corners as they were drawn.
+double cornersOf(const Document& document, ElementId element) {
+    if (document.elements.kind[element.row()] != ElementKind::Area) {
+        return kCornersOfPlain;
+    }
+    const ShapeId shape = document.areas[document.elements.geometry[element.row()]].shape;
+    double corners = kCornersOfPlain;
+    for (const Contour& contour : document.shapes.contoursOf(shape)) {
+        corners += contour.nodeCount;
+    }
+    return corners;
+}
+
+/// Of the elements that are written one by one: a sample in which each appears as often as it has corners, so that
+/// planes, which are most of a file, are all in it.
+double sampledBytes(const SolidPlan& plan, const StepSolids& step, std::span<const ElementId> elements) {
+    double corners = 0.0;
+    for (const ElementId element : elements) {
+        corners += cornersOf(*step.document, element);
+    }
+    const double stride = std::max(corners / kSampled, 1.0);
+    double bytes = 0.0;
+    double next = stride / 2;
+    for (const ElementId element : elements) {
+        const double own = cornersOf(*step.document, element);
+        next -= own;
+        if (next < 0) {
+            const double picks = std::floor(-next / stride) + 1;
+            next += picks * stride;
+            bytes += picks * stride / own * bytesOf(plan.shellsOf(step, element).shells);
+        }
+    }
+    return bytes;
+}
+
 double estimatedBytes(const SolidPlan& plan, const StepSolids& step) {
     double bytes = kBytesOfGroup * static_cast<double>(step.groups.size());
     for (const auto& [key, uses] : step.uses) {
         bytes += uses > 1 ? bytesOf(plan.shellsOf(step, key).shells) : 0.0;
     }
-    const std::size_t stride = step.elements.size() / kSampled + 1;
-    for (std::size_t i = 0; i < step.elements.size(); i += stride) {
-        const ElementId element = step.elements[i];
-        const bool isCopy = plan.sharedShapeOf(step, element).has_value();
-        bytes += static_cast<double>(stride) * (isCopy ? kBytesOfCopy : bytesOf(plan.shellsOf(step, element).shells));
+    std::vector<ElementId> single;
+    for (const ElementId element : step.elements) {
+        if (plan.sharedShapeOf(step, element)) {
+            bytes += kBytesOfCopy;
+        } else {
+            single.push_back(element);
+        }
     }
-    return bytes;
+    return bytes + sampledBytes(plan, step, single);
 }
 
 }  // namespace

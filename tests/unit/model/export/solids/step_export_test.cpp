@@ -44,6 +44,27 @@ std::shared_ptr<const model::Document> board() {
     return std::move(builder).finish();
 }
 
+/// A plane with a jagged outline of so many corners among tracks of as many lengths.
+std::shared_ptr<const model::Document> planeAmongTracks(int corners, int tracks) {
+    model::DocumentBuilder builder;
+    addLayers(builder, kStackup);
+    builder.beginLayer(model::LayerId{std::size_t{0}});
+    std::vector<model::Point> outline;
+    for (int i = 0; i < corners; ++i) {
+        outline.push_back({i * 50 * kUm, i % 2 * 100 * kUm});
+    }
+    outline.push_back({corners * 50 * kUm, 10 * kMm});
+    outline.push_back({0, 10 * kMm});
+    model::ShapeSketch plane;
+    plane.addPolygon(outline, false);
+    builder.addArea({builder.addShape(plane), {}}, {});
+    for (int i = 0; i < tracks; ++i) {
+        const model::Nm y = 20 * kMm + i * 200 * kUm;
+        builder.addLine({{0, y}, {kMm + i * kUm, y}, 100 * kUm, 0}, {});
+    }
+    return std::move(builder).finish();
+}
+
 struct Exported {
     model::SolidReport report;
     QString text;
@@ -172,6 +193,17 @@ private slots:
         const double bytes = static_cast<double>(exported({}).text.size());
         const double estimate = model::estimateStep(plan).bytes;
         QVERIFY2(estimate > 0.6 * bytes && estimate < 1.7 * bytes, qPrintable(QString::number(estimate / bytes)));
+    }
+
+    void estimatesOfPlanesAmongManyTracksAreNear() {
+        const QTemporaryDir folder;
+        const auto document = planeAmongTracks(9000, 4000);
+        base::Progress progress;
+        const SolidPlan plan = *model::planSolids(*document, {}, progress);
+        const std::filesystem::path path = folder.filePath("board.step").toStdString();
+        const double bytes = static_cast<double>((*model::exportStep(plan, {}, path, progress)).bytes);
+        const double estimate = model::estimateStep(plan).bytes;
+        QVERIFY2(estimate > 0.7 * bytes && estimate < 1.4 * bytes, qPrintable(QString::number(estimate / bytes)));
     }
 
     void cancelledAndFailedExportsLeaveNothing() {
