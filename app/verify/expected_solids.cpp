@@ -40,10 +40,9 @@ void addSolids(const SolidPlan& plan, const StepSolids& step, const model::Regio
                std::vector<ExpectedSolid>& out) {
     for (const ElementId element : step.elements) {
         const std::string_view shape = shapeOf(*step.document, element);
-        const auto layer = static_cast<std::uint32_t>(step.document->elements.layer[element.row()].row());
         for (const model::Shell& shell : plan.shellsOf(step, element).shells) {
             for (const model::EdgeLoops& piece : model::splitLarge(shell.outline, limits)) {
-                out.push_back({shape, volumeOf(model::Shell{piece, shell.z}), layer});
+                out.push_back({shape, volumeOf(model::Shell{piece, shell.z}), element});
             }
         }
     }

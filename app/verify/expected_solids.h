@@ -10,9 +10,9 @@ namespace app {
 
 /// A solid that a STEP file of a plan must have.
 struct ExpectedSolid {
-    std::string_view shape;  ///< "line", "disc", "tube", … as the paper's tables name them
-    double volume = 0.0;     ///< nm³, from the formula of its region
-    std::uint32_t layer = 0;
+    std::string_view shape;      ///< "line", "disc", "tube", … as the paper's tables name them
+    double volume = 0.0;         ///< nm³, from the formula of its region
+    model::ElementId element{};  ///< of its step
 };
 
 /// The shape that an element's solid has.

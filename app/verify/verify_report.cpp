@@ -20,6 +20,14 @@ ShapeReport& rowFor(VerifyReport& report, std::string_view shape) {
     return found != report.shapes.end() ? *found : report.shapes.emplace_back(ShapeReport{shape});
 }
 
+/// Empty if the solid keeps the limits.
+std::string faultOf(const StepSolid& solid, double volumeError) {
+    return !solid.isValid               ? "it is not valid"
+           : !solid.isClosed            ? "it is not one closed shell"
+           : volumeError > kVolumeLimit ? model::formatted("its volume is %.2e off", volumeError)
+                                        : "";
+}
+
 bool isGood(const ShapeReport& shape) {
     return shape.invalid == 0 && shape.open == 0 && shape.volumeError <= kVolumeLimit;
 }
@@ -42,7 +50,11 @@ void compareSolids(const StepFile& file, const std::vector<ExpectedSolid>& expec
         ++row.solids;
         row.invalid += solid.isValid ? 0 : 1;
         row.open += solid.isClosed ? 0 : 1;
-        row.volumeError = std::max(row.volumeError, std::abs(solid.volume / expected[i].volume - 1.0));
+        const double volumeError = std::abs(solid.volume / expected[i].volume - 1.0);
+        row.volumeError = std::max(row.volumeError, volumeError);
+        if (std::string what = faultOf(solid, volumeError); !what.empty()) {
+            report.faults.push_back({expected[i].shape, expected[i].element, std::move(what), solid.box});
+        }
         row.tolerance = std::max(row.tolerance, solid.tolerance);
     }
 }
@@ -54,6 +66,11 @@ std::string verifyText(const VerifyReport& report) {
     for (const ShapeReport& row : report.shapes) {
         text += model::formatted("%-26s %8zu %8zu %8zu %14.2e %14.3f\n", std::string(row.shape).c_str(), row.solids,
                                  row.invalid, row.open, row.volumeError, row.tolerance);
+    }
+    for (const SolidFault& fault : report.faults) {
+        text += model::formatted("element %u, %s, at %.3f %.3f to %.3f %.3f mm: %s\n", fault.element.value,
+                                 std::string(fault.shape).c_str(), fault.box[0] / 1e6, fault.box[1] / 1e6,
+                                 fault.box[3] / 1e6, fault.box[4] / 1e6, fault.what.c_str());
     }
     if (report.points.points > 0) {
         text += model::formatted("\n%llu of %llu points agree: %.4f %% (%llu inside)\n",
@@ -77,6 +94,11 @@ std::string verifyJson(const VerifyReport& report) {
                           {"volume_error", row.volumeError},
                           {"tolerance_nm", row.tolerance}});
     }
+    nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+    for (const SolidFault& fault : report.faults) {
+        faults.push_back(
+            {{"shape", fault.shape}, {"element", fault.element.value}, {"box_nm", fault.box}, {"what", fault.what}});
+    }
     nlohmann::ordered_json pictures = nlohmann::ordered_json::array();
     for (const PictureAgreement& picture : report.pictures) {
         pictures.push_back({{"view", picture.view}, {"grey_mse", picture.greyMse}});
@@ -85,6 +107,7 @@ std::string verifyJson(const VerifyReport& report) {
     const nlohmann::ordered_json all = {{"solids", report.solids},
                                         {"expected", report.expected},
                                         {"shapes", shapes},
+                                        {"faults", faults},
                                         {"points",
                                          {{"count", points.points},
                                           {"agreeing", points.agreeing},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,19 @@ struct ShapeReport {
     double tolerance = 0.0;    ///< the largest, nm
 };
 
+/// A solid that does not keep the limits.
+struct SolidFault {
+    std::string_view shape;
+    model::ElementId element;     ///< of its step
+    std::string what;             ///< in words
+    std::array<double, 6> box{};  ///< StepSolid::box
+};
+
 struct VerifyReport {
     std::size_t solids = 0;    ///< in the file
     std::size_t expected = 0;  ///< of the plan
     std::vector<ShapeReport> shapes;
+    std::vector<SolidFault> faults;  ///< of solids, in their order
     PointAgreement points;
     std::vector<PictureAgreement> pictures;
 

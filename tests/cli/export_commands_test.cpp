@@ -93,6 +93,7 @@ private slots:
         const Outcome done = copperscope({"verify", locations::kSample, "--layers", "bottom_overlay", "--step", path,
                                           "--points", "100", "--no-pictures"});
         QVERIFY(done.exitCode == 4 || (done.exitCode == 1 && done.err.contains("OpenCASCADE")));
+        QVERIFY2(done.exitCode == 1 || done.out.contains("its volume is "), done.out.constData());
     }
 };
 
