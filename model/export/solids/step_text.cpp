@@ -100,7 +100,7 @@ void StepText::put(std::span<const StepId> ids) {
 }
 
 void StepText::put(Length length) {
-    putFixed(m_text, std::llround(length.nm * 10), 7);
+    putFixed(m_text, std::llround(length.nm * 100), 8);
 }
 
 void StepText::put(Ratio ratio) {

@@ -14,7 +14,7 @@ namespace model {
 using StepId = std::uint32_t;
 
 /// The data section of a STEP file as text (ISO 10303-21), an entity per line, numbered as they are written. Lengths
-/// come in nanometres and are written in millimetres with 7 digits behind the point, which is 0.1 nm; directions
+/// come in nanometres and are written in millimetres with 8 digits behind the point, which is 0.01 nm; directions
 /// with 9. A reader that asks for a tolerance of 1e-6 mm finds every vertex on its curves.
 class StepText {
 public:

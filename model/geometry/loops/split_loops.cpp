@@ -13,9 +13,9 @@ namespace {
 
 /// Corners closer to a cut than this would make edges that are shorter than 1 nm, or miss one.
 constexpr double kClear = 1.0;
-/// How many corners around the middle one are looked at for the widest place between two; more where many lie on one
-/// line, as those of holes in rows do.
-constexpr std::size_t kTried = 64;
+/// A place that is as wide as this is wide enough, nm: of two such, the one nearer to the middle is taken. Where cuts
+/// pass closer to corners they leave slivers, whose volume suffers from the digits of a file.
+constexpr double kWideEnough = 100'000.0;
 
 /// The line x = `at`, or y = `at`.
 struct Cut {
@@ -255,7 +255,8 @@ private:
     std::array<std::vector<Loop>, 2> m_whole;
 };
 
-/// In the middle of the widest place between neighbouring corners near the median.
+/// In the middle of the widest place between neighbouring corners, among the middle half of all; further away only
+/// where those lie on one line, as holes in rows do.
 std::optional<double> placeFor(const EdgeLoops& region, bool isUpright) {
     const Cut axis{isUpright, 0.0};
     std::vector<double> corners;
@@ -268,12 +269,16 @@ std::optional<double> placeFor(const EdgeLoops& region, bool isUpright) {
     }
     std::ranges::sort(corners);
     const std::size_t middle = corners.size() / 2;
-    const std::size_t tried = std::min(kTried, corners.size() / 8 + 1);
+    const std::size_t tried = corners.size() / 4 + 1;
     double best = 2 * kClear;
     std::optional<double> place;
     const auto offer = [&](std::size_t i) {
-        if (i >= 1 && i < corners.size() && corners[i] - corners[i - 1] > best) {
-            best = corners[i] - corners[i - 1];
+        if (i < 1 || i >= corners.size()) {
+            return;
+        }
+        const double width = std::min(corners[i] - corners[i - 1], kWideEnough);
+        if (width > best) {
+            best = width;
             place = (corners[i] + corners[i - 1]) / 2;
         }
     };

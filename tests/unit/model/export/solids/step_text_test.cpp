@@ -19,7 +19,8 @@ private slots:
         QTest::newRow("zero") << 0.0 << "0.";
         QTest::newRow("a nanometre") << 1.0 << "0.000001";
         QTest::newRow("a tenth of it") << -0.1 << "-0.0000001";
-        QTest::newRow("below what is written") << -0.01 << "0.";
+        QTest::newRow("a hundredth of it") << -0.01 << "-0.00000001";
+        QTest::newRow("below what is written") << -0.001 << "0.";
         QTest::newRow("large") << -1073741824.0 << "-1073.741824";
     }
     void lengthsAreMillimetresWithAPoint() {
