@@ -71,7 +71,7 @@ private slots:
 
     void solidsAreProvedByAnIndependentReader() {
         const Outcome done = copperscope({"verify", locations::kSample, "--layers", "L01-TOP_LAYER", "--sample", "60",
-                                          "--points", "400", "--no-pictures", "--json"});
+                                          "--points", "400", "--no-pictures", "--strict", "--json"});
         if (done.err.contains("OpenCASCADE")) {
             QCOMPARE(done.exitCode, 1);
             QSKIP("this build has no OpenCASCADE");

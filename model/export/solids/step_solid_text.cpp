@@ -99,6 +99,7 @@ void StepSolidText::addArc(Rim& rim, const Rim& next, const Edge& arc, const ZRa
         rim.edge[face] = m_text.add("EDGE_CURVE('',", rim.vertex[face], ",", next.vertex[face], ",", curve,
                                     arc.isClockwise ? ",.F.)" : ",.T.)");
     }
+    rim.isInward = arc.isClockwise;
     rim.surface =
         m_text.add("CYLINDRICAL_SURFACE('',", axis[Bottom], ",", StepText::Ratio{base::toMm(arc.radius)}, ")");
 }
@@ -142,13 +143,13 @@ void StepSolidText::addCurve(Rim& rim, const Rim& next, const NurbsView& curve, 
     }
 }
 
-StepId StepSolidText::addWall(Rim& rim, const Rim& next, bool isInward) {
+StepId StepSolidText::addWall(Rim& rim, const Rim& next) {
     rim.used[Bottom] = oriented(rim.edge[Bottom], false);
     rim.used[Top] = oriented(rim.edge[Top], true);
     m_loop = {oriented(rim.upright, true), rim.used[Top], oriented(next.upright, false), rim.used[Bottom]};
     const StepId loop = m_text.add("EDGE_LOOP('',", m_loop, ")");
     const StepId bound = m_text.add("FACE_OUTER_BOUND('',", loop, ",.F.)");
-    return m_text.add("ADVANCED_FACE('',(", bound, "),", rim.surface, isInward ? ",.F.)" : ",.T.)");
+    return m_text.add("ADVANCED_FACE('',(", bound, "),", rim.surface, rim.isInward ? ",.F.)" : ",.T.)");
 }
 
 StepId StepSolidText::addLid(const Shell& shell, Face face) {
@@ -205,7 +206,7 @@ StepId StepSolidText::add(const Shell& shell) {
         for (std::uint32_t k = first; k < end; ++k) {
             const Rim& next = m_rims[k + 1 < end ? k + 1 : first];
             addEdge(outline, m_rows[k], m_rims[k], next, shell.z);
-            m_faces.push_back(addWall(m_rims[k], next, m_rims[k].isInward));
+            m_faces.push_back(addWall(m_rims[k], next));
         }
     }
     m_faces.push_back(addLid(shell, Top));

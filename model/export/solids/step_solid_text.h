@@ -51,7 +51,7 @@ private:
     StepId curveAt(const NurbsView& curve, Nm z);
     void addEdge(const EdgeLoops& outline, std::size_t row, Rim& rim, const Rim& next, const ZRange& z);
     void addArc(Rim& rim, const Rim& next, const Edge& arc, const ZRange& z);
-    StepId addWall(Rim& rim, const Rim& next, bool isInward);
+    StepId addWall(Rim& rim, const Rim& next);
     void addRims(const EdgeLoops& outline, std::size_t loop);
     StepId addLid(const Shell& shell, Face face);
     StepId oriented(StepId edge, bool isForward);

@@ -100,6 +100,19 @@ private slots:
         QVERIFY(all.text.startsWith("ISO-10303-21;\n") && all.text.endsWith("END-ISO-10303-21;\n"));
     }
 
+    void cylindersFaceOutwardsButThoseOfHoles() {
+        const Exported all = exported({});
+        QStringList inward;
+        for (const auto& [id, face] : all.entities) {
+            if (face.name == "ADVANCED_FACE" && face.body.endsWith(",.F.)")) {
+                const StepEntity& surface = all.entities.at(face.references.back());
+                inward << (surface.name == "CYLINDRICAL_SURFACE" ? surface.body.section(',', -1) : QString());
+            }
+        }
+        inward.removeAll(QString());
+        QCOMPARE(inward, QStringList("0.125)"));  // within the barrel of a plated hole
+    }
+
     void equalPadsAndBarrelsAreWrittenOnce() {
         const Exported all = exported({});
         // Two tracks, the pour, one disc, one pad and its mirror image, one barrel.
