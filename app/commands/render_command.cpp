@@ -92,11 +92,25 @@ render::ZScale zScaleOf(const RenderArguments& arguments) {
     return arguments.zScale.empty() ? render::ZScale{} : render::ZScale{arguments.zScale[0], arguments.zScale[1]};
 }
 
+/// The box as high as the tallest bodies reach.
+render::Box3 withBodies(render::Box3 box, const render::BoardFrame& model) {
+    for (const render::FrameLayer& layer : model.layers) {
+        if (layer.growth != 0) {
+            box.min.z = std::min(box.min.z, layer.z0);
+            box.max.z = std::max(box.max.z, layer.z1);
+        }
+    }
+    return box;
+}
+
 render::Camera cameraFor(const RenderArguments& arguments, const render::BoardFrame& model, render::NamedView view) {
     const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
     render::Camera camera;
     camera.setOrthographic(arguments.mode == "2d");
-    const render::Box3 box = render::explodedBox(render::scaledBox(model, zScaleOf(arguments)), arguments.explode);
+    render::Box3 box = render::explodedBox(render::scaledBox(model, zScaleOf(arguments)), arguments.explode);
+    if (arguments.hasComponents) {
+        box = withBodies(box, model);
+    }
     camera.fit(box.min, box.max, view, aspect);
     if (!arguments.window.empty()) {
         const auto corner = [&](double x, double y) {
