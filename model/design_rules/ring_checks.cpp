@@ -33,7 +33,7 @@ Spacing RingChecks::middleOf(ElementId hole) const {
 }
 
 void RingChecks::finish() {
-    const auto areAllLayers = [this](const Rule& rule) { return rule.layer.empty(); };
+    const auto areAllLayers = [](const Rule& rule) { return rule.layer.empty(); };
     for (const auto& [hole, rings] : m_rings) {
         const bool isSeenWhole = !m_context.scopeLayer().isValid() && areAllLayers(m_context.table().rules[rings.rule]);
         if (rings.removed) {

@@ -121,7 +121,8 @@ std::string othersOf(std::span<const BoardForm> forms, const fs::path& path) {
     for (std::size_t i = 1; i < end; ++i) {
         const BoardForm& form = forms[i];
         std::string how = fileOf(form, path);
-        if (std::ranges::find(forms.first(i), form.format, &BoardForm::format) == forms.begin() + i) {
+        const std::span<const BoardForm> before = forms.first(i);
+        if (std::ranges::find(before, form.format, &BoardForm::format) == before.end()) {
             how += (how.empty() ? "" : ", ") + ("--input-format " + std::string(form.format->key));
         }
         list += (i == 1 ? "" : ", ") + std::string(form.format->name) + (how.empty() ? "" : " (" + how + ")");

@@ -1,5 +1,6 @@
 #include "model/packages/body_parts.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -28,8 +29,8 @@ Nm distanceTo(Side side, const Box& body, Point p) {
 
 /// The side a pin is next to, wherever it lies.
 Side nearestSide(Point pin, const Box& body) {
-    return std::ranges::max({Side::Left, Side::Right, Side::Lower, Side::Upper}, {},
-                            [&](Side side) { return distanceTo(side, body, pin); });
+    constexpr std::array kSides = {Side::Left, Side::Right, Side::Lower, Side::Upper};
+    return *std::ranges::max_element(kSides, {}, [&](Side side) { return distanceTo(side, body, pin); });
 }
 
 /// The side of the body a pin lies on; none below it.

@@ -22,7 +22,7 @@ bool isFilled(const Layer& layer) {
 class Drawer {
 public:
     Drawer(const Document& board, DrawingForm& form, const FileWriter& file, base::Progress& progress)
-        : m_board(board), m_form(form), m_file(file), m_progress(progress), m_tree(unfoldCopies(board)) {
+        : m_form(form), m_file(file), m_progress(progress), m_tree(unfoldCopies(board)) {
         for (const StepCopy& copy : m_tree.copies) {
             m_placements[placementsRow(copy.step, copy.isFlipped)].push_back(copy.placement);
         }
@@ -142,7 +142,6 @@ private:
         }
     }
 
-    const Document& m_board;
     DrawingForm& m_form;
     const FileWriter& m_file;
     base::Progress& m_progress;

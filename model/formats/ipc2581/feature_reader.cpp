@@ -174,7 +174,6 @@ std::int32_t FeatureReader::attributesOf(const formats::Words& words) {
 
 void FeatureReader::readPlaced(XmlCursor& at, Placed& placed) {
     forEachChild(at, [&] {
-        Turn location;
         if (at.name() == "Location") {
             placed.locations.push_back(m_reading.point(at, m_reading.unitNm()));
         } else if (at.name() == "PinRef") {

@@ -27,7 +27,6 @@ namespace {
 constexpr double kOutlineJoint = 10'000.0;  ///< ends of an outline that are joined
 constexpr double kSameEnd = 1'000.0;        ///< further apart they are reported
 constexpr int kNewestKnown = 20'261'231;
-constexpr int kOldestNamed = 20'000'000;
 
 /// Items that draw nothing.
 constexpr std::array<std::string_view, 14> kSilent = {"paper",          "page",

@@ -107,7 +107,7 @@ public:
         PointD offset;
     };
 
-    PadForms(Canvas& canvas, const Item& pad, const Drill& drill) : m_canvas(canvas) {
+    PadForms(Canvas& canvas, const Item& pad, const Drill& drill) {
         m_forms.push_back({formOf(canvas, pad, pad.word(3)), drill.offset});
         const Item stack = pad.find("padstack");
         m_isFrontInnerBack = stack.find("mode").word(1) != "custom";
@@ -134,7 +134,6 @@ public:
     }
 
 private:
-    Canvas& m_canvas;
     std::vector<Form> m_forms;
     std::vector<std::pair<std::string, std::size_t>> m_layers;
     bool m_isFrontInnerBack = true;
