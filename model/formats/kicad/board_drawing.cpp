@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,14 +9,18 @@
 #include <vector>
 
 #include "model/formats/kicad/canvas.h"
+#include "model/formats/kicad/dimensions.h"
 #include "model/formats/kicad/footprints.h"
 #include "model/formats/kicad/graphics.h"
-#include "model/formats/kicad/pads.h"
+#include "model/formats/kicad/mask_webs.h"
 #include "model/formats/kicad/shapes/chains.h"
 #include "model/formats/kicad/text/tree.h"
 #include "model/formats/kicad/text/values.h"
+#include "model/formats/kicad/text_boxes.h"
 #include "model/formats/kicad/texts.h"
 #include "model/formats/kicad/tracks.h"
+#include "model/formats/kicad/unused_pads.h"
+#include "model/formats/kicad/vias.h"
 #include "model/formats/kicad/zones.h"
 
 namespace model::kicad {
@@ -29,13 +32,14 @@ constexpr double kSameEnd = 1'000.0;        ///< further apart they are reported
 constexpr int kNewestKnown = 20'261'231;
 
 /// Items that draw nothing.
-constexpr std::array<std::string_view, 14> kSilent = {"paper",          "page",
+constexpr std::array<std::string_view, 16> kSilent = {"paper",          "page",
                                                       "host",           "links",
                                                       "group",          "generated",
                                                       "embedded_fonts", "embedded_files",
                                                       "generator",      "generator_version",
                                                       "version",        "component_classes",
-                                                      "variants",       "attr"};
+                                                      "variants",       "attr",
+                                                      "point",          "constraint"};
 
 std::string versionName(int version) {
     constexpr std::array<std::pair<int, const char*>, 8> kReleases = {{{20'250'000, "KiCad 10"},
@@ -58,7 +62,7 @@ std::string versionName(int version) {
 class BoardMaker {
 public:
     BoardMaker(formats::DrawnJob& job, std::string_view file, const Project& project)
-        : m_canvas(job, file), m_project(project), m_pads(m_canvas), m_footprints(m_canvas, m_pads, m_outline) {
+        : m_canvas(job, file), m_project(project), m_unused(m_canvas), m_footprints(m_canvas, m_unused, m_outline) {
         m_canvas.settings().variables = project.variables;
     }
 
@@ -73,7 +77,7 @@ public:
         } else if (head == "segment" || head == "arc") {
             drawTrack(m_canvas, item);
         } else if (head == "via") {
-            m_pads.drawVia(item);
+            drawVia(m_canvas, m_unused, item);
         } else if (head == "zone") {
             drawZone(m_canvas, item);
         } else if (isGraphic(head)) {
@@ -81,7 +85,17 @@ public:
         } else if (head == "gr_text") {
             takeText(item);
         } else if (head == "dimension") {
-            takeDimension(item);
+            drawDimension(m_canvas, item, variables());
+        } else if (head == "gr_text_box") {
+            drawTextBox(m_canvas, item, {}, variables(), originOf(item));
+        } else if (head == "table") {
+            drawTable(m_canvas, item, {}, variables(), originOf(item));
+        } else if (head == "target") {
+            drawTarget(m_canvas, item, originOf(item));
+        } else if (head == "barcode") {
+            m_canvas.report(Severity::Warning, item.line(), "barcodes are not drawn");
+        } else if (head == "image") {
+            m_canvas.report(Severity::Info, item.line(), "images are for the eyes of editors; they are not drawn");
         } else {
             m_canvas.report(Severity::Info, item.line(),
                             "items of the kind '" + std::string(head.substr(0, 40)) + "' are not drawn");
@@ -90,7 +104,8 @@ public:
 
     bool finish() {
         settleLayers();
-        m_pads.finish();
+        m_unused.draw();
+        joinMaskOpenings(m_canvas, m_leastWeb);
         m_canvas.step().features.resize(m_canvas.job().layers.size());
         setProfile();
         setClasses();
@@ -167,10 +182,7 @@ private:
         const Item stackup = setup.find("stackup");
         m_stackupText = std::string(stackup.source());
         reportFinish(stackup);
-        if (length(setup, "solder_mask_min_width") > 0.0) {
-            m_canvas.report(Severity::Info, setup.line(),
-                            "openings of the solder mask are not joined by the minimum width of its webs");
-        }
+        m_leastWeb = length(setup, "solder_mask_min_width");
     }
 
     /// What a stackup says of the whole board, which a document has no place for.
@@ -221,79 +233,32 @@ private:
         }
     }
 
-    void takeText(const Item& item) {
-        if (isHidden(item)) {
-            return;
-        }
+    static Origin originOf(const Item& item) {
         Origin origin;
         origin.line = item.line();
-        const Variables variables = [this](std::string_view name) -> std::optional<std::string> {
+        return origin;
+    }
+
+    /// Those of all texts that belong to no footprint.
+    [[nodiscard]] Variables variables() {
+        return [this](std::string_view name) -> std::optional<std::string> {
             const auto& known = m_canvas.settings().variables;
             const auto found = known.find(name);
             return found == known.end() ? std::nullopt : std::optional(found->second);
         };
-        const std::optional<PointD> at = point(item, "at");
-        const double degrees = numberOf(item.find("at").word(3)).value_or(0.0);
-        drawText(m_canvas, {item, withVariables(item.text(1), variables), {at.value_or(PointD()), degrees}, false},
-                 origin);
     }
 
-    /// Up to KiCad 5 a dimension holds its lines; later ones only its text.
-    void takeDimension(const Item& dimension) {
-        Origin origin;
-        origin.line = dimension.line();
-        const std::vector<std::int32_t> rows = m_canvas.rowsOf(dimension);
-        double width = length(dimension, "width");
-        width = width > 0.0 ? width : lengthOf(dimension.find("style").find("thickness").word(1)).value_or(100'000.0);
-        bool hasLines = false;
-        for (const Item item : dimension) {
-            if (item.head() == "gr_text") {
-                takeText(item);
-                continue;
-            }
-            const Item pts = item.isList() && item.head() != "pts" ? item.find("pts") : Item();
-            const std::vector<PathNode> nodes = pts.isThere() ? pathOf(m_canvas, pts, {}) : std::vector<PathNode>();
-            for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-                hasLines = true;
-                for (const std::int32_t row : rows) {
-                    m_canvas.drawEdge(row, origin, nodes[i], nodes[i + 1].point, width);
-                }
-            }
-        }
-        if (!hasLines) {
-            drawAlignedDimension(dimension, rows, origin, width);
-        }
-    }
-
-    /// The line between the two points, moved aside by the height, with the lines that lead to it.
-    void drawAlignedDimension(const Item& dimension, const std::vector<std::int32_t>& rows, const Origin& origin,
-                              double width) {
-        const std::vector<PathNode> nodes = pathOf(m_canvas, dimension.find("pts"), {});
-        const std::string_view type = dimension.find("type").word(1);
-        if (nodes.size() != 2 || (type != "aligned" && type != "orthogonal")) {
-            m_canvas.report(Severity::Info, dimension.line(),
-                            "of leaders and radial dimensions only the text is drawn");
+    void takeText(const Item& item) {
+        if (isHidden(item)) {
             return;
         }
-        const PointD a = base::toDouble(nodes[0].point);
-        const PointD b = base::toDouble(nodes[1].point);
-        const double height = length(dimension, "height");
-        const bool isUpright = number(dimension, "orientation") == 1.0;
-        const double reach = std::hypot(b.x - a.x, b.y - a.y);
-        const PointD aside = type == "orthogonal" ? (isUpright ? PointD{height, 0.0} : PointD{0.0, -height})
-                             : reach > 0.0        ? PointD{height * (b.y - a.y) / reach, -height * (b.x - a.x) / reach}
-                                                  : PointD();
-        const PointD c = {a.x + aside.x, a.y + aside.y};
-        const PointD d = type == "aligned" ? PointD{b.x + aside.x, b.y + aside.y}
-                         : isUpright       ? PointD{c.x, b.y}
-                                           : PointD{b.x, c.y};
-        for (const auto& [from, to] : {std::pair(a, c), std::pair(b, d), std::pair(c, d)}) {
-            const std::optional<Point> p = m_canvas.onGrid(from, origin.line);
-            const std::optional<Point> q = m_canvas.onGrid(to, origin.line);
-            for (const std::int32_t row : p&& q ? rows : std::vector<std::int32_t>()) {
-                m_canvas.drawEdge(row, origin, {*p, {}, EdgeKind::Line}, *q, width);
-            }
+        const std::optional<PointD> at = point(item, "at");
+        if (!at) {
+            m_canvas.report(Severity::Warning, item.line(), "a text has no place; it was left out");
+            return;
         }
+        const double degrees = numberOf(item.find("at").word(3)).value_or(0.0);
+        drawText(m_canvas, {item, withVariables(item.text(1), variables()), {*at, degrees}}, originOf(item));
     }
 
     // ---- the end ----
@@ -340,7 +305,7 @@ private:
     Canvas m_canvas;
     const Project& m_project;
     std::vector<ChainEdge> m_outline;
-    Pads m_pads;
+    UnusedPads m_unused;
     Footprints m_footprints;
     std::string m_layersText;
     std::string m_stackupText;
@@ -349,6 +314,7 @@ private:
     bool m_hasClasses = false;
     bool m_isSettled = false;
     double m_thickness = 0.0;
+    double m_leastWeb = 0.0;  ///< of solder mask
 };
 
 }  // namespace

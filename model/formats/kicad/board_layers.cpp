@@ -55,6 +55,7 @@ LayerType typeOf(std::string_view name, std::string_view type) {
 /// The facts that begin at an item of a row of the stackup and end with the row or its next sub-layer.
 LayerFacts factsOf(const Item& row, bool isDielectric, int sublayer) {
     LayerFacts facts;
+    std::string colour;
     int at = 0;
     for (const Item item : row) {
         at += !item.isList() && item.source() == "addsublayer" ? 1 : 0;
@@ -67,6 +68,8 @@ LayerFacts factsOf(const Item& row, bool isDielectric, int sublayer) {
             facts.thicknessNm = *value * base::kNmPerMm;
         } else if (head == "material") {
             facts.material.name = item.text(1);
+        } else if (head == "color" && !isDielectric && !item.text(1).empty()) {
+            colour = item.text(1);
         } else if (head == "epsilon_r" && value && *value > 0.0) {
             facts.material.dielectricConstant = value;
         } else if (head == "loss_tangent" && value) {
@@ -76,6 +79,9 @@ LayerFacts factsOf(const Item& row, bool isDielectric, int sublayer) {
             std::ranges::transform(facts.material.type, facts.material.type.begin(),
                                    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
         }
+    }
+    if (!colour.empty()) {  // as other formats say it, "Liquid Ink, Green"
+        facts.material.name += (facts.material.name.empty() ? "" : ", ") + colour;
     }
     return facts;
 }
@@ -252,20 +258,31 @@ std::vector<std::int32_t> BoardLayers::span(std::int32_t from, std::int32_t to) 
 }
 
 std::int32_t BoardLayers::drills(std::int32_t from, std::int32_t to, bool isPlated, DrawnJob& job) {
+    return drillRow(from, to, isPlated ? DrillKind::Plated : DrillKind::NonPlated, job);
+}
+
+std::int32_t BoardLayers::backDrills(std::int32_t from, std::int32_t to, DrawnJob& job) {
+    return drillRow(from, to, DrillKind::BackDrill, job);
+}
+
+std::int32_t BoardLayers::drillRow(std::int32_t from, std::int32_t to, DrillKind kind, DrawnJob& job) {
     const std::vector<std::int32_t> passed = span(from, to);
     if (passed.empty()) {
         return kNoRow;
     }
-    const auto [found, isNew] = m_drills.try_emplace({passed.front(), passed.back(), isPlated}, 0);
+    const auto [found, isNew] = m_drills.try_emplace({passed.front(), passed.back(), kind}, 0);
     if (isNew) {
         found->second = static_cast<std::int32_t>(job.layers.size());
         DrawnLayer layer;
-        layer.name = std::string(isPlated ? "drill_plated_" : "drill_non-plated_") +
+        layer.name = std::string(kind == DrillKind::Plated      ? "drill_plated_"
+                                 : kind == DrillKind::NonPlated ? "drill_non-plated_"
+                                                                : "back_drill_") +
                      job.layers[static_cast<std::size_t>(passed.front())].name + "-" +
                      job.layers[static_cast<std::size_t>(passed.back())].name;
         layer.file = job.layers[static_cast<std::size_t>(passed.front())].file;
         layer.type = LayerType::Drill;
         layer.side = LayerSide::Through;
+        layer.use = kind == DrillKind::BackDrill ? LayerUse::Backdrill : LayerUse::Plain;
         layer.spanTop = passed.front();
         layer.spanBottom = passed.back();
         job.layers.push_back(std::move(layer));

@@ -36,6 +36,8 @@ public:
     [[nodiscard]] std::vector<std::int32_t> span(std::int32_t from, std::int32_t to) const;
     /// The row of the holes from copper to copper, plated or not; made when it is first asked for.
     [[nodiscard]] std::int32_t drills(std::int32_t from, std::int32_t to, bool isPlated, formats::DrawnJob& job);
+    /// The row of what is drilled from one copper layer down to another after plating.
+    [[nodiscard]] std::int32_t backDrills(std::int32_t from, std::int32_t to, formats::DrawnJob& job);
     /// Does the board say how thick its dielectrics are?
     [[nodiscard]] bool hasStackup() const { return m_hasStackup; }
 
@@ -53,7 +55,10 @@ private:
                      std::string_view file);
 
     std::map<std::string, std::int32_t, std::less<>> m_rows;
-    std::map<std::tuple<std::int32_t, std::int32_t, bool>, std::int32_t> m_drills;
+    enum class DrillKind : std::uint8_t { Plated, NonPlated, BackDrill };
+    [[nodiscard]] std::int32_t drillRow(std::int32_t from, std::int32_t to, DrillKind kind, formats::DrawnJob& job);
+
+    std::map<std::tuple<std::int32_t, std::int32_t, DrillKind>, std::int32_t> m_drills;
     std::vector<std::string> m_names;  ///< by row
     std::vector<std::int32_t> m_copper;
     bool m_hasStackup = false;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "model/formats/kicad/pads.h"
 #include "model/formats/kicad/text/values.h"
+#include "model/formats/kicad/text_boxes.h"
 #include "model/formats/kicad/texts.h"
 #include "model/formats/kicad/zones.h"
 #include "model/geometry/outlines.h"
@@ -82,8 +84,8 @@ std::string keyOf(const DrawnPackage& package) {
 /// One footprint.
 class FootprintMaker {
 public:
-    FootprintMaker(Canvas& canvas, Pads& pads, std::vector<ChainEdge>& outline, const Item& footprint)
-        : m_canvas(canvas), m_pads(pads), m_outline(outline), m_item(footprint) {
+    FootprintMaker(Canvas& canvas, UnusedPads& unused, std::vector<ChainEdge>& outline, const Item& footprint)
+        : m_canvas(canvas), m_unused(unused), m_outline(outline), m_item(footprint) {
         m_owner.frame.origin = point(footprint, "at").value_or(PointD());
         m_owner.frame.degrees = numberOf(footprint.find("at").word(3)).value_or(0.0);
         m_owner.isOnBack = canvas.layers().nameOf(canvas.layers().row(footprint.find("layer").word(1))) == "B.Cu";
@@ -125,14 +127,17 @@ public:
         for (const Item item : m_item) {
             const std::string_view head = item.head();
             if (head == "pad") {
-                m_pads.drawPad(item, m_owner);
+                drawPad(m_canvas, m_unused, item, m_owner);
             } else if (isGraphic(head)) {
                 addGraphic(item);
             } else if (head == "fp_text" || head == "property") {
                 addText(item);
-            } else if (head == "fp_text_box" || head == "fp_table" || head == "image" || head == "barcode") {
-                m_canvas.report(Severity::Info, item.line(),
-                                "text boxes, tables, images and barcodes of footprints are not drawn");
+            } else if (head == "fp_text_box" || head == "table") {
+                addTextBox(item);
+            } else if (head == "barcode") {
+                m_canvas.report(Severity::Warning, item.line(), "barcodes are not drawn");
+            } else if (head == "image") {
+                m_canvas.report(Severity::Info, item.line(), "images are for the eyes of editors; they are not drawn");
             } else if (head == "zone") {
                 drawZone(m_canvas, item);
             } else if (head == "dimension") {
@@ -224,6 +229,18 @@ private:
         drawText(m_canvas, place, origin);
     }
 
+    void addTextBox(const Item& item) {
+        Origin origin;
+        origin.line = item.line();
+        origin.component = m_owner.component;
+        const Variables variables = [&](std::string_view name) { return variable(name); };
+        if (item.head() == "table") {
+            drawTable(m_canvas, item, m_owner.frame, variables, origin);
+        } else {
+            drawTextBox(m_canvas, item, m_owner.frame, variables, origin);
+        }
+    }
+
     std::optional<std::string> variable(std::string_view name) {
         if (name == "REFERENCE") {
             return component().refdes;
@@ -242,7 +259,7 @@ private:
     }
 
     Canvas& m_canvas;
-    Pads& m_pads;
+    UnusedPads& m_unused;
     std::vector<ChainEdge>& m_outline;
     const Item& m_item;
     PadOwner m_owner;
@@ -259,7 +276,7 @@ void addEdges(const Graphic& graphic, std::vector<ChainEdge>& edges) {
 }
 
 void Footprints::draw(const Item& footprint) {
-    FootprintMaker maker(m_canvas, m_pads, m_outline, footprint);
+    FootprintMaker maker(m_canvas, m_unused, m_outline, footprint);
     if (!maker.begin()) {
         return;
     }

@@ -6,9 +6,9 @@
 
 #include "model/formats/kicad/canvas.h"
 #include "model/formats/kicad/graphics.h"
-#include "model/formats/kicad/pads.h"
 #include "model/formats/kicad/shapes/chains.h"
 #include "model/formats/kicad/text/tree.h"
+#include "model/formats/kicad/unused_pads.h"
 
 namespace model::kicad {
 
@@ -21,15 +21,15 @@ void addEdges(const Graphic& graphic, std::vector<ChainEdge>& edges);
 class Footprints {
 public:
     /// All must live as long as this.
-    Footprints(Canvas& canvas, Pads& pads, std::vector<ChainEdge>& outline)
-        : m_canvas(canvas), m_pads(pads), m_outline(outline) {}
+    Footprints(Canvas& canvas, UnusedPads& unused, std::vector<ChainEdge>& outline)
+        : m_canvas(canvas), m_unused(unused), m_outline(outline) {}
 
     /// (footprint …), before KiCad 6 (module …).
     void draw(const Item& footprint);
 
 private:
     Canvas& m_canvas;
-    Pads& m_pads;
+    UnusedPads& m_unused;
     std::vector<ChainEdge>& m_outline;
     std::unordered_map<std::string, std::int32_t> m_packages;  ///< by all that they hold
 };

@@ -344,6 +344,32 @@ void drawGraphic(Canvas& canvas, const Item& item, const Frame& frame, Origin or
     }
 }
 
+void drawTarget(Canvas& canvas, const Item& item, const Origin& origin) {
+    const std::optional<PointD> at = point(item, "at");
+    const double size = length(item, "size");
+    const std::optional<Point> centre = at ? canvas.onGrid(*at, item.line()) : std::nullopt;
+    if (!centre || size <= 0.0) {
+        canvas.report(Severity::Warning, item.line(), "a target has no place or size; it was left out");
+        return;
+    }
+    const bool isDiagonal = item.word(1) == "x";
+    const double width = length(item, "width", kThinnest);
+    const double radius = isDiagonal ? size / 2.0 : size / 3.0;
+    const Frame frame{*at, isDiagonal ? 45.0 : 0.0};
+    for (const std::int32_t row : canvas.rowsOf(item)) {
+        for (const PointD arm : {PointD{size / 2.0, 0.0}, PointD{0.0, size / 2.0}}) {
+            const std::optional<Point> from = canvas.onGrid(frame.apply({-arm.x, -arm.y}), item.line());
+            const std::optional<Point> to = canvas.onGrid(frame.apply(arm), item.line());
+            if (from && to) {
+                canvas.drawEdge(row, origin, {*from, {}, EdgeKind::Line}, *to, width);
+            }
+        }
+        if (const std::optional<Point> start = canvas.onGrid({at->x + radius, at->y}, item.line())) {
+            canvas.drawEdge(row, origin, {*start, *centre, EdgeKind::ArcCounterClockwise}, *start, width);
+        }
+    }
+}
+
 std::vector<EdgeLoops> coverOf(const Graphic& graphic) {
     std::vector<EdgeLoops> cover;
     const auto append = [&](std::vector<EdgeLoops> regions) {

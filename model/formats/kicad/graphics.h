@@ -44,6 +44,9 @@ struct Graphic {
 void drawGraphic(Canvas& canvas, const Item& item, const Frame& frame, Origin origin);
 void drawGraphic(Canvas& canvas, std::int32_t row, const Graphic& graphic, const Origin& origin);
 
+/// (target plus …), (target x …): a cross and a circle, for those who align films.
+void drawTarget(Canvas& canvas, const Item& item, const Origin& origin);
+
 /// All that it covers.
 [[nodiscard]] std::vector<EdgeLoops> coverOf(const Graphic& graphic);
 

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "model/formats/kicad/graphics.h"
+#include "model/formats/kicad/back_drills.h"
+#include "model/formats/kicad/pad_forms.h"
 #include "model/formats/kicad/shapes/pad_outlines.h"
-#include "model/formats/kicad/shapes/regions.h"
 #include "model/formats/kicad/text/values.h"
+#include "model/formats/kicad/vias.h"
 #include "model/geometry/outlines.h"
 
 namespace model::kicad {
@@ -21,123 +22,6 @@ namespace {
 using formats::DrawnPackagePin;
 using formats::kNoRow;
 using formats::PadShape;
-
-PadForm::Kind kindOf(std::string_view word) {
-    return word == "circle"      ? PadForm::Kind::Circle
-           : word == "oval"      ? PadForm::Kind::Oval
-           : word == "roundrect" ? PadForm::Kind::RoundRectangle
-           : word == "trapezoid" ? PadForm::Kind::Trapezoid
-           : word == "custom"    ? PadForm::Kind::Custom
-                                 : PadForm::Kind::Rectangle;
-}
-
-unsigned cornersOf(const Item& chamfer) {
-    return (chamfer.hasWord("top_right") ? 1U : 0U) | (chamfer.hasWord("top_left") ? 2U : 0U) |
-           (chamfer.hasWord("bottom_left") ? 4U : 0U) | (chamfer.hasWord("bottom_right") ? 8U : 0U);
-}
-
-ShapeSketch customShape(Canvas& canvas, const Item& item, PointD size) {
-    ShapeSketch anchor;
-    if (item.find("options").find("anchor").word(1) == "rect") {
-        addBox(anchor, size.x, size.y, false);
-    } else {
-        addDisc(anchor, size.x, false);
-    }
-    std::vector<EdgeLoops> regions = regionsOf(anchor.contour(0));
-    for (const Item primitive : item.find("primitives")) {
-        if (!isGraphic(primitive.head())) {
-            continue;
-        }
-        const std::optional<Graphic> graphic = graphicOf(canvas, primitive, {}, true);
-        for (EdgeLoops& region : graphic ? coverOf(*graphic) : std::vector<EdgeLoops>()) {
-            regions.push_back(std::move(region));
-        }
-    }
-    return united(regions);
-}
-
-/// The form that a pad, or a layer of its pad stack, has.
-PadForm formOf(Canvas& canvas, const Item& item, std::string_view shape) {
-    PadForm form;
-    form.kind = kindOf(shape);
-    const PointD given = size(item, "size").value_or(PointD());
-    form.size = {std::abs(given.x), std::abs(given.y)};
-    constexpr double kMost = base::kMaxCoordinate;
-    if (form.size.x > kMost || form.size.y > kMost) {
-        canvas.report(Severity::Error, item.line(), "a pad is larger than the coordinate range; it draws nothing");
-        form.size = {};
-    }
-    if (form.kind == PadForm::Kind::Circle) {
-        form.size.y = form.size.x;
-    }
-    form.radiusRatio = number(item, "roundrect_rratio", 0.25);
-    form.chamferRatio = number(item, "chamfer_ratio");
-    form.chamfers = cornersOf(item.find("chamfer"));
-    form.delta = size(item, "rect_delta").value_or(PointD());
-    if (form.kind == PadForm::Kind::Custom) {
-        form.custom = customShape(canvas, item, form.size);
-        form.customName = std::string(item.find("options").source()) + std::string(item.find("primitives").source());
-    }
-    return form;
-}
-
-/// Of the hole, in the pad's own frame.
-struct Drill {
-    double width = 0.0;
-    double height = 0.0;
-    PointD offset;
-};
-
-Drill drillOf(const Item& pad) {
-    const Item item = pad.find("drill");
-    Drill drill;
-    const std::size_t first = item.word(1) == "oval" ? 2 : 1;
-    drill.width = std::abs(lengthOf(item.word(first)).value_or(0.0));
-    drill.height = std::abs(lengthOf(item.word(first + 1)).value_or(drill.width));
-    drill.height = first == 2 ? drill.height : drill.width;
-    drill.offset = point(item, "offset").value_or(PointD());
-    return drill;
-}
-
-/// The layers of a pad with the forms they have there.
-class PadForms {
-public:
-    struct Form {
-        PadForm form;
-        PointD offset;
-    };
-
-    PadForms(Canvas& canvas, const Item& pad, const Drill& drill) {
-        m_forms.push_back({formOf(canvas, pad, pad.word(3)), drill.offset});
-        const Item stack = pad.find("padstack");
-        m_isFrontInnerBack = stack.find("mode").word(1) != "custom";
-        for (const Item layer : stack) {
-            if (layer.head() == "layer") {
-                Form form{formOf(canvas, layer, layer.find("shape").word(1)),
-                          point(layer, "offset").value_or(PointD())};
-                m_layers.emplace_back(layer.text(1), m_forms.size());
-                m_forms.push_back(std::move(form));
-            }
-        }
-    }
-
-    /// On a layer by its name; those of mask and paste are as the copper of their side.
-    [[nodiscard]] const Form& on(const std::string& layer) const {
-        const std::string copper = layer.starts_with("B.") ? "B.Cu" : layer.starts_with("F.") ? "F.Cu" : layer;
-        for (const auto& [name, row] : m_layers) {
-            const bool isInner = name == "Inner" && copper.starts_with("In") && m_isFrontInnerBack;
-            if (name == copper || isInner) {
-                return m_forms[row];
-            }
-        }
-        return m_forms[0];
-    }
-
-private:
-    std::vector<Form> m_forms;
-    std::vector<std::pair<std::string, std::size_t>> m_layers;
-    bool m_isFrontInnerBack = true;
-};
 
 /// One pad.
 class PadMaker {
@@ -252,6 +136,7 @@ private:
         const double reach = (std::max(m_drill.width, m_drill.height) - pen) / 2.0;
         if (reach < 1.0) {
             m_canvas.drawPad(row, origin, m_canvas.pen(pen), m_at, 0.0);
+            drawBackDrills(m_canvas, m_pad, m_origin, m_at);
             return;
         }
         const bool isFlat = m_drill.width > m_drill.height;
@@ -319,7 +204,7 @@ private:
     Canvas& m_canvas;
     const Item& m_pad;
     const PadOwner& m_owner;
-    Drill m_drill;
+    PadDrill m_drill;
     PadForms m_forms;
     PointD m_at;
     double m_degrees;
@@ -330,152 +215,24 @@ private:
     bool m_hasCopper = false;
 };
 
-bool removesUnused(const Item& item) {
-    return item.isSet("remove_unused_layers") || item.isSet("remove_unused_layer");
-}
-
-/// On which sides solder mask covers a via: what it says itself, else the board.
-std::array<bool, 2> tentingOf(const Item& via, std::array<bool, 2> board) {
-    const Item tenting = via.find("tenting");
-    if (!tenting.isThere()) {
-        return board;
-    }
-    std::array<bool, 2> sides{};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const std::string_view side = i == 0 ? "front" : "back";
-        const Item list = tenting.find(side);
-        sides[i] = list.isThere() && list.word(1) != "yes" && list.word(1) != "no" ? board[i] : tenting.isSet(side);
-    }
-    return sides;
-}
-
-double viaSizeOn(const Item& via, const std::string& layer) {
-    const Item stack = via.find("padstack");
-    for (const Item item : stack) {
-        const bool isInner = item.word(1) == "Inner" && layer.starts_with("In");
-        if (item.head() == "layer" && (item.word(1) == layer || isInner)) {
-            return length(item, "size", length(via, "size"));
-        }
-    }
-    return length(via, "size");
-}
-
 }  // namespace
 
-void Pads::drawPad(const Item& pad, const PadOwner& owner) {
+void drawPad(Canvas& canvas, UnusedPads& waiting, const Item& pad, const PadOwner& owner) {
     if (!point(pad, "at")) {
-        m_canvas.report(Severity::Warning, pad.line(), "a pad has no place; it was left out");
+        canvas.report(Severity::Warning, pad.line(), "a pad has no place; it was left out");
         return;
     }
-    PadMaker maker(m_canvas, pad, owner);
+    PadMaker maker(canvas, pad, owner);
     std::vector<std::int32_t> unused;
     maker.draw(removesUnused(pad) && pad.word(2) == "thru_hole" ? &unused : nullptr);
     const Item connected = pad.find("zone_layer_connections");
     for (const std::int32_t row : unused) {
-        const std::string& layer = m_canvas.layers().nameOf(row);
-        Waiting waiting{row, maker.origin(), 0, maker.centreOn(layer), maker.clockwiseDeg(), 0.0};
-        waiting.symbol = maker.symbolOn(layer, {}, &waiting.reach);
-        waiting.reach = connected.hasWord(layer) ? -1.0 : waiting.reach;
-        if (waiting.symbol != kNoRow) {
-            m_waiting.push_back(waiting);
-        }
-    }
-}
-
-void Pads::drawVia(const Item& via) {
-    const std::optional<PointD> at = point(via, "at");
-    const double size = length(via, "size");
-    if (!at || size <= 0.0) {
-        m_canvas.report(Severity::Warning, via.line(), "a via has no place or size; it was left out");
-        return;
-    }
-    BoardLayers& layers = m_canvas.layers();
-    const Item names = via.find("layers");
-    const std::vector<std::int32_t> span = layers.span(layers.row(names.word(1)), layers.row(names.word(2)));
-    if (span.empty()) {
-        return;
-    }
-    Origin origin;
-    origin.line = via.line();
-    origin.net = m_canvas.netOf(via);
-    origin.subnet = SubnetKind::Via;
-    origin.plating = Plating::Via;
-    for (const char* type : {"blind", "buried", "micro"}) {
-        if (via.hasWord(type)) {
-            origin.attributes = m_canvas.attributes({{"via_type", type}});
-        }
-    }
-    const Item connected = via.find("zone_layer_connections");
-    for (const std::int32_t row : span) {
-        const double width = viaSizeOn(via, layers.nameOf(row));
-        const bool isEnd = row == span.front() || row == span.back();
-        const bool isKept = isEnd && (via.isSet("keep_end_layers") || !via.find("keep_end_layers").isThere());
-        if (removesUnused(via) && !isKept && !connected.hasWord(layers.nameOf(row))) {
-            m_waiting.push_back({row, origin, m_canvas.pen(width), *at, 0.0, width / 2.0});
-        } else {
-            m_canvas.drawPad(row, origin, m_canvas.pen(width), *at, 0.0);
-        }
-    }
-    const std::array<bool, 2> isTented = tentingOf(via, m_canvas.settings().isViaTented);
-    for (std::size_t i = 0; i < 2; ++i) {
-        const std::int32_t mask = layers.row(i == 0 ? "F.Mask" : "B.Mask");
-        const bool reaches =
-            (i == 0 ? span.front() : span.back()) == (i == 0 ? layers.copper().front() : layers.copper().back());
-        if (!isTented[i] && mask != kNoRow && reaches) {
-            const double width = size + 2.0 * m_canvas.settings().maskMargin;
-            m_canvas.drawPad(mask, origin, m_canvas.pen(std::max(width, 0.0)), *at, 0.0);
-        }
-    }
-    double drill = length(via, "drill", m_canvas.settings().viaDrill);
-    if (drill <= 0.0) {
-        drill = size / 2.0;
-        m_canvas.report(Severity::Warning, via.line(), "a via names no drill; half of its pad was taken");
-    }
-    const std::int32_t row = layers.drills(span.front(), span.back(), true, m_canvas.job());
-    m_canvas.drawPad(row, origin, m_canvas.pen(drill), *at, 0.0);
-    if (via.find("backdrill").isThere() || via.find("tertiary_drill").isThere()) {
-        m_canvas.report(Severity::Warning, via.line(),
-                        "back-drills of vias are not read; the whole hole is shown plated");
-    }
-}
-
-void Pads::finish() {
-    std::vector<std::int32_t> rows;
-    for (const Waiting& waiting : m_waiting) {
-        rows.push_back(waiting.row);
-    }
-    std::ranges::sort(rows);
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    for (const std::int32_t row : rows) {
-        std::vector<Waiting> pads;
-        std::ranges::copy_if(m_waiting, std::back_inserter(pads), [&](const Waiting& w) { return w.row == row; });
-        drawWaiting(std::move(pads), row);
-    }
-    m_waiting.clear();
-}
-
-void Pads::drawWaiting(std::vector<Waiting> pads, std::int32_t row) {
-    std::vector<std::pair<Point, std::int32_t>> ends;  // by x, with their nets
-    const auto& features = m_canvas.step().features;
-    if (static_cast<std::size_t>(row) < features.size()) {
-        for (const formats::DrawnFeature& feature : features[static_cast<std::size_t>(row)]) {
-            if (feature.subnet == SubnetKind::Trace) {
-                ends.emplace_back(feature.a, feature.net);
-                ends.emplace_back(feature.b, feature.net);
-            }
-        }
-    }
-    std::ranges::sort(ends);
-    for (const Waiting& pad : pads) {
-        bool isConnected = pad.reach < 0.0;
-        const Point from{asNm(pad.at.x - pad.reach), std::numeric_limits<Nm>::min()};
-        for (auto end = std::ranges::lower_bound(ends, std::pair(from, std::numeric_limits<std::int32_t>::min()));
-             !isConnected && end != ends.end() && end->first.x <= pad.at.x + pad.reach; ++end) {
-            isConnected = end->second == pad.origin.net &&
-                          std::hypot(end->first.x - pad.at.x, end->first.y - pad.at.y) <= pad.reach;
-        }
-        if (isConnected) {
-            m_canvas.drawPad(row, pad.origin, pad.symbol, pad.at, pad.clockwiseDeg);
+        const std::string& layer = canvas.layers().nameOf(row);
+        UnusedPads::Waiting copper{row, maker.origin(), 0, maker.centreOn(layer), maker.clockwiseDeg(), 0.0};
+        copper.symbol = maker.symbolOn(layer, {}, &copper.reach);
+        copper.reach = connected.hasWord(layer) ? -1.0 : copper.reach;
+        if (copper.symbol != kNoRow) {
+            waiting.add(copper);
         }
     }
 }

@@ -12,6 +12,8 @@ namespace model::kicad {
 
 namespace {
 
+using Run = TextStrokes::Run;
+
 constexpr double kInterline = 1.61;         ///< of the height, from line to line
 constexpr double kFirstLine = 1.17;         ///< of the height, what the first line counts
 constexpr double kPenAcross = 1 / 1.52;     ///< of the pen, from an anchor at the left or right
@@ -50,19 +52,7 @@ double advanceOf(char32_t character) {
     return (glyph ? glyph : glyphOf(U' '))->advance / kGlyphGrid;
 }
 
-}  // namespace
-
-TextStrokes::TextStrokes(std::string_view text, const TextStyle& style) : m_style(style) {
-    const std::vector<std::string> lines = linesOf(text);
-    const double pitch = kInterline * style.height;
-    const double all = kFirstLine * style.height + static_cast<double>(lines.size() - 1) * pitch;
-    const double first = kPenUp * style.pen - style.height + (1.0 - style.up) * all;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        addLine(lines[i], first - static_cast<double>(i) * pitch);
-    }
-}
-
-std::vector<TextStrokes::Run> TextStrokes::runsOf(std::string_view line) {
+std::vector<Run> runsOf(std::string_view line) {
     std::vector<Run> runs(1);
     std::vector<Run> outer;
     std::string characters;
@@ -93,14 +83,55 @@ std::vector<TextStrokes::Run> TextStrokes::runsOf(std::string_view line) {
     return runs;
 }
 
-void TextStrokes::addLine(std::string_view line, double baseLine) {
-    const std::vector<Run> runs = runsOf(line);
+double widthOf(const std::vector<Run>& runs, const TextStyle& style) {
     double width = 0.0;
     for (const Run& run : runs) {
         for (const char32_t character : run.characters) {
-            width += advanceOf(character) * run.scale * m_style.width;
+            width += advanceOf(character) * run.scale * style.width;
         }
     }
+    return width;
+}
+
+}  // namespace
+
+double widthOf(std::string_view line, const TextStyle& style) {
+    return widthOf(runsOf(line), style);
+}
+
+std::string wrapped(std::string_view text, const TextStyle& style, double width) {
+    std::string all;
+    for (const std::string& line : linesOf(text)) {
+        all += all.empty() ? "" : "\n";
+        double used = 0.0;
+        for (std::size_t at = 0; at < line.size();) {
+            const std::size_t end = std::min(line.find(' ', at + 1), line.size());  // with the blank before it
+            const std::string_view word = std::string_view(line).substr(at, end - at);
+            const double needed = widthOf(word, style);
+            const bool isNewLine = used > 0.0 && used + needed > width;
+            const std::size_t blank = isNewLine && word.front() == ' ' ? 1 : 0;
+            all += isNewLine ? "\n" : "";
+            all += word.substr(blank);
+            used = isNewLine ? widthOf(word.substr(blank), style) : used + needed;
+            at = end;
+        }
+    }
+    return all;
+}
+
+TextStrokes::TextStrokes(std::string_view text, const TextStyle& style) : m_style(style) {
+    const std::vector<std::string> lines = linesOf(text);
+    const double pitch = kInterline * style.height;
+    const double all = kFirstLine * style.height + static_cast<double>(lines.size() - 1) * pitch;
+    const double first = kPenUp * style.pen - style.height + (1.0 - style.up) * all;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        addLine(lines[i], first - static_cast<double>(i) * pitch);
+    }
+}
+
+void TextStrokes::addLine(std::string_view line, double baseLine) {
+    const std::vector<Run> runs = runsOf(line);
+    const double width = widthOf(runs, m_style);
     double cursor = -m_style.across * width;
     cursor += m_style.across == 0.5 ? 0.0 : (m_style.across < 0.5 ? 1.0 : -1.0) * kPenAcross * m_style.pen;
     for (const Run& run : runs) {

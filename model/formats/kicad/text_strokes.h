@@ -22,6 +22,11 @@ struct TextStyle {
     bool isItalic = false;
 };
 
+/// How wide a line of a text is, its pen left out.
+[[nodiscard]] double widthOf(std::string_view line, const TextStyle& style);
+/// The text with line ends where its words would not fit into a width; words that do not fit alone stay as they are.
+[[nodiscard]] std::string wrapped(std::string_view text, const TextStyle& style, double width);
+
 /// The strokes of a text, the anchor at the origin, y up, placed as KiCad places them: lines 1.61 heights apart, the
 /// first one counting 1.17; anchors at the left or right are 1/1.52 pens from the text. ~{…} has a bar above, ^{…} and
 /// _{…} are raised and lowered.
@@ -36,7 +41,7 @@ public:
     [[nodiscard]] PointD min() const { return m_min; }
     [[nodiscard]] PointD max() const { return m_max; }
 
-private:
+    /// Characters of a line between marks.
     struct Run {
         std::u32string characters;
         double scale = 1.0;
@@ -44,7 +49,7 @@ private:
         bool hasBar = false;
     };
 
-    [[nodiscard]] static std::vector<Run> runsOf(std::string_view line);
+private:
     void addLine(std::string_view line, double baseLine);
     void addRun(const Run& run, double& cursor, double baseLine);
     void add(PointD a, PointD b);

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "model/formats/kicad/graphics.h"
 #include "model/formats/kicad/shapes/regions.h"
 #include "model/formats/kicad/text/values.h"
-#include "model/formats/kicad/text_strokes.h"
 #include "model/geometry/outlines.h"
+#include "model/geometry/region.h"
 
 namespace model::kicad {
 
@@ -18,6 +19,99 @@ constexpr double kPenOfHeight = 1 / 8.0;     ///< where a text names no pen
 constexpr double kBoldPen = 1 / 5.0;         ///< the same of bold texts
 constexpr double kThickest = 0.25;           ///< of the smaller size
 constexpr double kKnockoutMargin = 1 / 9.0;  ///< of the height
+
+/// Outlines with the holes behind them.
+ShapeSketch polygonOf(Canvas& canvas, const Item& polygon) {
+    ShapeSketch region;
+    for (const Item pts : polygon) {
+        if (pts.head() == "pts") {
+            const std::vector<PathNode> nodes = pathOf(canvas, pts, {});
+            if (nodes.size() > 2) {
+                addPath(region, nodes, !region.isEmpty());
+            }
+        }
+    }
+    return region;
+}
+
+void drawCache(Canvas& canvas, const Item& cache, std::int32_t row, const Origin& origin) {
+    for (const Item polygon : cache) {
+        if (polygon.head() == "polygon") {
+            canvas.drawRegion(row, origin, polygonOf(canvas, polygon));
+        }
+    }
+}
+
+void drawStrokes(Canvas& canvas, const TextStrokes& strokes, double pen, const Frame& frame, std::int32_t row,
+                 const Origin& origin) {
+    for (const auto& [a, b] : strokes.strokes()) {
+        const std::optional<Point> from = canvas.onGrid(frame.apply(a), origin.line);
+        const std::optional<Point> to = canvas.onGrid(frame.apply(b), origin.line);
+        if (from && to) {
+            canvas.drawEdge(row, origin, {*from, {}, EdgeKind::Line}, *to, pen);
+        }
+    }
+}
+
+std::vector<PointD> boxAround(PointD min, PointD max, double margin, const Frame& frame) {
+    std::vector<PointD> box;
+    for (const PointD corner : {PointD{min.x - margin, min.y - margin}, PointD{max.x + margin, min.y - margin},
+                                PointD{max.x + margin, max.y + margin}, PointD{min.x - margin, max.y + margin}}) {
+        box.push_back(frame.apply(corner));
+    }
+    return box;
+}
+
+/// What is cut out: strokes, or the polygons of an outline font with their holes.
+std::vector<EdgeLoops> charactersOf(Canvas& canvas, const Item& cache, const TextStrokes& strokes, double pen,
+                                    const Frame& frame, Box& around) {
+    std::vector<EdgeLoops> characters;
+    for (const Item polygon : cache) {
+        const ShapeSketch region = polygon.head() == "polygon" ? polygonOf(canvas, polygon) : ShapeSketch();
+        if (!region.isEmpty()) {
+            around.include(boxOf(region));
+            for (EdgeLoops& loops : regionsOf(region)) {
+                characters.push_back(std::move(loops));
+            }
+        }
+    }
+    if (!cache.isThere()) {
+        for (const auto& [a, b] : strokes.strokes()) {
+            characters.emplace_back().addCapsule(frame.apply(a), frame.apply(b), pen / 2.0);
+        }
+    }
+    return characters;
+}
+
+void drawKnockout(Canvas& canvas, const TextPlace& place, const TextStrokes& strokes, const TextStyle& style,
+                  const Frame& frame, std::int32_t row, const Origin& origin) {
+    const double margin = style.pen / 2.0 + style.height * kKnockoutMargin;
+    Box around;
+    const Item cache = place.item.find("render_cache");
+    const std::vector<EdgeLoops> characters = charactersOf(canvas, cache, strokes, style.pen, frame, around);
+    if (characters.empty()) {
+        return;
+    }
+    const std::vector<PointD> corners =
+        !place.box.empty() ? place.box
+        : cache.isThere()  ? boxAround(base::toDouble(around.min), base::toDouble(around.max), margin, {})
+                           : boxAround(strokes.min(), strokes.max(), margin, frame);
+    std::vector<PathNode> box;
+    for (const PointD corner : corners) {
+        const std::optional<Point> node = canvas.onGrid(corner, origin.line);
+        if (!node) {
+            return;
+        }
+        box.push_back({*node, {}, EdgeKind::Line});
+    }
+    canvas.drawRegion(row, origin, without(regionsOf(box), characters));
+}
+
+bool isKnockout(const Item& item) {
+    return item.find("layer").isSet("knockout") || item.isSet("knockout");
+}
+
+}  // namespace
 
 TextStyle styleOf(const Item& item) {
     TextStyle style;
@@ -38,57 +132,6 @@ TextStyle styleOf(const Item& item) {
     style.isMirrored = justify.hasWord("mirror");
     return style;
 }
-
-void drawCache(Canvas& canvas, const Item& cache, std::int32_t row, const Origin& origin) {
-    for (const Item polygon : cache) {
-        if (polygon.head() != "polygon") {
-            continue;
-        }
-        ShapeSketch region;
-        for (const Item pts : polygon) {
-            if (pts.head() == "pts") {
-                const std::vector<PathNode> nodes = pathOf(canvas, pts, {});
-                if (nodes.size() > 2) {
-                    addPath(region, nodes, !region.isEmpty());
-                }
-            }
-        }
-        canvas.drawRegion(row, origin, std::move(region));
-    }
-}
-
-void drawStrokes(Canvas& canvas, const TextStrokes& strokes, double pen, const Frame& frame, std::int32_t row,
-                 const Origin& origin) {
-    for (const auto& [a, b] : strokes.strokes()) {
-        const std::optional<Point> from = canvas.onGrid(frame.apply(a), origin.line);
-        const std::optional<Point> to = canvas.onGrid(frame.apply(b), origin.line);
-        if (from && to) {
-            canvas.drawEdge(row, origin, {*from, {}, EdgeKind::Line}, *to, pen);
-        }
-    }
-}
-
-void drawKnockout(Canvas& canvas, const TextStrokes& strokes, const TextStyle& style, const Frame& frame,
-                  std::int32_t row, const Origin& origin) {
-    const double margin = style.pen / 2.0 + style.height * kKnockoutMargin;
-    const PointD min = {strokes.min().x - margin, strokes.min().y - margin};
-    const PointD max = {strokes.max().x + margin, strokes.max().y + margin};
-    std::vector<PathNode> box;
-    for (const PointD corner : {min, PointD{max.x, min.y}, max, PointD{min.x, max.y}}) {
-        const std::optional<Point> node = canvas.onGrid(frame.apply(corner), origin.line);
-        if (!node) {
-            return;
-        }
-        box.push_back({*node, {}, EdgeKind::Line});
-    }
-    std::vector<EdgeLoops> characters;
-    for (const auto& [a, b] : strokes.strokes()) {
-        characters.emplace_back().addCapsule(frame.apply(a), frame.apply(b), style.pen / 2.0);
-    }
-    canvas.drawRegion(row, origin, without(regionsOf(box), characters));
-}
-
-}  // namespace
 
 std::string withVariables(std::string_view text, const Variables& variables) {
     std::string filled;
@@ -129,10 +172,10 @@ void drawText(Canvas& canvas, const TextPlace& place, const Origin& origin) {
     }
     for (const std::int32_t row : canvas.rowsOf(place.item)) {
         const std::uint32_t first = canvas.drawnOn(row);
-        if (cache.isThere()) {
+        if (isKnockout(place.item)) {
+            drawKnockout(canvas, place, strokes, style, frame, row, origin);
+        } else if (cache.isThere()) {
             drawCache(canvas, cache, row, origin);
-        } else if (place.item.find("layer").isSet("knockout") && !strokes.strokes().empty()) {
-            drawKnockout(canvas, strokes, style, frame, row, origin);
         } else {
             drawStrokes(canvas, strokes, style.pen, frame, row, origin);
         }

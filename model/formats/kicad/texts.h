@@ -4,9 +4,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/formats/kicad/canvas.h"
 #include "model/formats/kicad/text/tree.h"
+#include "model/formats/kicad/text_strokes.h"
 
 namespace model::kicad {
 
@@ -18,17 +20,21 @@ using Variables = std::function<std::optional<std::string>(std::string_view name
 
 /// A text of KiCad where it lies: (at …), (effects …), (layer …), (render_cache …).
 struct TextPlace {
-    Item item;               ///< holds all of these
-    std::string text;        ///< as it is drawn, lines separated by \n
-    Frame frame;             ///< of (at …); its angle is the board's, not the footprint's
-    bool isUpright = false;  ///< of a footprint: turned by half a turn where it would stand on its head
+    Item item;                  ///< holds all of these
+    std::string text;           ///< as it is drawn, lines separated by \n
+    Frame frame;                ///< of (at …); its angle is the board's, not the footprint's
+    bool isUpright = false;     ///< of a footprint: turned by half a turn where it would stand on its head
+    std::vector<PointD> box{};  ///< what a knockout text is cut out of, on the board; empty: the box around the text
 };
+
+/// What (effects …) of an item says.
+[[nodiscard]] TextStyle styleOf(const Item& item);
 
 /// Is it there to be seen? (hide yes), hide, (effects … hide).
 [[nodiscard]] bool isHidden(const Item& item);
 
 /// Draws it: the polygons that KiCad keeps of outline fonts, else strokes of KiCad's own font, as a group of features.
-/// A knockout text is a box without its characters.
+/// A knockout text is a box without its characters, strokes or polygons.
 void drawText(Canvas& canvas, const TextPlace& place, const Origin& origin);
 
 }  // namespace model::kicad

@@ -215,6 +215,10 @@ std::vector<EdgeLoops> regionsOf(const PathNodes& contour) {
     return loopsOf(sketch);
 }
 
+std::vector<EdgeLoops> regionsOf(const ShapeSketch& sketch) {
+    return loopsOf(sketch);
+}
+
 std::vector<EdgeLoops> penAlong(const PathNode& from, Point to, double width) {
     const double half = width / 2.0;
     if (half <= 0.0) {

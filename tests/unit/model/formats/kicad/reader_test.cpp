@@ -59,7 +59,7 @@ private slots:
     }
 
     void everyPrefixIsReadWithoutHarm() {
-        for (const char* name : {"small.kicad_pcb", "old.kicad_pcb"}) {
+        for (const char* name : {"small.kicad_pcb", "old.kicad_pcb", "annotations.kicad_pcb"}) {
             const std::string text = fileText(name);
             for (std::size_t length = 0; length < text.size(); length += 7) {
                 base::Progress progress;

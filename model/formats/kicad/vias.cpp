@@ -1,0 +1,114 @@
+#include "model/formats/kicad/vias.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/formats/kicad/back_drills.h"
+#include "model/formats/kicad/text/values.h"
+
+namespace model::kicad {
+
+namespace {
+
+using formats::kNoRow;
+
+/// On which sides solder mask covers a via: what it says itself, else the board.
+std::array<bool, 2> tentingOf(const Item& via, std::array<bool, 2> board) {
+    const Item tenting = via.find("tenting");
+    if (!tenting.isThere()) {
+        return board;
+    }
+    std::array<bool, 2> sides{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::string_view side = i == 0 ? "front" : "back";
+        const Item list = tenting.find(side);
+        sides[i] = list.isThere() && list.word(1) != "yes" && list.word(1) != "no" ? board[i] : tenting.isSet(side);
+    }
+    return sides;
+}
+
+double viaSizeOn(const Item& via, const std::string& layer) {
+    const Item stack = via.find("padstack");
+    for (const Item item : stack) {
+        const bool isInner = item.word(1) == "Inner" && layer.starts_with("In");
+        if (item.head() == "layer" && (item.word(1) == layer || isInner)) {
+            return length(item, "size", length(via, "size"));
+        }
+    }
+    return length(via, "size");
+}
+
+void openMask(Canvas& canvas, const Item& via, const Origin& origin, PointD at,
+              const std::vector<std::int32_t>& span) {
+    const BoardLayers& layers = canvas.layers();
+    const double size = length(via, "size");
+    const std::array<bool, 2> isTented = tentingOf(via, canvas.settings().isViaTented);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::int32_t mask = layers.row(i == 0 ? "F.Mask" : "B.Mask");
+        const bool reaches =
+            (i == 0 ? span.front() : span.back()) == (i == 0 ? layers.copper().front() : layers.copper().back());
+        if (!isTented[i] && mask != kNoRow && reaches) {
+            const double width = size + 2.0 * canvas.settings().maskMargin;
+            canvas.drawPad(mask, origin, canvas.pen(std::max(width, 0.0)), at, 0.0);
+        }
+    }
+}
+
+}  // namespace
+
+bool removesUnused(const Item& item) {
+    return item.isSet("remove_unused_layers") || item.isSet("remove_unused_layer");
+}
+
+void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
+    const std::optional<PointD> at = point(via, "at");
+    const double size = length(via, "size");
+    if (!at || size <= 0.0) {
+        canvas.report(Severity::Warning, via.line(), "a via has no place or size; it was left out");
+        return;
+    }
+    BoardLayers& layers = canvas.layers();
+    const Item names = via.find("layers");
+    const std::vector<std::int32_t> span = layers.span(layers.row(names.word(1)), layers.row(names.word(2)));
+    if (span.empty()) {
+        return;
+    }
+    Origin origin;
+    origin.line = via.line();
+    origin.net = canvas.netOf(via);
+    origin.subnet = SubnetKind::Via;
+    origin.plating = Plating::Via;
+    for (const char* type : {"blind", "buried", "micro"}) {
+        if (via.hasWord(type)) {
+            origin.attributes = canvas.attributes({{"via_type", type}});
+        }
+    }
+    const Item connected = via.find("zone_layer_connections");
+    for (const std::int32_t row : span) {
+        const double width = viaSizeOn(via, layers.nameOf(row));
+        const bool isEnd = row == span.front() || row == span.back();
+        const bool isKept = isEnd && (via.isSet("keep_end_layers") || !via.find("keep_end_layers").isThere());
+        if (removesUnused(via) && !isKept && !connected.hasWord(layers.nameOf(row))) {
+            unused.add({row, origin, canvas.pen(width), *at, 0.0, width / 2.0});
+        } else {
+            canvas.drawPad(row, origin, canvas.pen(width), *at, 0.0);
+        }
+    }
+    openMask(canvas, via, origin, *at, span);
+    double drill = length(via, "drill", canvas.settings().viaDrill);
+    if (drill <= 0.0) {
+        drill = size / 2.0;
+        canvas.report(Severity::Warning, via.line(), "a via names no drill; half of its pad was taken");
+    }
+    const std::int32_t row = layers.drills(span.front(), span.back(), true, canvas.job());
+    canvas.drawPad(row, origin, canvas.pen(drill), *at, 0.0);
+    drawBackDrills(canvas, via, origin, *at);
+}
+
+}  // namespace model::kicad

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "model/formats/kicad/canvas.h"
+#include "model/formats/kicad/text/tree.h"
+#include "model/formats/kicad/unused_pads.h"
+
+namespace model::kicad {
+
+/// (via …): its copper, its hole from layer to layer and its back-drills, and openings of the solder mask where it is
+/// not tented.
+void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via);
+
+/// Does a pad or via keep copper on inner layers only where something ends there?
+[[nodiscard]] bool removesUnused(const Item& item);
+
+}  // namespace model::kicad
