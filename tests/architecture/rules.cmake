@@ -67,6 +67,7 @@ set(architecture_rows
     "render/standard               | render          | model/board model/figures model/geometry render/modelling shaders/shared | glm"
     "render/scene                  | render          | model/board model/index model/section render/gpu render/modelling render/standard shaders/shared | glm log vulkan"
     "render/culling                | render          | render/modelling render/scene shaders/shared | glm"
+    "render/tiles                  | render          | render/culling render/modelling render/scene shaders/shared | glm"
     "render/backends               | render          | render/culling render/gpu render/modelling render/scene shaders shaders/shared | vulkan"
     "render/frame                  | render          | render/backends render/culling render/gpu render/modelling render/scene render/standard | glm log png vulkan"
     "ui/canvas                     | ui              | render/frame render/gpu render/scene | qt widgets vulkan"

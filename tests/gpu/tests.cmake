@@ -2,7 +2,7 @@
 add_library(copperscope_gpu_test_support STATIC gpu/gpu_fixture.cpp gpu/synthetic_board.cpp)
 target_link_libraries(copperscope_gpu_test_support PUBLIC copperscope_options copperscope_render copperscope_tri)
 
-foreach(name backends component_bodies section_plane device element_state faults highlight milling_view panel pipelines raster sample_board swapchain view)
+foreach(name backends component_bodies section_plane device element_state faults flat_picture highlight milling_view panel pipelines raster sample_board swapchain view)
     copperscope_test(${name}_test gpu/${name}_test.cpp LABEL gpu LINK copperscope_gpu_test_support copperscope_model)
     set_tests_properties(${name}_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort)
 endforeach()

@@ -1,0 +1,265 @@
+#include "render/tiles/flat_board.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace render {
+
+namespace {
+
+using shader::Let;
+
+constexpr std::uint32_t kChunkTriangles = 64;
+constexpr glm::dvec2 kUnmoved[] = {{0.0, 0.0}};
+
+bool has(std::uint32_t flags, std::uint32_t flag) {
+    return (flags & flag) != 0;
+}
+
+/// pixel = turn * mm + shift.
+struct Affine {
+    glm::dmat2 turn{1.0};
+    glm::dvec2 shift{0.0};
+    double scale = 1.0;  ///< pixels per mm
+
+    [[nodiscard]] glm::dvec2 operator()(glm::dvec2 mm) const { return turn * mm + shift; }
+};
+
+glm::dmat2 turnOf(const shader::AreaInstance& instance) {
+    const double c = instance.cosSin.x;
+    const double s = instance.cosSin.y;
+    const double sign = instance.isMirrored != 0 ? -1.0 : 1.0;
+    return {{sign * c, -s}, {sign * s, c}};
+}
+
+bool overlap(const Box2& a, const Box2& b) {
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
+
+/// A tile with room for what is moved, in the coordinates of what is mapped to it.
+Box2 reachOf(const Affine& map) {
+    constexpr double kRoom = 3.0;
+    const glm::dmat2 back = glm::inverse(map.turn);
+    Box2 box;
+    for (const double x : {-kRoom, kTilePixels + kRoom}) {
+        for (const double y : {-kRoom, kTilePixels + kRoom}) {
+            box.include(glm::vec2(back * (glm::dvec2(x, y) - map.shift)));
+        }
+    }
+    return box;
+}
+
+/// How far it reaches from the centre, back and forth along one axis of its cell (lib/cell.glsl).
+glm::dvec2 cellReach(float packed) {
+    const auto bits = std::bit_cast<std::uint32_t>(packed);
+    return glm::dvec2(bits & 0xffffU, bits >> 16U) / double{shader::kCellUnitsPerMm};
+}
+
+/// As in lib/outline.glsl, in millimetres of the let's step.
+bool isInArc(const Let& let, glm::dvec2 place) {
+    const glm::dvec2 q = place - glm::dvec2(let.p0, let.p1);
+    const double middle = let.p3 + 0.5 * let.p4;
+    const double half = 0.5 * std::abs(let.p4);
+    const glm::dvec2 u(std::cos(middle), std::sin(middle));
+    const glm::dvec2 local(glm::dot(q, u), std::abs(glm::dot(q, glm::dvec2(-u.y, u.x))));
+    if (local.y * std::cos(half) <= local.x * std::sin(half)) {
+        return std::abs(glm::length(q) - let.p2) <= let.p5;
+    }
+    const auto end = [&](double angle) { return double{let.p2} * glm::dvec2(std::cos(angle), std::sin(angle)); };
+    return std::min(glm::length(q - end(let.p3)), glm::length(q - end(double{let.p3} + let.p4))) <= let.p5;
+}
+
+/// What an axis-parallel square pen passes; the same place.
+bool isInSquareTrack(const Let& let, double radius, glm::dvec2 place) {
+    const glm::dvec2 a(let.p0, let.p1);
+    const glm::dvec2 b(let.p2, let.p3);
+    const glm::dvec2 q = place - 0.5 * (a + b);
+    const glm::dvec2 beyond = glm::abs(q) - 0.5 * glm::abs(b - a) - radius;
+    if (std::max(beyond.x, beyond.y) > 0.0) {
+        return false;
+    }
+    const glm::dvec2 d = b - a;
+    const double length = glm::length(d);
+    const glm::dvec2 normal = length > 0.0 ? glm::dvec2(-d.y, d.x) / length : glm::dvec2(0.0);
+    return std::abs(glm::dot(q, normal)) <= radius * (std::abs(normal.x) + std::abs(normal.y)) || length == 0.0;
+}
+
+}  // namespace
+
+/// Draws elements of one step of the board.
+class FlatBoard::Drawing {
+public:
+    Drawing(const Affine& map, MaskTile& tile) : m_map(map), m_tile(tile) {}
+
+    void let(const Let& let) {
+        SampleScan scan(m_tile, has(let.meta, shader::kLetBore));
+        const std::uint32_t kind = let.meta & shader::kLetKindMask;
+        if (kind == shader::kLetArc) {
+            arc(scan, let);
+        } else if (kind == shader::kLetHole) {
+            hole(scan, let);
+        } else if (has(let.meta, shader::kLetSquarePen)) {
+            square(scan, let);
+        } else {
+            scan.track(m_map({let.p0, let.p1}), m_map({let.p2, let.p3}), let.p4 * m_map.scale, let.p5 * m_map.scale);
+        }
+    }
+
+    void area(const Step& step, std::uint32_t shape, const shader::AreaInstance& instance) {
+        const Affine map{m_map.turn * turnOf(instance), m_map(instance.origin), m_map.scale};
+        const Box2 reach = reachOf(map);
+        if (!overlap(reach, step.boxOfShape[shape])) {
+            return;
+        }
+        SampleScan scan(m_tile, false);
+        const BoardModel& model = *step.model;
+        const glm::vec2* vertices = model.vertices.data() + model.shapes[shape].firstVertex;
+        const LayerRun run = step.chunksOfShape[shape];
+        for (std::uint32_t row = run.first; row < run.first + run.count; ++row) {
+            const Chunk& chunk = step.chunks[row];
+            if (!overlap(reach, chunk.box)) {
+                continue;
+            }
+            for (std::uint32_t i = chunk.firstIndex; i < chunk.firstIndex + 3 * chunk.triangleCount; i += 3) {
+                const std::array<glm::dvec2, 3> corners{map(vertices[model.indices[i]]),
+                                                        map(vertices[model.indices[i + 1]]),
+                                                        map(vertices[model.indices[i + 2]])};
+                scan.triangle(corners);
+            }
+        }
+    }
+
+private:
+    void arc(SampleScan& scan, const Let& let) {
+        const glm::dmat2 back = glm::inverse(m_map.turn);
+        scan.annulus(m_map({let.p0, let.p1}), (let.p2 + let.p5) * m_map.scale, (let.p2 - let.p5) * m_map.scale,
+                     [&](glm::dvec2 at) { return isInArc(let, back * (at - m_map.shift)); });
+    }
+
+    void hole(SampleScan& scan, const Let& let) {
+        const glm::dvec2 centre(let.p0, let.p1);
+        const double t = let.p4;
+        const glm::dvec2 along = glm::dvec2(1.0 - t * t, 2.0 * t) / (1.0 + t * t);
+        const glm::dvec2 across(-along.y, along.x);
+        const glm::dvec2 x = cellReach(let.p2);
+        const glm::dvec2 y = cellReach(let.p3);
+        const auto corner = [&](double u, double v) { return m_map(centre + u * along + v * across); };
+        scan.cell({corner(-x.x, -y.x), corner(x.y, -y.x), corner(x.y, y.y), corner(-x.x, y.y)}, m_map(centre),
+                  let.p5 * m_map.scale);
+    }
+
+    void square(SampleScan& scan, const Let& let) {
+        const glm::dmat2 back = glm::inverse(m_map.turn);
+        const glm::dvec2 a(let.p0, let.p1);
+        const glm::dvec2 b(let.p2, let.p3);
+        scan.annulus(
+            m_map(0.5 * (a + b)), (0.5 * glm::length(b - a) + 1.5 * let.p4) * m_map.scale, 0.0, [&](glm::dvec2 at) {
+                const glm::dvec2 place = back * (at - m_map.shift);
+                return isInSquareTrack(let, let.p4, place) && !(let.p5 > 0.0F && isInSquareTrack(let, let.p5, place));
+            });
+    }
+
+    Affine m_map;
+    MaskTile& m_tile;
+};
+
+FlatBoard::FlatBoard(std::shared_ptr<const BoardModel> model) : m_model(std::move(model)) {
+    m_steps.push_back(stepOf(*m_model));
+    for (const BoardModel& step : m_model->steps) {
+        m_steps.push_back(stepOf(step));
+    }
+    m_withBores.resize(m_model->layers.size());
+    for (const Step& step : m_steps) {
+        for (const Let& let : step.model->lets) {
+            if (has(let.meta, shader::kLetBore)) {
+                m_withBores[let.meta >> shader::kLetLayerShift] = true;
+            }
+        }
+    }
+    m_isDrawable = std::ranges::none_of(m_model->copies, &ModelCopy::isFlipped);
+}
+
+FlatBoard::Step FlatBoard::stepOf(const BoardModel& model) {
+    Step step;
+    step.model = &model;
+    for (const AreaShape& shape : model.shapes) {
+        const auto first = static_cast<std::uint32_t>(step.chunks.size());
+        Box2 all;
+        for (std::uint32_t done = 0; done < shape.triangleCount; done += kChunkTriangles) {
+            Chunk chunk{shape.firstIndex + 3 * done, std::min(kChunkTriangles, shape.triangleCount - done), {}};
+            for (std::uint32_t i = 0; i < 3 * chunk.triangleCount; ++i) {
+                chunk.box.include(model.vertices[shape.firstVertex + model.indices[chunk.firstIndex + i]]);
+            }
+            all.include(chunk.box);
+            step.chunks.push_back(chunk);
+        }
+        step.chunksOfShape.push_back({first, static_cast<std::uint32_t>(step.chunks.size()) - first});
+        step.boxOfShape.push_back(all);
+    }
+    return step;
+}
+
+template <class Wanted>
+bool FlatBoard::drawWanted(std::uint32_t layer, const PlaneMap& map, const Drawn& drawn, const Wanted& isWanted,
+                           std::span<const glm::dvec2> moves, MaskTile& tile) const {
+    const std::uint32_t leftOut = drawn.isFabricated ? shader::kOnlyAsDesigned : shader::kOnlyAsFabricated;
+    bool isDrawn = false;
+    for (const ModelCopy& copy : m_model->copies) {
+        const Step& step = m_steps[copy.step];
+        const BoardModel& model = *step.model;
+        if (layer >= model.clustersOfLayer.size()) {
+            continue;
+        }
+        const glm::dmat2 scale{{map.scale.x, 0.0}, {0.0, map.scale.y}};
+        const Affine unmoved{scale * copy.rotation, map.scale * copy.origin + map.offset, std::abs(map.scale.x)};
+        const Box2 reach = reachOf(unmoved);
+        const auto stateOf = [&](std::uint32_t element) {
+            const bool isKnown = copy.step < drawn.states.size() && element < drawn.states[copy.step].size();
+            return isKnown ? drawn.states[copy.step][element] : kPlain;
+        };
+        const auto forMoves = [&](const auto& draw) {
+            isDrawn = true;
+            for (const glm::dvec2& move : moves) {
+                Drawing drawing({unmoved.turn, unmoved.shift + move, unmoved.scale}, tile);
+                draw(drawing);
+            }
+        };
+        const LayerRun clusters = model.clustersOfLayer[layer];
+        for (std::uint32_t row = clusters.first; row < clusters.first + clusters.count; ++row) {
+            const shader::Cluster& cluster = model.clusters[row];
+            if (has(cluster.onlyAs, leftOut) || !overlap(reach, {cluster.boxMin, cluster.boxMax})) {
+                continue;
+            }
+            for (std::uint32_t i = cluster.firstLet; i < cluster.firstLet + cluster.count; ++i) {
+                if (isWanted(stateOf(model.lets[i].element))) {
+                    forMoves([&](Drawing& drawing) { drawing.let(model.lets[i]); });
+                }
+            }
+        }
+        const LayerRun batches = model.areaBatchesOfLayer[layer];
+        for (std::uint32_t row = batches.first; row < batches.first + batches.count; ++row) {
+            const AreaBatch& batch = model.areaBatches[row];
+            for (std::uint32_t i = batch.firstInstance; i < batch.firstInstance + batch.instanceCount; ++i) {
+                const shader::AreaInstance& instance = model.instances[i];
+                if (!has(instance.onlyAs, leftOut) && isWanted(stateOf(instance.element))) {
+                    forMoves([&](Drawing& drawing) { drawing.area(step, batch.shape, instance); });
+                }
+            }
+        }
+    }
+    return isDrawn;
+}
+
+bool FlatBoard::draw(std::uint32_t layer, const PlaneMap& map, const Drawn& drawn, MaskTile& tile) const {
+    return drawWanted(
+        layer, map, drawn, [](ElementState state) { return (state & kHidden) == 0; }, kUnmoved, tile);
+}
+
+bool FlatBoard::drawStandingOut(std::uint32_t layer, const PlaneMap& map, const Drawn& drawn, ElementState state,
+                                std::span<const glm::dvec2> moves, MaskTile& tile) const {
+    return drawWanted(
+        layer, map, drawn, [state](ElementState own) { return own == state; }, moves, tile);
+}
+
+}  // namespace render

@@ -1,0 +1,436 @@
+#include "render/tiles/flat_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/parallel.h"
+#include "model/base/stopwatch.h"
+#include "render/culling/frame_plan.h"
+#include "render/tiles/rough_picture.h"
+
+namespace render {
+
+namespace {
+
+constexpr std::uint32_t kOverviewTiling = 0;
+constexpr int kOverviewPixels = 1000;  // along the longer side of the board
+constexpr float kOverviewRoom = 1.1F;
+/// Tilings that meet the pixels of a frame to this much of a pixel are those of its picture.
+constexpr double kExactPx = 0.002;
+/// Sums of many moves stray by rounding: within this it is the same view until it rests.
+constexpr double kMovingPx = 0.1;
+constexpr std::size_t kMostTilings = 64;
+constexpr std::size_t kAtOnce = 8;  // masks, between looks at the clock
+
+// As in highlight_pass.cpp.
+constexpr double kOutlinePx[] = {1.4, 1.8};
+constexpr double kWidenPx[] = {0.4, 0.8};
+constexpr std::size_t kMostOutlined = 2'000;
+constexpr glm::dvec2 kSides[] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
+constexpr glm::vec3 kSilhouette(0.0015F);
+constexpr std::uint8_t kSilhouetteByte = 1;
+
+template <std::size_t Count>
+std::vector<glm::dvec2> movesTo(const double (&distances)[Count]) {
+    std::vector<glm::dvec2> moves;
+    for (const double distance : distances) {
+        for (const glm::dvec2& side : kSides) {
+            moves.push_back(distance * side);
+        }
+    }
+    return moves;
+}
+
+bool isUneven(const shader::LayerState& state) {
+    return (state.flags & shader::kLayerVisible) != 0 &&
+           (state.flags & (shader::kLayerGrowsUp | shader::kLayerGrowsDown)) != 0;
+}
+
+/// Straight down, x and y of the board along those of the picture, in pixels of one size.
+bool isLevel(const FramePlan& plan) {
+    const glm::mat4& clip = plan.data.clipFromBoard;
+    const double x = double{clip[0][0]} * plan.data.width;
+    const double y = double{clip[1][1]} * plan.data.height;
+    return isFlatView(plan) && std::abs(std::abs(x) - std::abs(y)) < 1e-5 * std::abs(x) &&
+           std::abs(clip[1][0]) < 1e-6F * std::abs(clip[0][0]) && std::abs(clip[0][1]) < 1e-6F * std::abs(clip[1][1]);
+}
+
+glm::vec3 colourOf(const ElementColours& palette, ElementState state) {
+    const std::uint32_t row = state & shader::kElementColourMask;
+    const glm::vec3 colour = palette[row == 0 ? shader::kHighlightRow : row - 1];
+    const bool isLit = (state & shader::kElementHighlighted) != 0;
+    return isLit ? colour / std::max({colour.r, colour.g, colour.b, 1e-3F}) : colour;
+}
+
+}  // namespace
+
+FlatPicture::FlatPicture(std::shared_ptr<const BoardModel> model, std::uint64_t maxBytes)
+    : m_board(std::move(model)), m_maxBytes(maxBytes) {}
+
+PlaneMap FlatPicture::mapOf(const Tiling& tiling, glm::ivec2 tile) const {
+    return {tiling.scale, -tiling.phase - glm::dvec2(tile * kTilePixels)};
+}
+
+template <class Visit>
+void FlatPicture::forTiles(const Window& window, const Visit& visit) {
+    const auto tileOf = [](int pixel) {
+        return pixel >= 0 ? pixel / kTilePixels : -((kTilePixels - 1 - pixel) / kTilePixels);
+    };
+    const glm::ivec2 end = window.origin + window.size;
+    for (int y = tileOf(window.origin.y); y * kTilePixels < end.y; ++y) {
+        for (int x = tileOf(window.origin.x); x * kTilePixels < end.x; ++x) {
+            const glm::ivec2 corner = glm::ivec2(x, y) * kTilePixels;
+            Tile& tile = m_tiles[{window.tiling.id, x, y}];
+            tile.lastUse = m_use;
+            tile.masks.resize(m_board.model().layers.size());
+            tile.isDrawn.resize(m_board.model().layers.size());
+            visit(tile, glm::ivec2(x, y),
+                  TilePart{glm::max(window.origin - corner, 0), glm::min(end - corner, kTilePixels)});
+        }
+    }
+}
+
+void FlatPicture::clearTiles() {
+    m_tiles.clear();
+    m_settled = 0;
+    m_last = {};
+    m_overview = {};
+}
+
+/// Hidden elements are left out of tiles, what stands out lies over them.
+void FlatPicture::setStates(std::span<const std::vector<ElementState>> states) {
+    if (std::ranges::equal(states, m_states)) {
+        return;
+    }
+    const auto hidden = [](ElementState state) { return (state & kHidden) != 0; };
+    const auto anyHidden = [&](const auto& lists) {
+        return std::ranges::any_of(lists, [&](const auto& list) { return std::ranges::any_of(list, hidden); });
+    };
+    if (anyHidden(states) || anyHidden(m_states)) {
+        clearTiles();
+    }
+    m_states.assign(states.begin(), states.end());
+    std::array<bool, 256> isThere{};
+    m_standingOut = 0;
+    for (const std::vector<ElementState>& list : m_states) {
+        for (const ElementState state : list) {
+            isThere[state] = true;
+            m_standingOut += standsOut(state) ? 1 : 0;
+        }
+    }
+    m_standing.clear();
+    for (std::uint32_t state = 0; state < isThere.size(); ++state) {
+        const auto own = static_cast<ElementState>(state);
+        if (isThere[state] && standsOut(own) && !hidden(own)) {
+            m_standing.push_back(own);
+        }
+    }
+    ++m_overLook;
+}
+
+void FlatPicture::dropEmptyBores(std::vector<Paint>& paints) const {
+    std::erase_if(paints, [&](const Paint& paint) { return paint.isBore && !m_board.withBores()[paint.layer]; });
+}
+
+/// What stands out in which order and colours. True: it is other than before.
+bool FlatPicture::setOver(const FlatRequest& request, std::vector<glm::vec3>& colours) {
+    std::vector<OverPaint> over;
+    if (!m_standing.empty()) {
+        const FramePlan plan =
+            planFrame(*request.layers, request.camera, request.settings, static_cast<std::uint32_t>(request.width),
+                      static_cast<std::uint32_t>(request.height), Subject::StandingOut);
+        colours.push_back(kSilhouette);
+        std::vector<std::pair<ElementState, float>> known;
+        std::vector<Paint> paints = paintsStandingOut(plan);
+        dropEmptyBores(paints);
+        for (const Paint& paint : paints) {
+            for (const ElementState state : m_standing) {
+                const std::pair<ElementState, float> key(state, paint.light.r);
+                const auto at = static_cast<std::size_t>(std::ranges::find(known, key) - known.begin());
+                if (at == known.size()) {
+                    known.push_back(key);
+                    colours.push_back(colourOf(request.layers->palette, state) * paint.light);
+                }
+                over.push_back({paint.layer, paint.isBore, state, static_cast<std::uint8_t>(at + 2)});
+            }
+        }
+    }
+    const auto isSame = [](const OverPaint& a, const OverPaint& b) {
+        return a.layer == b.layer && a.isBore == b.isBore && a.state == b.state && a.byte == b.byte;
+    };
+    const bool isOther = !std::ranges::equal(over, m_over, isSame);
+    m_over = std::move(over);
+    return isOther;
+}
+
+bool FlatPicture::setLook(const FlatRequest& request, const FramePlan& plan) {
+    if (m_isFabricated != request.settings.isFabricated) {
+        clearTiles();
+        m_isFabricated = request.settings.isFabricated;
+    }
+    setStates(request.states);
+    std::vector<glm::vec3> overColours;
+    m_overLook += setOver(request, overColours) ? 1 : 0;
+    std::vector<Paint> paints = paintsOf(plan);
+    dropEmptyBores(paints);
+    if (m_colours && paints == m_paints && overColours == m_overColours && plan.data.background == m_background) {
+        return true;
+    }
+    m_paints = std::move(paints);
+    m_overColours = std::move(overColours);
+    m_background = plan.data.background;
+    m_colours = SampleColours::make(m_background, m_paints, m_overColours);
+    ++m_look;
+    return m_colours.has_value();
+}
+
+FlatPicture::Window FlatPicture::windowOf(const FramePlan& plan, const FlatRequest& request) {
+    const glm::dvec2 size(request.width, request.height);
+    const glm::dvec2 scale(plan.data.clipFromBoard[0][0] * size.x / 2.0, plan.data.clipFromBoard[1][1] * size.y / 2.0);
+    const glm::dvec2 origin = scale * glm::dvec2(plan.data.centre) - size / 2.0;
+    const Tiling* best = nullptr;
+    double least = kMovingPx;
+    for (const Tiling& tiling : m_tilings) {
+        const glm::dvec2 off = origin - tiling.phase;
+        const glm::dvec2 away = glm::abs(off - glm::round(off));
+        if (tiling.scale == scale && std::max(away.x, away.y) < least) {
+            best = &tiling;
+            least = std::max(away.x, away.y);
+        }
+    }
+    const bool isSettled = best != nullptr && (least < kExactPx || best->id == m_settled);
+    if (!isSettled || (least >= kExactPx && m_isResting)) {
+        m_tilings.push_back({++m_lastTiling, scale, origin - glm::floor(origin)});
+        best = &m_tilings.back();
+        least = 0.0;
+    }
+    if (m_tilings.size() > kMostTilings) {
+        m_tilings.pop_front();
+    }
+    m_isExact = least < kExactPx;
+    return {*best, glm::ivec2(glm::round(origin - best->phase)), {request.width, request.height}};
+}
+
+FlatPicture::Window FlatPicture::overviewWindow() const {
+    const BoardModel& model = m_board.model();
+    const glm::dvec2 low(model.boxMin);
+    const glm::dvec2 high(model.boxMax);
+    const glm::dvec2 room = (high - low) * double{kOverviewRoom - 1.0F} / 2.0;
+    const double longer = std::max({high.x - low.x, high.y - low.y, 1e-3});
+    const glm::dvec2 scale = glm::sign(m_window->tiling.scale) * (kOverviewPixels / longer);
+    const glm::dvec2 a = (low - room) * scale;
+    const glm::dvec2 b = (high + room) * scale;
+    const glm::ivec2 from(glm::floor(glm::min(a, b)));
+    return {{kOverviewTiling, scale, glm::dvec2(0.0)}, from, glm::ivec2(glm::ceil(glm::max(a, b))) - from};
+}
+
+void FlatPicture::fillLayer(Tile& tile, const PlaneMap& map, std::uint32_t layer) const {
+    auto mask = std::make_unique<MaskTile>();
+    const bool isAnything = m_board.draw(layer, map, {m_isFabricated, m_states}, *mask) &&
+                            std::ranges::any_of(*mask, [](std::uint8_t bits) { return bits != 0; });
+    tile.masks[layer] = isAnything ? std::move(mask) : nullptr;
+    tile.isDrawn[layer] = 1;
+}
+
+bool FlatPicture::fill(const Window& window, double budgetMs) {
+    struct Task {
+        Tile* tile;
+        PlaneMap map;
+        std::uint32_t layer;
+    };
+    std::vector<Task> tasks;
+    forTiles(window, [&](Tile& tile, glm::ivec2 at, const TilePart&) {
+        for (const Paint& paint : m_paints) {
+            if (tile.isDrawn[paint.layer] == 0 && !paint.isBore) {
+                tasks.push_back({&tile, mapOf(window.tiling, at), paint.layer});
+            }
+        }
+    });
+    const base::Stopwatch watch;
+    std::size_t done = 0;
+    while (done < tasks.size() && (done == 0 || budgetMs == 0.0 || watch.milliseconds() < budgetMs)) {
+        const std::size_t count = std::min(kAtOnce, tasks.size() - done);
+        base::parallelFor(count, [&](std::size_t i) {
+            const Task& task = tasks[done + i];
+            fillLayer(*task.tile, task.map, task.layer);
+        });
+        done += count;
+    }
+    if (done > 0) {
+        evict();
+    }
+    return done == tasks.size();
+}
+
+void FlatPicture::drawOver(Tile& tile, const PlaneMap& map) const {
+    tile.overLook = m_overLook;
+    tile.over.reset();
+    auto samples = std::make_unique<PixelTile>();
+    auto mask = std::make_unique<MaskTile>();
+    const Drawn drawn{m_isFabricated, m_states};
+    std::vector<glm::dvec2> widened{{0.0, 0.0}};
+    bool isAnything = false;
+    if (m_standingOut <= kMostOutlined) {
+        const std::vector<glm::dvec2> outline = movesTo(kOutlinePx);
+        for (const OverPaint& paint : m_over) {
+            isAnything |=
+                !paint.isBore && m_board.drawStandingOut(paint.layer, map, drawn, paint.state, outline, *mask);
+        }
+        if (!isAnything) {
+            return;
+        }
+        stamp(*mask, false, kSilhouetteByte, *samples);
+        stamp(*mask, true, kSilhouetteByte, *samples);
+        const std::vector<glm::dvec2> moves = movesTo(kWidenPx);
+        widened.insert(widened.end(), moves.begin(), moves.end());
+    }
+    for (const OverPaint& paint : m_over) {
+        mask->fill(0);
+        if (m_board.drawStandingOut(paint.layer, map, drawn, paint.state, widened, *mask)) {
+            isAnything = true;
+            stamp(*mask, paint.isBore, paint.byte, *samples);
+        }
+    }
+    if (isAnything) {
+        tile.over = std::move(samples);
+    }
+}
+
+void FlatPicture::paint(const Window& window, std::uint32_t* pixels) {
+    struct Task {
+        Tile* tile;
+        glm::ivec2 at;
+        TilePart part;
+        bool isReady;
+    };
+    std::vector<Task> tasks;
+    forTiles(window, [&](Tile& tile, glm::ivec2 at, const TilePart& part) {
+        const bool isReady =
+            std::ranges::all_of(m_paints, [&](const Paint& paint) { return tile.isDrawn[paint.layer] != 0; });
+        tasks.push_back({&tile, at, part, isReady});
+    });
+    base::parallelFor(tasks.size(), [&](std::size_t i) {
+        const auto& [tile, at, part, isReady] = tasks[i];
+        if (!isReady) {
+            return;
+        }
+        if (tile->overLook != m_overLook) {
+            drawOver(*tile, mapOf(window.tiling, at));
+            tile->pictureLook = 0;
+        }
+        if (tile->pictureLook != m_look || !tile->painted.holds(part)) {
+            const bool isNew = tile->picture == nullptr || tile->pictureLook != m_look;
+            if (tile->picture == nullptr) {
+                tile->picture = std::make_unique<PixelTile>();
+            }
+            tile->painted = isNew ? part : TilePart{};
+            tile->pictureLook = m_look;
+            paintTile(m_paints, *m_colours, tile->masks, tile->over.get(), tile->painted, *tile->picture);
+        }
+        const glm::ivec2 corner = at * kTilePixels - window.origin;
+        for (int y = part.from.y; y < part.to.y; ++y) {
+            const std::uint32_t* row = tile->picture->data() + y * kTilePixels;
+            std::copy(row + part.from.x, row + part.to.x,
+                      pixels + static_cast<std::ptrdiff_t>(corner.y + y) * window.size.x + corner.x + part.from.x);
+        }
+    });
+}
+
+void FlatPicture::paintRough(const Window& window, std::uint32_t* pixels) {
+    if (m_overview.look != m_look || m_overview.overLook != m_overLook ||
+        glm::sign(m_overview.map.scale) != glm::sign(window.tiling.scale)) {
+        const Window all = overviewWindow();
+        if (glm::sign(m_overview.map.scale) != glm::sign(window.tiling.scale)) {
+            std::erase_if(m_tiles, [](const auto& entry) { return std::get<0>(entry.first) == kOverviewTiling; });
+        }
+        (void)fill(all, 0.0);
+        m_overview = {{all.tiling.scale, -glm::dvec2(all.origin)}, all.size, {}, m_look, m_overLook};
+        m_overview.pixels.resize(static_cast<std::size_t>(all.size.x) * static_cast<std::size_t>(all.size.y));
+        paint(all, m_overview.pixels.data());
+    }
+    const PlaneMap map{window.tiling.scale, -window.tiling.phase - glm::dvec2(window.origin)};
+    const bool isLastUsable =
+        m_last.look == m_look && m_last.overLook == m_overLook && glm::sign(m_last.map.scale) == glm::sign(map.scale);
+    const RoughSource overview{m_overview.pixels.data(), m_overview.size, m_overview.map};
+    const RoughSource last{isLastUsable ? m_last.pixels.data() : nullptr, m_last.size, m_last.map};
+    paintScaled(last, overview, m_colours->pixel(0), map, window.size, pixels);
+    if (window.tiling.id == m_settled) {
+        paint(window, pixels);
+    }
+}
+
+void FlatPicture::evict() {
+    std::uint64_t all = bytes();
+    while (all > m_maxBytes) {
+        const auto oldest =
+            std::ranges::min_element(m_tiles, {}, [](const auto& entry) { return entry.second.lastUse; });
+        if (oldest == m_tiles.end() || oldest->second.lastUse == m_use) {
+            return;
+        }
+        all -= bytesOf(oldest->second);
+        m_tiles.erase(oldest);
+    }
+}
+
+std::uint64_t FlatPicture::bytesOf(const Tile& tile) {
+    const auto masks = std::ranges::count_if(tile.masks, [](const auto& mask) { return mask != nullptr; });
+    return static_cast<std::uint64_t>(masks) * sizeof(MaskTile) +
+           ((tile.over ? 1U : 0U) + (tile.picture ? 1U : 0U)) * sizeof(PixelTile);
+}
+
+std::uint64_t FlatPicture::bytes() const {
+    std::uint64_t all = (m_last.pixels.size() + m_overview.pixels.size()) * sizeof(std::uint32_t);
+    for (const auto& [key, tile] : m_tiles) {
+        all += bytesOf(tile);
+    }
+    return all;
+}
+
+bool FlatPicture::refine(double budgetMs) {
+    if (!m_window) {
+        return true;
+    }
+    m_isResting = true;
+    ++m_use;
+    return !m_isExact || fill(*m_window, budgetMs);
+}
+
+void FlatPicture::keep(const FlatRequest& request, const std::uint32_t* pixels) {
+    m_settled = m_window->tiling.id;
+    m_last.map = {m_window->tiling.scale, -m_window->tiling.phase - glm::dvec2(m_window->origin)};
+    m_last.size = {request.width, request.height};
+    m_last.look = m_look;
+    m_last.overLook = m_overLook;
+    m_last.pixels.assign(pixels, pixels + static_cast<std::ptrdiff_t>(request.width) * request.height);
+}
+
+FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budgetMs, std::uint32_t* pixels) {
+    const FramePlan plan =
+        planFrame(*request.layers, request.camera, request.settings, static_cast<std::uint32_t>(request.width),
+                  static_cast<std::uint32_t>(request.height));
+    const bool isOutlined = (plan.data.flags & (shader::kFrameOutlines | shader::kFrameMono)) != 0;
+    if (!m_board.isDrawable() || isOutlined || !isLevel(plan) || std::ranges::any_of(plan.upright.states, isUneven) ||
+        !setLook(request, plan)) {
+        m_window.reset();
+        return Quality::None;
+    }
+    ++m_use;
+    m_window = windowOf(plan, request);
+    m_isResting = false;
+    const bool isWhole = fill(*m_window, budgetMs);
+    if (isWhole) {
+        paint(*m_window, pixels);
+        keep(request, pixels);
+    } else {
+        paintRough(*m_window, pixels);
+    }
+    evict();
+    if (bytes() > m_maxBytes) {
+        clearTiles();
+        m_window.reset();
+        return Quality::None;
+    }
+    return isWhole && m_isExact ? Quality::Exact : Quality::Rough;
+}
+
+}  // namespace render

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "render/scene/camera.h"
+#include "render/scene/scene_layers.h"
+#include "render/tiles/flat_board.h"
+#include "render/tiles/tile_painter.h"
+
+namespace render {
+
+/// A frame of a flat view.
+struct FlatRequest {
+    const SceneLayers* layers = nullptr;
+    std::span<const std::vector<ElementState>> states;  ///< per step of the board, the board itself first
+    Camera camera;
+    ViewSettings settings;  ///< of these what changes a flat picture of the board; always smoothed
+    int width = 0;
+    int height = 0;  ///< pixels
+};
+
+/// Flat pictures of a board from tiles that are kept: which samples of each layer are covered, on a grid that lies
+/// still on the board, and what they look like together. Moving the view draws what is new at its edges, another look
+/// only paints anew; at another scale the last picture serves until the tiles for it are there.
+///
+/// Draws by itself what the device draws with the impostor back end, smoothed, to a level of 255 in all but few pixels
+/// (tests/gpu/flat_picture_test.cpp). What it cannot draw it says: outlines, tilted or turned views, bodies, flipped
+/// copies of steps, more colours by translucent layers than 255. All cores draw, and nothing goes on after a call.
+class FlatPicture {
+public:
+    /// `maxBytes` for tiles; those used longest ago go first. A frame that needs more alone is not drawn.
+    explicit FlatPicture(std::shared_ptr<const BoardModel> model, std::uint64_t maxBytes = kMaxBytes);
+
+    enum class Quality {
+        None,   ///< nothing was drawn: this frame is for the device
+        Rough,  ///< what was there already, scaled; `refine` goes on
+        Exact
+    };
+    /// Draws into width * height pixels, 0xffRRGGBB, rows from the top. Takes `budgetMs` or a little longer for tiles
+    /// that are missing (0: as long as it takes).
+    [[nodiscard]] Quality draw(const FlatRequest& request, double budgetMs, std::uint32_t* pixels);
+    /// Goes on with the tiles of the last frame for about `budgetMs`. True: all are there.
+    [[nodiscard]] bool refine(double budgetMs);
+    [[nodiscard]] std::uint64_t bytes() const;
+
+    static constexpr std::uint64_t kMaxBytes = 256ULL << 20U;
+
+private:
+    /// Tiles of one scale that meet at whole pixels: pixel = scale * mm - phase.
+    struct Tiling {
+        std::uint32_t id = 0;
+        glm::dvec2 scale{0.0};
+        glm::dvec2 phase{0.0};  ///< 0 to 1
+    };
+    struct Tile {
+        std::vector<std::unique_ptr<MaskTile>> masks;  ///< by layer
+        std::vector<std::uint8_t> isDrawn;             ///< likewise
+        std::unique_ptr<PixelTile> over;
+        std::unique_ptr<PixelTile> picture;
+        std::uint64_t overLook = 0;
+        std::uint64_t pictureLook = 0;
+        TilePart painted{glm::ivec2(0), glm::ivec2(0)};
+        std::uint64_t lastUse = 0;
+    };
+    using Key = std::tuple<std::uint32_t, int, int>;
+    /// Tiles that a rectangle of pixels needs, from `origin` of their tiling on.
+    struct Window {
+        Tiling tiling;
+        glm::ivec2 origin{0};
+        glm::ivec2 size{0};
+    };
+    /// A whole picture, and where it lies.
+    struct Sheet {
+        PlaneMap map;
+        glm::ivec2 size{0};
+        std::vector<std::uint32_t> pixels;
+        std::uint64_t look = 0;
+        std::uint64_t overLook = 0;
+    };
+    /// What stands out: an own byte per state and brightness.
+    struct OverPaint {
+        std::uint32_t layer = 0;
+        bool isBore = false;
+        ElementState state = kPlain;
+        std::uint8_t byte = 0;
+    };
+
+    [[nodiscard]] bool setLook(const FlatRequest& request, const FramePlan& plan);
+    void setStates(std::span<const std::vector<ElementState>> states);
+    void dropEmptyBores(std::vector<Paint>& paints) const;
+    bool setOver(const FlatRequest& request, std::vector<glm::vec3>& colours);
+    [[nodiscard]] Window windowOf(const FramePlan& plan, const FlatRequest& request);
+    [[nodiscard]] Window overviewWindow() const;
+    template <class Visit>
+    void forTiles(const Window& window, const Visit& visit);
+    [[nodiscard]] PlaneMap mapOf(const Tiling& tiling, glm::ivec2 tile) const;
+    bool fill(const Window& window, double budgetMs);
+    void fillLayer(Tile& tile, const PlaneMap& map, std::uint32_t layer) const;
+    void drawOver(Tile& tile, const PlaneMap& map) const;
+    void paint(const Window& window, std::uint32_t* pixels);
+    void paintRough(const Window& window, std::uint32_t* pixels);
+    void keep(const FlatRequest& request, const std::uint32_t* pixels);
+    void evict();
+    [[nodiscard]] static std::uint64_t bytesOf(const Tile& tile);
+    void clearTiles();
+
+    FlatBoard m_board;
+    std::uint64_t m_maxBytes;
+    std::map<Key, Tile> m_tiles;
+    std::deque<Tiling> m_tilings;
+    std::uint32_t m_lastTiling = 0;
+    std::uint64_t m_use = 0;
+    std::uint64_t m_look = 1;      ///< of what is painted
+    std::uint64_t m_overLook = 1;  ///< of what stands out
+    std::vector<Paint> m_paints;
+    std::vector<glm::vec3> m_overColours;
+    std::vector<OverPaint> m_over;
+    glm::vec3 m_background{0.0F};
+    std::optional<SampleColours> m_colours;
+    std::vector<std::vector<ElementState>> m_states;
+    std::size_t m_standingOut = 0;
+    std::vector<ElementState> m_standing;  ///< the states that stand out, each once
+    bool m_isFabricated = false;
+    std::optional<Window> m_window;  ///< of the last frame
+    std::uint32_t m_settled = 0;     ///< the tiling that was last shown exactly
+    bool m_isExact = true;           ///< its tiles meet its pixels
+    bool m_isResting = false;        ///< `refine` was called since
+    Sheet m_last;
+    Sheet m_overview;
+};
+
+}  // namespace render

@@ -1,0 +1,133 @@
+#include "render/tiles/tile_painter.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace render {
+
+namespace {
+
+constexpr std::uint64_t kLowNibbles = 0x0f0f0f0f0f0f0f0fU;
+constexpr int kStep = 8;  // pixels looked at together
+constexpr std::size_t kRow = kTilePixels;
+
+/// Four bits to four bytes.
+constexpr std::array<std::uint32_t, 16> kSpread = [] {
+    std::array<std::uint32_t, 16> spread{};
+    for (std::uint32_t bits = 0; bits < spread.size(); ++bits) {
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            spread[bits] |= (bits >> i & 1U) != 0 ? 0xffU << 8U * i : 0U;
+        }
+    }
+    return spread;
+}();
+
+std::uint64_t eightAt(const std::uint8_t* at) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, at, sizeof(eight));
+    return eight;
+}
+
+void coverMixed(std::uint64_t masks, std::uint32_t colour, std::uint32_t* samples) {
+    for (int i = 0; i < kStep; ++i, masks >>= 8U) {
+        samples[i] ^= (samples[i] ^ colour) & kSpread[masks & 0xfU];
+    }
+}
+
+/// Samples of a pixel as a translucent paint leaves them.
+std::uint32_t seenThrough(const std::array<std::uint8_t, 256>& after, std::uint32_t samples) {
+    return after[samples & 0xffU] | std::uint32_t{after[samples >> 8U & 0xffU]} << 8U |
+           std::uint32_t{after[samples >> 16U & 0xffU]} << 16U | std::uint32_t{after[samples >> 24U]} << 24U;
+}
+
+void blendEight(std::uint64_t masks, const std::array<std::uint8_t, 256>& after, std::uint32_t* samples) {
+    std::uint32_t last = samples[0];
+    std::uint32_t through = seenThrough(after, last);
+    for (int i = 0; i < kStep; ++i, masks >>= 8U) {
+        if (samples[i] != last) {
+            last = samples[i];
+            through = seenThrough(after, last);
+        }
+        samples[i] ^= (samples[i] ^ through) & kSpread[masks & 0xfU];
+    }
+}
+
+void paintRow(const Paint& paint, const std::array<std::uint8_t, 256>& after, const std::uint8_t* masks, int from,
+              int to, std::uint32_t* samples) {
+    const std::uint32_t colour = after[SampleColours::kBackground] * 0x01010101U;
+    const bool isOpaque = paint.isOpaque();
+    for (int x = from; x < to; x += kStep) {
+        const std::uint64_t both = eightAt(masks + x);
+        if (both == 0) {
+            continue;
+        }
+        std::uint64_t own = (paint.isBore ? both >> 4U : both) & kLowNibbles;
+        if (!isOpaque && !paint.isBore) {
+            own &= ~(both >> 4U);  // of one layer only what is nearer is blended
+        }
+        if (own == 0) {
+            continue;
+        }
+        if (!isOpaque) {
+            blendEight(own, after, samples + x);
+        } else if (own == kLowNibbles) {
+            std::fill_n(samples + x, kStep, colour);
+        } else {
+            coverMixed(own, colour, samples + x);
+        }
+    }
+}
+
+void putOver(const SampleColours& colours, const std::uint32_t* over, int from, int to, std::uint32_t* samples) {
+    for (int x = from; x < to; ++x) {
+        for (std::uint32_t shift = 0; shift < 32 && over[x] != 0; shift += 8) {
+            if (const std::uint32_t row = over[x] >> shift & 0xffU; row != 0) {
+                samples[x] = (samples[x] & ~(0xffU << shift)) | std::uint32_t{colours.over()[row - 1]} << shift;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void stamp(const MaskTile& mask, bool isBore, std::uint8_t byte, PixelTile& samples) {
+    for (std::size_t i = 0; i < mask.size(); i += kStep) {
+        const std::uint64_t both = eightAt(mask.data() + i);
+        const std::uint64_t own = (isBore ? both >> 4U : both) & kLowNibbles;
+        if (own != 0) {
+            coverMixed(own, byte * 0x01010101U, samples.data() + i);
+        }
+    }
+}
+
+void paintTile(std::span<const Paint> paints, const SampleColours& colours,
+               std::span<const std::unique_ptr<MaskTile>> masks, const PixelTile* over, const TilePart& part,
+               PixelTile& picture) {
+    std::array<std::uint32_t, kRow> samples{};
+    const int from = part.from.x / kStep * kStep;
+    const int to = (part.to.x + kStep - 1) / kStep * kStep;
+    for (int y = part.from.y; y < part.to.y; ++y) {
+        const std::size_t start = static_cast<std::size_t>(y) * kRow;
+        samples.fill(0);
+        for (std::size_t i = 0; i < paints.size(); ++i) {
+            if (const MaskTile* mask = masks[paints[i].layer].get(); mask != nullptr) {
+                paintRow(paints[i], colours.after()[i], mask->data() + start, from, to, samples.data());
+            }
+        }
+        if (over != nullptr) {
+            putOver(colours, over->data() + start, from, to, samples.data());
+        }
+        std::uint32_t last = 0;
+        std::uint32_t pixel = colours.pixel(last);
+        for (int x = from; x < to; ++x) {
+            const std::uint32_t own = samples[static_cast<std::size_t>(x)];
+            if (own != last) {
+                last = own;
+                pixel = colours.pixel(own);
+            }
+            picture[start + static_cast<std::size_t>(x)] = pixel;
+        }
+    }
+}
+
+}  // namespace render

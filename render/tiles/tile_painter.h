@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "render/tiles/sample_colours.h"
+#include "render/tiles/sample_scan.h"
+
+namespace render {
+
+/// A value per pixel of a tile, rows from the top.
+using PixelTile = std::array<std::uint32_t, static_cast<std::size_t>(kTilePixels) * kTilePixels>;
+
+/// Pixels of a tile, `from` to before `to`.
+struct TilePart {
+    glm::ivec2 from{0};
+    glm::ivec2 to{kTilePixels};
+    [[nodiscard]] bool holds(const TilePart& other) const {
+        return glm::all(glm::lessThanEqual(from, other.from)) && glm::all(glm::greaterThanEqual(to, other.to));
+    }
+};
+
+/// Samples get this byte where a mask covers them, four to a pixel of `samples`.
+void stamp(const MaskTile& mask, bool isBore, std::uint8_t byte, PixelTile& samples);
+
+/// Paints a part of a tile: `masks` by layer, null where a layer has nothing here; `over` has a byte per sample, 0 for
+/// nothing, else 1 + row of SampleColours::over, and may be null. Gives 0xffRRGGBB.
+void paintTile(std::span<const Paint> paints, const SampleColours& colours,
+               std::span<const std::unique_ptr<MaskTile>> masks, const PixelTile* over, const TilePart& part,
+               PixelTile& picture);
+
+}  // namespace render

@@ -1,0 +1,179 @@
+#include "render/tiles/flat_picture.h"
+
+#include <QTest>
+
+#include "render/scene/scene_buffers.h"
+#include "tests/gpu/gpu_fixture.h"
+
+using namespace render;
+using namespace render::test;
+
+namespace {
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 480;
+constexpr float kAspect = 4.0F / 3.0F;
+
+/// A scene on the device and the same board in tiles.
+struct Both {
+    Scene scene;
+    FlatPicture flat;
+    ViewSettings settings;
+    std::vector<std::vector<ElementState>> states;
+
+    explicit Both(const SyntheticBoard& board, std::uint64_t bytes = FlatPicture::kMaxBytes)
+        : scene(board), flat(std::make_shared<const BoardModel>(board.build()), bytes) {
+        settings.is2d = true;
+        settings.backend = Backend::Impostor;
+        look(NamedView::Top);
+    }
+    void look(NamedView view) {
+        scene.camera.setOrthographic(true);
+        scene.camera.fit(scene.model.boxMin, scene.model.boxMax, view, kAspect);
+    }
+    void setStates(std::vector<ElementState> own) {
+        scene.scene.setStates(own);
+        states = {std::move(own)};
+    }
+
+    FlatPicture::Quality drawFlat(Image& image, double budgetMs = 0.0) {
+        std::vector<std::uint32_t> pixels(static_cast<std::size_t>(kWidth) * kHeight);
+        const FlatPicture::Quality quality = flat.draw(
+            {&scene.scene.impl().layers, states, scene.camera, settings, kWidth, kHeight}, budgetMs, pixels.data());
+        image = {kWidth, kHeight, {}};
+        for (const std::uint32_t pixel : pixels) {
+            for (const std::uint32_t shift : {16U, 8U, 0U, 24U}) {
+                image.rgba.push_back(static_cast<std::uint8_t>(pixel >> shift));
+            }
+        }
+        return quality;
+    }
+    /// Both pictures are the same but in few pixels.
+    void compare() {
+        Image flatImage;
+        QCOMPARE(drawFlat(flatImage), FlatPicture::Quality::Exact);
+        const Image device = scene.draw(settings, kWidth, kHeight);
+        // Means of translucent samples are rounded twice.
+        QVERIFY(differingPixels(device, flatImage, 1) <= kWidth * kHeight / 5000);
+        QVERIFY(differingPixels(device, flatImage, 2) <= kWidth * kHeight / 10000);
+    }
+};
+
+}  // namespace
+
+class FlatPictureTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isThePictureOfTheDevice_data() {
+        QTest::addColumn<int>("view");
+        QTest::addColumn<float>("zoom");
+        QTest::newRow("from above") << int(NamedView::Top) << 1.0F;
+        QTest::newRow("from below") << int(NamedView::Bottom) << 1.0F;
+        QTest::newRow("near") << int(NamedView::Top) << 7.3F;
+        QTest::newRow("far") << int(NamedView::Top) << 0.21F;
+    }
+    void isThePictureOfTheDevice() {
+        QFETCH(int, view);
+        QFETCH(float, zoom);
+        for (const SyntheticBoard& board : {everything(), randomTraces(400, 5)}) {
+            Both both(board);
+            both.look(static_cast<NamedView>(view));
+            both.scene.camera.zoom(zoom, {0.21F, -0.13F}, kAspect);
+            both.compare();
+            both.scene.camera.pan({37.0F, -121.0F}, kHeight);
+            both.compare();
+        }
+    }
+
+    /// Every other element in turn is hidden, highlighted, of a colour of its own, or both; the rest is dimmed.
+    void showsWhatElementsAre_data() {
+        QTest::addColumn<ElementState>("state");
+        QTest::addColumn<float>("dim");
+        QTest::newRow("highlighted") << kHighlighted << 0.0F;
+        QTest::newRow("highlighted among dimmed") << kHighlighted << kDimRest;
+        QTest::newRow("in a colour") << inColour(3) << 0.0F;
+        QTest::newRow("highlighted net") << highlightedAs(1) << 0.4F;
+        QTest::newRow("hidden") << kHidden << 0.0F;
+    }
+    void showsWhatElementsAre() {
+        QFETCH(ElementState, state);
+        QFETCH(float, dim);
+        Both both(everything());
+        both.scene.scene.setPalette(std::vector<glm::vec3>{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0.3F, 0.9F, 0.2F}});
+        both.compare();
+        std::vector<ElementState> states = plainStates(64);
+        for (std::size_t i = 0; i < states.size(); i += 3) {
+            states[i] = state;
+        }
+        both.setStates(states);
+        both.settings.dim = dim;
+        both.compare();
+        both.setStates(plainStates(64));
+        both.compare();
+    }
+
+    void looksChangeWithoutDrawingAnew() {
+        Both both(everything());
+        both.compare();
+        std::vector<LayerStyle> styles = both.scene.scene.impl().layers.styles;
+        for (LayerStyle& style : styles) {
+            style.isVisible = !style.isVisible;
+            both.scene.scene.setStyles(styles);
+            both.compare();
+            style.isVisible = true;
+            style.opacity = 0.4F;
+            style.colour = {0.9F, style.colour.r, 0.1F};
+            both.scene.scene.setStyles(styles);
+            both.compare();
+        }
+    }
+
+    void isRoughFirstAndExactThen() {
+        Both both(everything());
+        both.compare();
+        both.scene.camera.zoom(1.7F, {0.0F, 0.0F}, kAspect);
+        Image rough;
+        QCOMPARE(both.drawFlat(rough, 1e-6), FlatPicture::Quality::Rough);
+        const Image device = both.scene.draw(both.settings, kWidth, kHeight);
+        QVERIFY(differingPixels(device, rough, 160) < kWidth * kHeight / 100);
+        int steps = 1;
+        while (!both.flat.refine(1e-6)) {
+            ++steps;
+        }
+        QVERIFY(steps > 1);
+        both.compare();
+    }
+
+    void keepsWithinItsMemory() {
+        constexpr std::uint64_t kBytes = 16ULL << 20U;
+        Both both(randomTraces(400, 3), kBytes);
+        for (int i = 0; i < 20; ++i) {
+            both.compare();
+            QVERIFY(both.flat.bytes() <= kBytes);
+            both.scene.camera.pan({350.0F, 100.0F}, kHeight);
+            both.scene.camera.zoom(1.1F, {0.3F, 0.3F}, kAspect);
+        }
+        Both small(randomTraces(400, 3), 100'000);
+        Image image;
+        QCOMPARE(small.drawFlat(image), FlatPicture::Quality::None);
+        QVERIFY(small.flat.bytes() <= 100'000);
+    }
+
+    void leavesToTheDeviceWhatItCannotDraw() {
+        Both both(everything());
+        Image image;
+        both.settings.isOutlined = true;
+        QCOMPARE(both.drawFlat(image), FlatPicture::Quality::None);
+        both.settings.isOutlined = false;
+        both.scene.camera.orbit(0.1F, 0.0F);
+        QCOMPARE(both.drawFlat(image), FlatPicture::Quality::None);
+        both.scene.camera.orbit(-0.1F, 0.3F);
+        QCOMPARE(both.drawFlat(image), FlatPicture::Quality::None);
+        both.look(NamedView::Top);
+        both.compare();
+    }
+};
+
+QTEST_GUILESS_MAIN(FlatPictureTest)
+#include "flat_picture_test.moc"
