@@ -70,7 +70,7 @@ set(architecture_rows
     "render/tiles                  | render          | render/culling render/modelling render/scene shaders/shared | glm"
     "render/backends               | render          | render/culling render/gpu render/modelling render/scene shaders shaders/shared | vulkan"
     "render/frame                  | render          | render/backends render/culling render/gpu render/modelling render/scene render/standard | glm log png vulkan"
-    "ui/canvas                     | ui              | render/frame render/gpu render/scene | qt widgets vulkan"
+    "ui/canvas                     | ui              | render/frame render/gpu render/scene render/tiles | qt widgets vulkan"
     "ui/common                     | ui              | model/board model/export model/text | qt widgets"
     "ui/workspace                  | ui              | model/board model/index model/measure model/nets model/opening model/session model/statistics render/modelling render/scene ui/canvas ui/common | qt widgets"
     "ui/theme                      | ui              | ui/workspace | qt widgets"

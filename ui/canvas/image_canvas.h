@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QImage>
+#include <QTimer>
 #include <QWidget>
 #include <optional>
 
@@ -11,7 +12,8 @@
 namespace ui {
 
 /// A widget that shows the picture by drawing it to memory first: for platforms without Vulkan surfaces. Draws anew
-/// only after `requestFrame` or a change of size; other paints reuse the last image.
+/// only after `requestFrame` or a change of size; other paints reuse the last image. A flat picture that was drawn
+/// roughly is refined in pieces once the view rests.
 class ImageCanvas : public QWidget {
     Q_OBJECT
 
@@ -34,6 +36,8 @@ protected:
 
 private:
     void draw(QSize pixels);
+    bool drawWithoutDevice(QSize pixels);
+    void refine();
 
     GpuContext& m_context;
     CameraController& m_controller;
@@ -41,6 +45,7 @@ private:
     std::optional<render::OffscreenPresenter> m_presenter;
     QImage m_image;
     bool m_isStale = true;
+    QTimer m_refine;  ///< runs while the picture is rough
 };
 
 }  // namespace ui

@@ -2,6 +2,8 @@
 
 #include <QColor>
 
+#include "render/scene/scene_buffers.h"
+
 namespace ui {
 
 namespace {
@@ -50,6 +52,22 @@ base::Result<QImage> drawPicture(render::OffscreenPresenter& presenter, const Pi
                                                             static_cast<std::uint32_t>(size.width()),
                                                             static_cast<std::uint32_t>(size.height())));
     return adopt(std::move(pixels));
+}
+
+render::FlatPicture::Quality drawFlat(const Picture& picture, const render::Camera& camera, double budgetMs,
+                                      QImage& image) {
+    if (picture.flat == nullptr || picture.scene == nullptr || image.isNull()) {
+        return render::FlatPicture::Quality::None;
+    }
+    picture.scene->setStyles(picture.styles);
+    const render::BoardScene::Impl& scene = picture.scene->impl();
+    std::vector<std::vector<render::ElementState>> states;
+    for (const render::SceneStep& step : scene.steps) {
+        states.push_back(step.states);
+    }
+    // Rows of 32-bit pixels lie one after the other.
+    return picture.flat->draw({&scene.layers, states, camera, picture.settings, image.width(), image.height()},
+                              budgetMs, reinterpret_cast<std::uint32_t*>(image.bits()));
 }
 
 }  // namespace ui

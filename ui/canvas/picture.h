@@ -3,10 +3,12 @@
 #include <QImage>
 #include <QSize>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "model/base/result.h"
 #include "render/frame/offscreen_presenter.h"
+#include "render/tiles/flat_picture.h"
 
 namespace ui {
 
@@ -14,10 +16,13 @@ namespace ui {
 struct Picture {
     render::BoardScene* scene = nullptr;  ///< null while no board is open
     render::ViewSettings settings;
-    std::vector<render::LayerStyle> styles;  ///< one per layer of the scene; views may differ
-    QImage overlay;                          ///< null for none; RGBA8888_Premultiplied, in pixels of the picture
-    QImage inPlane;                          ///< the same in a plane of the board; null for none
-    float planeZ = 0.0F;                     ///< of that plane, mm
+    std::vector<render::LayerStyle> styles;     ///< one per layer of the scene; views may differ
+    QImage overlay;                             ///< null for none; RGBA8888_Premultiplied, in pixels of the picture
+    QImage inPlane;                             ///< the same in a plane of the board; null for none
+    float planeZ = 0.0F;                        ///< of that plane, mm
+    std::shared_ptr<render::FlatPicture> flat;  ///< draws what it can of a flat view without the device; null: nothing
+    /// Paints what else would be the overlay over a picture of the board. True: the board is as it was.
+    std::function<bool(QImage& image)> paintOver;
     /// Called before each frame of a canvas with the picture's size in pixels: paints the overlay.
     std::function<void(QSize pixels)> prepare;
 
@@ -28,5 +33,9 @@ struct Picture {
 /// Draws to memory, `size` in pixels. A null scene gives the background. Errors: those of OffscreenPresenter::render.
 [[nodiscard]] base::Result<QImage> drawPicture(render::OffscreenPresenter& presenter, const Picture& picture,
                                                const render::Camera& camera, QSize size);
+
+/// The board of `picture` without the device, in about `budgetMs`, 32 bits per pixel. The scene has its styles then.
+[[nodiscard]] render::FlatPicture::Quality drawFlat(const Picture& picture, const render::Camera& camera,
+                                                    double budgetMs, QImage& image);
 
 }  // namespace ui

@@ -37,6 +37,12 @@ BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
         m_picture.settings.isBoardCached = std::exchange(m_isBoardDrawn, true);
         paintOverlay(m_picture, pixels, Shown::OnCanvas);
     };
+    m_picture.paintOver = [this](QImage& image) {
+        QPainter painter(&image);
+        scaleToLogical(painter, image.size());
+        paintAll(painter, Shown::OnCanvas);
+        return std::exchange(m_isBoardDrawn, true);
+    };
     if (kind == Kind::Flat) {
         m_picture.settings.is2d = true;
         m_controller.setPlan();
@@ -86,6 +92,11 @@ void BoardView::setScene(render::BoardScene* scene, std::vector<render::LayerSty
     requestRestingFrame();
 }
 
+void BoardView::setModel(std::shared_ptr<const render::BoardModel> model) {
+    const bool isDrawnHere = m_kind == Kind::Flat && model != nullptr && m_context.device().caps().isCpu;
+    m_picture.flat = isDrawnHere ? std::make_shared<render::FlatPicture>(std::move(model)) : nullptr;
+}
+
 void BoardView::setStyles(std::vector<render::LayerStyle> styles) {
     m_picture.styles = std::move(styles);
     requestFrame();
@@ -110,9 +121,23 @@ void BoardView::paintOn(QImage& image, QSize pixels, const Paint& paint) const {
     }
     image.fill(Qt::transparent);
     QPainter painter(&image);
+    scaleToLogical(painter, pixels);
+    paint(painter);
+}
+
+void BoardView::scaleToLogical(QPainter& painter, QSize pixels) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.scale(pixels.width() / m_controller.viewport().width(), pixels.height() / m_controller.viewport().height());
-    paint(painter);
+}
+
+void BoardView::paintAll(QPainter& painter, Shown where) const {
+    for (const auto& [paint, shown] : m_painters) {
+        if (where == Shown::OnCanvas || shown == Shown::Everywhere) {
+            painter.save();
+            paint(painter);
+            painter.restore();
+        }
+    }
 }
 
 void BoardView::setPlanePainter(Painter painter, std::function<std::optional<float>()> height) {
@@ -140,15 +165,7 @@ void BoardView::paintOverlay(Picture& picture, QSize pixels, Shown where) const 
         picture.overlay = {};
         return;
     }
-    paintOn(picture.overlay, pixels, [&](QPainter& painter) {
-        for (const auto& [paint, shown] : m_painters) {
-            if (where == Shown::OnCanvas || shown == Shown::Everywhere) {
-                painter.save();
-                paint(painter);
-                painter.restore();
-            }
-        }
-    });
+    paintOn(picture.overlay, pixels, [&](QPainter& painter) { paintAll(painter, where); });
 }
 
 base::Box BoardView::boxBetween(QPointF from, QPointF to) const {
@@ -236,7 +253,8 @@ void BoardView::requestRestingFrame() {
 }
 
 void BoardView::onTimed(const render::FrameStats& stats) {
-    m_isSlow = m_isSlow || (!stats.isOverlayAlone && std::max(stats.cpuMs, stats.gpuMs) > kSlowMs);
+    const bool isByDevice = stats.backend != render::Backend::Auto;  // what tiles give comes at once, and is refined
+    m_isSlow = m_isSlow || (isByDevice && !stats.isOverlayAlone && std::max(stats.cpuMs, stats.gpuMs) > kSlowMs);
     emit timed(stats);
 }
 

@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -38,6 +39,9 @@ public:
     /// Shows a scene, which the caller keeps alive until it sets another one; null shows the background. `styles` has
     /// one entry per layer. The camera is the caller's affair.
     void setScene(render::BoardScene* scene, std::vector<render::LayerStyle> styles);
+    /// What the scene was made from: flat views of it are drawn without the device where that is no graphics card.
+    /// Before `setScene`; null ends it.
+    void setModel(std::shared_ptr<const render::BoardModel> model);
     /// Where the board model lies in the job.
     void setPosition(const BoardPosition& position) { m_position = position; }
     [[nodiscard]] const BoardPosition& position() const { return m_position; }
@@ -121,6 +125,8 @@ private:
     void onTimed(const render::FrameStats& stats);
     void updateBox();
     void paintOverlay(Picture& picture, QSize pixels, Shown where) const;
+    void scaleToLogical(QPainter& painter, QSize pixels) const;
+    void paintAll(QPainter& painter, Shown where) const;
     void paintPlane(Picture& picture, QSize pixels) const;
     /// On a cleared image of this size, in logical pixels.
     template <class Paint>

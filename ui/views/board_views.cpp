@@ -111,6 +111,7 @@ void BoardViews::applyHeights() {
 void BoardViews::makeScene() {
     for (BoardView* view : m_views) {
         view->setScene(nullptr, {});
+        view->setModel(nullptr);
     }
     m_scene.reset();  // before the new one is made: the device may not have room for both
     if (m_context.device().isLost()) {
@@ -125,6 +126,7 @@ void BoardViews::makeScene() {
     m_scene->setHeights(render::frameOf(*m_board->document));  // they may have been set since
     applyStates();
     for (BoardView* view : m_views) {
+        view->setModel(m_board->model);
         view->setScene(m_scene.get(), stylesOf(*view));
     }
 }
