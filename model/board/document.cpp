@@ -1,19 +1,14 @@
 #include "model/board/document.h"
 
 #include <algorithm>
-#include <cctype>
 
+#include "model/base/ascii.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
 
 namespace model {
 
 namespace {
-
-bool equalsIgnoringCase(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b,
-                              [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
 
 Box boxOfArea(const Document& document, const AreaGeometry& area) {
     if (area.placement.clockwiseDeg == 0.0 && !area.placement.isMirrored) {
@@ -70,7 +65,8 @@ PlatedSpan Document::platedSpanOf(ElementId hole) const {
 }
 
 LayerId Document::findLayer(std::string_view name) const {
-    const auto found = std::ranges::find_if(layers, [&](const Layer& l) { return equalsIgnoringCase(l.name, name); });
+    const auto found =
+        std::ranges::find_if(layers, [&](const Layer& l) { return base::equalsIgnoringCase(l.name, name); });
     return found == layers.end() ? LayerId{} : LayerId{static_cast<std::size_t>(found - layers.begin())};
 }
 

@@ -78,10 +78,6 @@ bool holds(std::string_view text, std::string_view words) {
     return std::search(text.begin(), text.end(), words.begin(), words.end(), isSame) != text.end();
 }
 
-bool equalsIgnoringCase(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b, isSame);
-}
-
 std::optional<base::Nm> toNm(double nanometres) {
     const double rounded = std::nearbyint(nanometres);
     return std::abs(rounded) <= base::kMaxCoordinate ? std::optional(static_cast<base::Nm>(rounded)) : std::nullopt;

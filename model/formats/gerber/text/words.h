@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/base/ascii.h"
 #include "model/base/point.h"
 
 /// Small helpers for the texts of a Gerber job: its files come in many dialects, but all are lines of ASCII.
@@ -24,7 +25,7 @@ namespace model::gerber {
 [[nodiscard]] std::string upperCase(std::string_view text);
 /// Does the text hold the words, in any case?
 [[nodiscard]] bool holds(std::string_view text, std::string_view words);
-[[nodiscard]] bool equalsIgnoringCase(std::string_view a, std::string_view b);
+using base::equalsIgnoringCase;
 /// A length as nanometres; nothing outside ±kMaxCoordinate.
 [[nodiscard]] std::optional<base::Nm> toNm(double nanometres);
 /// A short form for names: "0.65".

@@ -223,12 +223,6 @@ std::optional<base::Nm> toLength(double value, std::int64_t nmPerUnit) {
     return static_cast<base::Nm>(std::llround(nm));
 }
 
-bool equalsIgnoringCase(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return a.size() == b.size() &&
-           std::equal(a.begin(), a.end(), b.begin(), [&](char x, char y) { return lower(x) == lower(y); });
-}
-
 std::string toUtf8(std::string_view bytes) {
     std::string text;
     text.reserve(bytes.size());

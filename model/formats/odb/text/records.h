@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "model/base/ascii.h"
 #include "model/base/point.h"
 #include "model/board/diagnostics.h"
 
@@ -108,7 +109,7 @@ private:
 [[nodiscard]] std::optional<std::int32_t> parseInteger(std::string_view text);
 /// A number of the job as nanometres; nothing outside ±kMaxCoordinate.
 [[nodiscard]] std::optional<base::Nm> toLength(double value, std::int64_t nmPerUnit);
-[[nodiscard]] bool equalsIgnoringCase(std::string_view a, std::string_view b);
+using base::equalsIgnoringCase;
 /// UTF-8 text from bytes that are UTF-8 or else Latin-1 (odb-notes, Container).
 [[nodiscard]] std::string toUtf8(std::string_view bytes);
 
