@@ -265,9 +265,10 @@ void addClearance(CLI::App& parent, Command& chosen) {
     addNumber<std::size_t>(command, "--worst", arguments.worst, 1, 1'000'000, "how many of the smallest");
     command.add_flag("--through", arguments.isThroughStackup,
                      "distances in space, also through dielectric and on panels across copies");
-    CLI::Option* rules = command.add_option("--rules", arguments.rules,
-                                            "check the rules of this JSON or .kicad_dru file, or of a preset (" +
-                                                presetNames() + "); exit code 4 if one is broken or incomplete");
+    CLI::Option* rules =
+        command.add_option("--rules", arguments.rules,
+                           "check the rules of this JSON, .kicad_dru, .kicad_pro or .kicad_pcb file, or of a preset (" +
+                               presetNames() + "); exit code 4 if one is broken or incomplete");
     command.add_flag("--print", arguments.printsRules, "prints the rules as a file with comments, and checks nothing")
         ->needs(rules);
     command.add_option("--tolerance", arguments.tolerance,

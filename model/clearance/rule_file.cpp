@@ -4,10 +4,12 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <span>
 
 #include "model/base/units.h"
+#include "model/clearance/kicad_project_rules.h"
 #include "model/clearance/kicad_rules.h"
 #include "model/clearance/rule_presets.h"
 #include "model/text/formatting.h"
@@ -312,7 +314,14 @@ base::Result<RuleFile> readRules(const std::filesystem::path& path) {
         ASSIGN_OR_RETURN(RuleTable table, parseRules(preset->text));
         return RuleFile{std::move(table), {}};
     }
+    if (path.extension() == ".kicad_pcb") {
+        std::optional<RuleFile> file = kicadRulesOf(path);
+        return file ? base::Result<RuleFile>(std::move(*file)) : bad("this board has no project of KiCad with rules");
+    }
     ASSIGN_OR_RETURN(const std::string text, readWholeFile(path));
+    if (path.extension() == ".kicad_pro") {
+        return parseKicadProjectRules(text);
+    }
     if (path.extension() == ".kicad_dru") {
         return parseKicadRules(text);
     }

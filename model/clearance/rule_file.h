@@ -33,8 +33,8 @@ struct RuleFile {
     RuleTable table;
     std::vector<std::string> leftOut;
 };
-/// From a file, also one of KiCad's custom rules (.kicad_dru, see kicad_rules.h), or by the name of a preset. Errors:
-/// BadInput.
+/// From a file, also one of KiCad's custom rules (.kicad_dru, see kicad_rules.h), a project of KiCad or a board that
+/// has one (.kicad_pro, .kicad_pcb, see kicad_project_rules.h), or by the name of a preset. Errors: BadInput.
 [[nodiscard]] base::Result<RuleFile> readRules(const std::filesystem::path& path);
 
 }  // namespace model

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "model/clearance/copper_objects.h"
-#include "model/clearance/drilled_away.h"
+#include "model/design_rules/drilled_away.h"
 
 namespace model {
 

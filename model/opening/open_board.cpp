@@ -1,9 +1,11 @@
 #include "model/opening/open_board.h"
 
+#include <optional>
 #include <utility>
 
 #include "model/base/thickness_units.h"
 #include "model/board/thickness_override.h"
+#include "model/clearance/kicad_project_rules.h"
 #include "model/formats/registry.h"
 
 namespace model {
@@ -24,11 +26,22 @@ base::Result<Thicknesses> parseThicknesses(const std::vector<std::string>& texts
     return all;
 }
 
+/// Where the user has set none, a board of KiCad has the rules of its project.
+void takeProjectRules(const OpenRequest& request, session::LoadedSession& found) {
+    if (found.session.designRules) {
+        return;
+    }
+    if (std::optional<RuleFile> file = kicadRulesOf(request.path)) {
+        found.session.designRules = std::move(file->table);
+    }
+}
+
 /// The board as its session and the request stack it.
 base::Result<OpenedBoard> withSession(const OpenRequest& request, ReadBoard read) {
     session::LoadedSession found;
     if (!request.noSession) {
         found = session::loadSession(request.path, *read.document);
+        takeProjectRules(request, found);
     }
     ASSIGN_OR_RETURN(Thicknesses once, parseThicknesses(request.thicknesses, read.document->stackup));
     OpenedBoard board{request, {}, {found.session.thicknesses, std::move(once)}};

@@ -1,4 +1,4 @@
-#include "model/clearance/drilled_away.h"
+#include "model/design_rules/drilled_away.h"
 
 #include "model/clearance/layer_geometry.h"
 #include "model/clearance/ring_width.h"

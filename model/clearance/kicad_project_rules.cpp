@@ -1,0 +1,368 @@
+#include "model/clearance/kicad_project_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "model/base/thickness_units.h"
+#include "model/base/units.h"
+#include "model/clearance/kicad_rules.h"
+#include "model/text/json_lines.h"
+#include "model/text/s_expression.h"
+#include "model/text/whole_file.h"
+
+namespace model {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// What a project calls a minimum, what we do, and the check that it can ignore.
+struct Minimum {
+    const char* word;
+    RuleKind kind;
+    const char* check;
+};
+constexpr Minimum kMinimums[] = {{"min_hole_clearance", RuleKind::CopperToHole, "hole_clearance"},
+                                 {"min_copper_edge_clearance", RuleKind::CopperToEdge, "copper_edge_clearance"},
+                                 {"min_hole_to_hole", RuleKind::HoleToHole, "hole_to_hole"},
+                                 {"min_via_annular_width", RuleKind::AnnularRing, "annular_width"},
+                                 {"min_track_width", RuleKind::TrackWidth, "track_width"},
+                                 {"min_silk_clearance", RuleKind::SilkToPad, "silk_overlap"},
+                                 {"solder_mask_to_copper_clearance", RuleKind::MaskToForeign, "solder_mask_bridge"}};
+
+/// Minimums without a counterpart.
+constexpr const char* kOthers[] = {
+    "min_connection",  "min_groove_width",   "min_microvia_diameter",     "min_microvia_drill",
+    "min_text_height", "min_text_thickness", "min_through_hole_diameter", "min_via_diameter"};
+
+constexpr const char* kDefaultClass = "Default";
+
+const json& member(const json& object, const char* key) {
+    static const json kNothing;
+    const auto found = object.is_object() ? object.find(key) : object.end();
+    return object.is_object() && found != object.end() ? *found : kNothing;
+}
+
+std::string textOf(const json& value) {
+    return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+/// Millimetres of a file; none for what is no length a rule can have.
+std::optional<Nm> lengthOf(double millimetres) {
+    const double nm = std::round(millimetres * base::kNmPerMm);
+    return nm >= 0.0 && nm <= static_cast<double>(kMostLeast) ? std::optional(static_cast<Nm>(nm)) : std::nullopt;
+}
+
+std::optional<Nm> lengthOf(const json& value) {
+    return value.is_number() ? lengthOf(value.get<double>()) : std::nullopt;
+}
+
+std::string inLine(std::size_t line, const std::string& what) {
+    return "line " + std::to_string(line) + ": " + what + " is left out";
+}
+
+/// A net class as both kinds of files have it.
+struct ClassOfNets {
+    std::string name;
+    std::optional<Nm> clearance;
+    std::vector<std::string> nets;
+};
+
+/// Clearances between classes, so that the last rule that fits is the one that holds: of two classes the larger one.
+/// Classes without nets ask for nothing.
+void addClearances(std::vector<ClassOfNets> classes, Nm least, bool isOn, RuleTable& table) {
+    Nm common = least;
+    for (const ClassOfNets& one : classes) {
+        common = one.name == kDefaultClass && one.clearance ? std::max(least, *one.clearance) : common;
+    }
+    const auto add = [&](Nm length, const std::string& a, const std::string& b) {
+        if (length > 0) {
+            table.rules.push_back({RuleKind::CopperToCopper, length, {a, b}, isOn});
+        }
+    };
+    add(common, "", "");
+    std::erase_if(classes, [](const ClassOfNets& one) {
+        return one.name == kDefaultClass || !one.clearance || one.nets.empty();
+    });
+    std::ranges::stable_sort(classes, {}, [](const ClassOfNets& one) { return *one.clearance; });
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const Nm own = std::max(least, *classes[i].clearance);
+        if (own > common) {
+            add(own, classes[i].name, "");
+        } else if (own < common) {  // less than the rest asks for, so only among themselves
+            for (std::size_t k = 0; k <= i; ++k) {
+                add(own, classes[k].name, classes[i].name);
+            }
+        }
+    }
+}
+
+/// As many as a table may have; those with a clearance of their own come first.
+void addClasses(std::vector<ClassOfNets>& classes, RuleFile& file) {
+    std::ranges::stable_partition(classes, [](const ClassOfNets& one) { return one.clearance.has_value(); });
+    std::size_t kept = 0;
+    for (ClassOfNets& one : classes) {
+        if (one.name == kDefaultClass) {
+            continue;
+        }
+        if (kept == kMostNetClasses) {
+            file.leftOut.push_back("net class " + one.name + ", of which there are too many, is left out");
+            one.clearance.reset();
+            continue;
+        }
+        ++kept;
+        file.table.classes.push_back({one.name, one.nets});
+    }
+}
+
+base::Result<RuleFile> used(RuleFile file) {
+    if (file.table.rules.empty()) {
+        return base::Error{base::ErrorCode::BadInput,
+                           "the rules cannot be used: no minimum in this file of KiCad's has a counterpart" +
+                               (file.leftOut.empty() ? "" : "; " + file.leftOut.front())};
+    }
+    return file;
+}
+
+/// Of a project file.
+class ProjectImporter {
+public:
+    ProjectImporter(const json& root, std::string_view text)
+        : m_lines(text),
+          m_design(member(member(root, "board"), "design_settings")),
+          m_nets(member(root, "net_settings")) {}
+
+    base::Result<RuleFile> run() {
+        readClasses();
+        assignNets();
+        addClasses(m_classes, m_file);
+        const json& least = member(member(m_design, "rules"), "min_clearance");
+        const std::optional<Nm> clearance = lengthOf(least);
+        if (!clearance && !least.is_null()) {
+            leaveOut(kRules + "min_clearance", "min_clearance, which is no length,");
+        }
+        addClearances(m_classes, clearance.value_or(0), !isIgnored("clearance"), m_file.table);
+        addMinimums();
+        return used(std::move(m_file));
+    }
+
+private:
+    void leaveOut(const std::string& path, const std::string& what) {
+        m_file.leftOut.push_back(inLine(m_lines.of(path), what));
+    }
+
+    [[nodiscard]] bool isIgnored(const char* check) const {
+        return textOf(member(member(m_design, "rule_severities"), check)) == "ignore";
+    }
+
+    void readClasses() {
+        std::size_t row = 0;
+        for (const json& one : member(m_nets, "classes")) {
+            const std::string path = "/net_settings/classes/" + std::to_string(row++);
+            const std::string name = textOf(member(one, "name"));
+            const json& clearance = member(one, "clearance");
+            if (name.empty() || isThere(name)) {
+                leaveOut(path, "a net class without a name of its own");
+                continue;
+            }
+            m_classes.push_back({name, lengthOf(clearance), {}});
+            if (!m_classes.back().clearance && !clearance.is_null()) {
+                leaveOut(path + "/clearance", "the clearance of net class " + name + ", which is no length,");
+            }
+            for (const json& net : member(one, "nets")) {  // KiCad 6
+                addNet(name, textOf(net));
+            }
+        }
+    }
+
+    [[nodiscard]] bool isThere(const std::string& name) const {
+        return std::ranges::find(m_classes, name, &ClassOfNets::name) != m_classes.end();
+    }
+
+    void addNet(const std::string& name, const std::string& net) {
+        const auto found = std::ranges::find(m_classes, name, &ClassOfNets::name);
+        if (found != m_classes.end() && !net.empty()) {
+            found->nets.push_back(net);
+        }
+    }
+
+    /// Nets named one by one, and those that fit patterns. Of several classes the first one counts.
+    void assignNets() {
+        for (const auto& [net, value] : member(m_nets, "netclass_assignments").items()) {
+            const bool isList = value.is_array() && !value.empty();
+            addNet(textOf(isList ? value.front() : value), net);
+        }
+        for (const json& pattern : member(m_nets, "netclass_patterns")) {
+            addNet(textOf(member(pattern, "netclass")), textOf(member(pattern, "pattern")));
+        }
+    }
+
+    void addMinimums() {
+        const json& rules = member(m_design, "rules");
+        for (const Minimum& minimum : kMinimums) {
+            const json& value = member(rules, minimum.word);
+            const std::optional<Nm> least = lengthOf(value);
+            if (least && *least > 0) {
+                m_file.table.rules.push_back({minimum.kind, *least, {}, !isIgnored(minimum.check)});
+            } else if (!least && !value.is_null()) {
+                leaveOut(kRules + minimum.word, std::string(minimum.word) + ", which is no length,");
+            }
+        }
+        for (const char* word : kOthers) {
+            const json& value = member(rules, word);
+            if (value.is_number() && value.get<double>() > 0.0) {
+                leaveOut(kRules + word, word);
+            }
+        }
+    }
+
+    const std::string kRules = "/board/design_settings/rules/";
+    JsonLines m_lines;
+    const json& m_design;
+    const json& m_nets;
+    std::vector<ClassOfNets> m_classes;
+    RuleFile m_file;
+};
+
+/// The lists with this head that begin a line of a board, up to its first part; each with its line.
+std::vector<std::pair<std::string_view, std::size_t>> listsOf(std::string_view board, std::string_view head) {
+    std::vector<std::pair<std::string_view, std::size_t>> lists;
+    const std::string_view before = board.substr(0, board.find("\n  (module "));
+    const std::string begin = "(" + std::string(head);
+    for (std::size_t at = before.find(begin); at != std::string_view::npos; at = before.find(begin, at + 1)) {
+        std::size_t end = at;
+        int depth = 0;
+        bool isText = false;
+        for (; end < before.size(); ++end) {
+            const char c = before[end];
+            isText = c == '"' ? !isText : isText;
+            end += c == '\\' && isText ? 1 : 0;
+            depth += isText ? 0 : c == '(' ? 1 : c == ')' ? -1 : 0;
+            if (depth == 0) {
+                break;
+            }
+        }
+        const std::size_t next = at + begin.size();
+        if (depth == 0 && end < before.size() && next < before.size() &&
+            (before[next] == ' ' || before[next] == '\n')) {
+            const auto line = std::count(before.begin(), before.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+            lists.emplace_back(before.substr(at, end + 1 - at), static_cast<std::size_t>(line) + 1);
+        }
+    }
+    return lists;
+}
+
+/// A length of a list, "(clearance 0.2)".
+std::optional<Nm> lengthIn(const SExpression& list, const char* head) {
+    const SExpression* item = list.find(head);
+    if (item == nullptr) {
+        return {};
+    }
+    const auto length = parseLength(item->at(1) + "mm");
+    return length && *length >= 0 && *length <= kMostLeast ? std::optional(*length) : std::nullopt;
+}
+
+std::optional<RuleFile> readFile(const fs::path& path, base::Result<RuleFile> (*parse)(std::string_view)) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) {
+        return {};
+    }
+    const base::Result<std::string> text = readWholeFile(path);
+    base::Result<RuleFile> file = text ? parse(*text) : base::Result<RuleFile>(text.error());
+    return file ? std::optional(std::move(*file)) : std::nullopt;
+}
+
+/// Is it of KiCad 4 or 5, by the first lines?
+bool isOldBoard(const fs::path& board) {
+    std::ifstream file(board, std::ios::binary);
+    std::string head(200, '\0');
+    file.read(head.data(), static_cast<std::streamsize>(head.size()));
+    const std::string version = "(version ";
+    const std::size_t at = head.find(version);
+    const std::string digits = at == std::string::npos ? "" : head.substr(at + version.size(), 9);
+    const std::size_t count = std::min(digits.find_first_not_of("0123456789"), digits.size());
+    return head.find("(kicad_pcb") != std::string::npos && count > 0 && (count < 8 || digits.substr(0, 4) < "2020");
+}
+
+/// Adds rules that go before those that are there, with what they say of net classes that are there already.
+void append(RuleFile& file, RuleFile others) {
+    std::ranges::move(others.table.rules, std::back_inserter(file.table.rules));
+    std::ranges::move(others.leftOut, std::back_inserter(file.leftOut));
+    for (NetClass& one : others.table.classes) {
+        const bool isNew = std::ranges::find(file.table.classes, one.name, &NetClass::name) == file.table.classes.end();
+        if (isNew && file.table.classes.size() < kMostNetClasses) {
+            file.table.classes.push_back(std::move(one));
+        }
+    }
+}
+
+}  // namespace
+
+base::Result<RuleFile> parseKicadProjectRules(std::string_view text) {
+    const json root = json::parse(text, nullptr, false, true);
+    if (!root.is_object()) {
+        return base::Error{base::ErrorCode::BadInput, "the rules cannot be used: this project of KiCad is no JSON"};
+    }
+    return ProjectImporter(root, text).run();
+}
+
+base::Result<RuleFile> parseKicadBoardRules(std::string_view board) {
+    RuleFile file;
+    std::vector<ClassOfNets> classes;
+    for (const auto& [text, line] : listsOf(board, "net_class")) {
+        const base::Result<SExpression> all = parseSExpressions(text);
+        if (!all || all->items.empty()) {
+            file.leftOut.push_back(inLine(line, "a net class that cannot be read"));
+            continue;
+        }
+        const SExpression& list = all->items.front();
+        classes.push_back({list.at(1), lengthIn(list, "clearance"), {}});
+        if (!classes.back().clearance) {
+            file.leftOut.push_back(inLine(line, "the clearance of net class " + list.at(1) + ", which is no length,"));
+        }
+        for (const SExpression& item : list.items) {
+            if (item.head() == "add_net") {
+                classes.back().nets.push_back(item.at(1));
+            }
+        }
+    }
+    addClasses(classes, file);
+    addClearances(classes, 0, true, file.table);
+    for (const auto& [text, line] : listsOf(board, "setup")) {
+        const base::Result<SExpression> all = parseSExpressions(text);
+        const std::optional<Nm> least =
+            all && !all->items.empty() ? lengthIn(all->items.front(), "trace_min") : std::nullopt;
+        if (least && *least > 0) {
+            file.table.rules.push_back({RuleKind::TrackWidth, *least, {}});
+        }
+    }
+    return used(std::move(file));
+}
+
+std::optional<RuleFile> kicadRulesOf(const fs::path& board) {
+    if (board.extension() != ".kicad_pcb") {
+        return {};
+    }
+    const auto beside = [&](const char* extension) { return fs::path(board).replace_extension(extension); };
+    std::optional<RuleFile> file = readFile(beside(".kicad_pro"), parseKicadProjectRules);
+    if (!file && isOldBoard(board)) {
+        file = readFile(board, parseKicadBoardRules);
+    }
+    if (file) {
+        if (std::optional<RuleFile> custom = readFile(beside(".kicad_dru"), parseKicadRules)) {
+            append(*file, std::move(*custom));
+        }
+    }
+    return file;
+}
+
+}  // namespace model

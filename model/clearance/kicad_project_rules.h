@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "model/clearance/rule_file.h"
+
+namespace model {
+
+/// Rules of a project of KiCad 6 and later (.kicad_pro): net classes with their nets, and the minimums that the board
+/// must keep. Two nets keep the larger clearance of their classes, and no less than the board's. Checks that the
+/// project ignores are off; minimums of 0 ask for nothing. What has no counterpart, or is no length, is left out and
+/// named with its line; widths of tracks and sizes of vias of net classes are what KiCad draws new ones with, no
+/// minimums. Errors: BadInput.
+[[nodiscard]] base::Result<RuleFile> parseKicadProjectRules(std::string_view json);
+
+/// The same of a board of KiCad 4 and 5, which holds them itself: (net_class …) and (setup …).
+[[nodiscard]] base::Result<RuleFile> parseKicadBoardRules(std::string_view board);
+
+/// Rules of the project that a board of KiCad belongs to: of the .kicad_pro beside it, with those of the .kicad_dru,
+/// which go before them; of an older board its own. None for what is no such board, or has no rules that can be used.
+[[nodiscard]] std::optional<RuleFile> kicadRulesOf(const std::filesystem::path& board);
+
+}  // namespace model

@@ -1,0 +1,169 @@
+// Rules of projects of KiCad, and of older boards.
+#include "model/clearance/kicad_project_rules.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+using model::NetClass;
+using model::Rule;
+using model::RuleKind;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr model::Nm kUm = 1000;
+
+constexpr const char* kProject = R"json({
+"board": {"design_settings": {
+  "rules": {
+    "min_clearance": 0.1, "min_copper_edge_clearance": 0.5, "min_hole_clearance": 0.25, "min_hole_to_hole": 0.3,
+    "min_track_width": 0.15, "min_via_annular_width": 0.05, "min_silk_clearance": 0.0,
+    "solder_mask_to_copper_clearance": 0.02,
+    "min_via_diameter": 0.5,
+    "min_text_height": 0.0},
+  "rule_severities": {"annular_width": "ignore", "clearance": "error"}}},
+"net_settings": {
+  "classes": [
+    {"name": "Default", "clearance": 0.2, "track_width": 0.25, "via_diameter": 0.8},
+    {"name": "Power", "clearance": 0.4},
+    {"name": "Fine", "clearance": 0.05, "nets": ["/A"]},
+    {"name": "Finer", "clearance": 0.15},
+    {"name": "Wide", "clearance": 0.3},
+    {"name": "Colour", "clearance": null},
+    {"name": "Odd",
+     "clearance": 1e9}],
+  "netclass_assignments": {"GND": ["Power", "Wide"], "VCC": "Power"},
+  "netclass_patterns": [{"netclass": "Fine", "pattern": "USB_*"}, {"netclass": "None", "pattern": "x"},
+  {"netclass": "Finer", "pattern": "F?"}, {"netclass": "Wide", "pattern": "W"}]}})json";
+
+model::RuleFile import(const char* text) {
+    const auto file = model::parseKicadProjectRules(text);
+    return file ? *file : model::RuleFile{};
+}
+
+void write(const fs::path& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+constexpr const char* kOldBoard = R"((kicad_pcb (version 20171130) (host pcbnew 5.1)
+  (setup
+    (trace_min 0.15) (via_min_size 0.4))
+  (net 1 GND)
+  (net_class Default "The (usual) class."
+    (clearance 0.2) (add_net "A B"))
+  (net_class Motor ""
+    (clearance 0.4) (add_net GND))
+  (net_class Odd ""
+    (clearance far))
+  (module x (layer F.Cu) (net_class None "" (clearance 9)))
+))";
+
+}  // namespace
+
+class KicadProjectRulesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void minimumsOfTheBoardAreRules() {
+        const std::vector<Rule> rules = import(kProject).table.rules;
+        const auto has = [&](const Rule& rule) { return std::ranges::find(rules, rule) != rules.end(); };
+        QVERIFY(has({RuleKind::CopperToEdge, 500 * kUm, {}}));
+        QVERIFY(has({RuleKind::CopperToHole, 250 * kUm, {}}));
+        QVERIFY(has({RuleKind::HoleToHole, 300 * kUm, {}}));
+        QVERIFY(has({RuleKind::TrackWidth, 150 * kUm, {}}));
+        QVERIFY(has({RuleKind::MaskToForeign, 20 * kUm, {}}));
+        QVERIFY(has({RuleKind::AnnularRing, 50 * kUm, {}, false}));
+        QVERIFY(std::ranges::none_of(rules, [](const Rule& rule) { return rule.kind == RuleKind::SilkToPad; }));
+        QVERIFY(model::parseRules(model::toJson(import(kProject).table)));
+    }
+
+    void twoClassesKeepTheLargerClearance() {
+        std::vector<Rule> clearances = import(kProject).table.rules;
+        std::erase_if(clearances, [](const Rule& rule) { return rule.kind != RuleKind::CopperToCopper; });
+        const std::vector<Rule> expected = {
+            {RuleKind::CopperToCopper, 200 * kUm, {"", ""}},
+            {RuleKind::CopperToCopper, 100 * kUm, {"Fine", "Fine"}},  // no less than the board's
+            {RuleKind::CopperToCopper, 150 * kUm, {"Fine", "Finer"}},
+            {RuleKind::CopperToCopper, 150 * kUm, {"Finer", "Finer"}},
+            {RuleKind::CopperToCopper, 300 * kUm, {"Wide", ""}},
+            {RuleKind::CopperToCopper, 400 * kUm, {"Power", ""}}};
+        QVERIFY(clearances == expected);
+    }
+
+    void classesHaveTheirNets() {
+        const std::vector<NetClass> expected = {{"Power", {"GND", "VCC"}},
+                                                {"Fine", {"/A", "USB_*"}},
+                                                {"Finer", {"F?"}},
+                                                {"Wide", {"W"}},
+                                                {"Colour", {}},
+                                                {"Odd", {}}};
+        QVERIFY(import(kProject).table.classes == expected);
+    }
+
+    void whatHasNoCounterpartIsNamedWithItsLine() {
+        QCOMPARE(import(kProject).leftOut,
+                 (std::vector<std::string>{"line 19: the clearance of net class Odd, which is no length, is left out",
+                                           "line 7: min_via_diameter is left out"}));
+        const model::RuleFile odd = import(R"json({"board": {"design_settings": {"rules": {
+"min_clearance": "wide", "min_track_width": -1, "min_hole_to_hole": 0.2}}},
+"net_settings": {"classes": [{"clearance": 1}, {"name": "A", "clearance": 0.3, "nets": ["N"]}, {"name": "A"}, 7]}})json");
+        QCOMPARE(odd.leftOut.size(), std::size_t{5});
+        QCOMPARE(odd.table.rules.size(), std::size_t{2});
+    }
+
+    void whatIsNoProjectIsAnError() {
+        for (const char* text : {"", "{", "[]", "{}", R"({"board": 1, "net_settings": {"classes": 5}})"}) {
+            QVERIFY(!model::parseKicadProjectRules(text));
+        }
+        const std::string text = kProject;
+        for (std::size_t length = 0; length < text.size(); ++length) {
+            static_cast<void>(model::parseKicadProjectRules(text.substr(0, length)));
+        }
+    }
+
+    void oldBoardsHoldThemThemselves() {
+        const auto file = model::parseKicadBoardRules(kOldBoard);
+        QVERIFY(file);
+        const std::vector<Rule> expected = {{RuleKind::CopperToCopper, 200 * kUm, {"", ""}},
+                                            {RuleKind::CopperToCopper, 400 * kUm, {"Motor", ""}},
+                                            {RuleKind::TrackWidth, 150 * kUm, {}}};
+        QVERIFY(file->table.rules == expected);
+        QVERIFY(file->table.classes == (std::vector<NetClass>{{"Motor", {"GND"}}, {"Odd", {}}}));
+        QCOMPARE(file->leftOut,
+                 (std::vector<std::string>{"line 9: the clearance of net class Odd, which is no length, is left out"}));
+        QVERIFY(!model::parseKicadBoardRules("(kicad_pcb (version 4))"));
+        const std::string text = kOldBoard;
+        for (std::size_t length = 0; length < text.size(); ++length) {
+            static_cast<void>(model::parseKicadBoardRules(text.substr(0, length)));
+        }
+    }
+
+    void aBoardHasTheRulesOfItsProject() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "b.kicad_pcb";
+        write(board, kOldBoard);
+        QVERIFY(model::kicadRulesOf(board)->table.classes.front().name == "Motor");
+        write(fs::path(board).replace_extension(".kicad_pro"), kProject);
+        QVERIFY(model::kicadRulesOf(board)->table.classes.front().name == "Power");
+        const std::size_t count = model::kicadRulesOf(board)->table.rules.size();
+        write(fs::path(board).replace_extension(".kicad_dru"),
+              "(version 1)\n(rule x (condition \"A.NetClass == 'Power'\") (constraint clearance (min 2mm)))");
+        const auto file = model::kicadRulesOf(board);
+        QCOMPARE(file->table.rules.size(), count + 1);
+        QCOMPARE(file->table.rules.back().least, 2000 * kUm);
+        QCOMPARE(file->table.classes.size(), std::size_t{6});
+        QCOMPARE(model::readRules(board)->table.rules.size(), count + 1);
+        QVERIFY(!model::kicadRulesOf(fs::path(board).replace_extension(".tgz")));
+        write(board, "(kicad_pcb (version 20241229))");
+        fs::remove(fs::path(board).replace_extension(".kicad_pro"));
+        QVERIFY(!model::kicadRulesOf(board));
+        QVERIFY(!model::readRules(board));
+    }
+};
+
+QTEST_APPLESS_MAIN(KicadProjectRulesTest)
+#include "kicad_project_rules_test.moc"
