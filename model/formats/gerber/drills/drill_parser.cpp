@@ -442,6 +442,10 @@ private:
         }
         for (int i = 0; i < count; ++i) {
             m_position = {m_position.x + dx, m_position.y + dy};
+            if (!toNm(m_position.x) || !toNm(m_position.y)) {
+                return report(Severity::Warning,
+                              "a repetition of a hole goes beyond any board (1.07 m); the rest of it is left out");
+            }
             add(DrawnKind::Pad, m_position, m_position, {});
         }
     }

@@ -101,6 +101,13 @@ private slots:
         QCOMPARE(image.features[4].a, (Point{10'000'000, 5'000'000}));
     }
 
+    void repetitionsEndWhereBoardsEnd() {
+        const Image image = parse("M48\nMETRIC\nT1C0.3\n%\nT1\nX1.0Y1.0\nR30000X100.0\nM30\n");
+        QCOMPARE(image.features.size(), std::size_t{11});
+        QCOMPARE(image.diagnostics.entries().size(), std::size_t{1});
+        QCOMPARE(image.diagnostics.entries()[0].count, 1U);
+    }
+
     void incrementalPlacesAndOriginsCount() {
         const Image image = parse("M48\nMETRIC\nT1C0.3\n%\nG93X1.0Y2.0\nT1\nX1.0Y1.0\nICI,ON\nX0.5\nM30\n");
         QCOMPARE(image.features[0].a, (Point{2'000'000, 3'000'000}));
