@@ -109,6 +109,46 @@ private slots:
         QVERIFY(!isReported(*board, "beside the copper"));
     }
 
+    void routedSlotsOfAllegroHaveTheSizeThatTheNetlistTells() {
+        const auto board = open(formatsFolder() / "gerber" / "allegro.zip");
+        QVERIFY(board != nullptr);
+        const auto tool = std::ranges::find_if(board->tools, [&](const model::DrillTool& row) {
+            return board->layer(row.layer).type == model::LayerType::Rout;
+        });
+        QVERIFY(tool != board->tools.end());
+        QCOMPARE(tool->drillSize, 2'032'000);  // 80 mil
+    }
+
+    void layerPairsOfAltiumTellTheSpans() {
+        const auto board = open(formatsFolder() / "gerber" / "altium-composite-drill.zip");
+        QVERIFY(board != nullptr);
+        for (const model::Layer& layer : board->layers) {
+            if (layer.type == model::LayerType::Drill || layer.type == model::LayerType::Rout) {
+                QVERIFY(board->layer(layer.spanTop).file.ends_with(".GTL"));
+                QVERIFY(board->layer(layer.spanBottom).file.ends_with(".GBL"));
+            }
+        }
+        QVERIFY(!isReported(*board, "the job has no image"));
+    }
+
+    void outlinesAreFoundAmongDrawingsAndFilms_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<double>("width");
+        QTest::addColumn<double>("height");
+        QTest::newRow("Allegro: fabrication and assembly films") << "allegro" << 94.107 << 53.34;
+        QTest::newRow("OrCAD: all films") << "orcad" << 228.6 << 228.6;
+        QTest::newRow("PADS: none, so the box around the copper") << "pads" << 68.58 << 101.092;
+    }
+    void outlinesAreFoundAmongDrawingsAndFilms() {
+        QFETCH(QString, name);
+        QFETCH(double, width);
+        QFETCH(double, height);
+        const auto board = open(formatsFolder() / "gerber" / (name.toStdString() + ".zip"));
+        QVERIFY(board != nullptr);
+        QCOMPARE(static_cast<double>(board->board.width()) / 1e6, width);
+        QCOMPARE(static_cast<double>(board->board.height()) / 1e6, height);
+    }
+
     void aNetlistNamesTheNetsOfAllegro() {
         const auto board = open(formatsFolder() / "gerber" / "allegro.zip");
         QVERIFY(board != nullptr);

@@ -1,15 +1,12 @@
 #include "model/formats/gerber/board_maker.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <optional>
-#include <unordered_map>
 
+#include "model/formats/gerber/board_outline.h"
 #include "model/formats/gerber/drill_fitting.h"
 #include "model/formats/gerber/layer_order.h"
-#include "model/formats/gerber/netlist_join.h"
-#include "model/formats/gerber/outline.h"
+#include "model/formats/gerber/pad_nets.h"
 #include "model/formats/gerber/parts.h"
 #include "model/formats/gerber/text/words.h"
 #include "model/geometry/outlines.h"
@@ -22,19 +19,17 @@ using formats::kNoRow;
 
 namespace {
 
-constexpr Nm kHoleReach = 2'000;
-constexpr Nm kPointReach = 15'000;
-
 class BoardMaker {
 public:
     BoardMaker(std::vector<ReadFile>& files, const BoardFiles& board, const std::string& jobName)
-        : m_files(files), m_board(board), m_jobName(jobName), m_parts(m_step) {}
+        : m_files(files), m_board(board), m_jobName(jobName), m_nets(m_step), m_parts(m_step) {}
 
     MadeBoard run() {
         findJobFile();
         indexCopper();
         readDrillsAgain();
         m_layers = orderedLayers(m_files, m_board, m_job, m_result.job.diagnostics);
+        findBoardOutline();
         m_step.features.resize(m_layers.layers.size());
         for (std::size_t layer = 0; layer < m_layers.layers.size(); ++layer) {
             if (m_layers.files[layer] != kNoRow) {
@@ -42,9 +37,7 @@ public:
             }
         }
         addPlacedComponents();
-        addNetlists();
-        nameHoles();
-        addOutline();
+        PadNets(m_step, m_layers, m_parts, m_nets, diagnostics()).run(m_files, m_board, m_result.hasNets);
         setSpans();
         finish();
         return std::move(m_result);
@@ -86,6 +79,27 @@ private:
         m_filePads = PadIndex(std::move(pads));
     }
 
+    /// Holes of blind and buried vias may lie on each other.
+    [[nodiscard]] bool haveOtherSpans(const ReadFile& a, const ReadFile& b) const {
+        const LayerPair* const ofA = pairOf(a);
+        const LayerPair* const ofB = pairOf(b);
+        const bool areTold = a.role.spanTop > 0 && b.role.spanTop > 0;
+        return (areTold && (a.role.spanTop != b.role.spanTop || a.role.spanBottom != b.role.spanBottom)) ||
+               (ofA != nullptr && ofB != nullptr && ofA->endings != ofB->endings);
+    }
+
+    /// What an export of layer pairs says of a file of drills; nullptr if nothing.
+    [[nodiscard]] const LayerPair* pairOf(const ReadFile& file) const {
+        for (const std::size_t row : m_board.files) {
+            for (const LayerPair& pair : m_files[row].layerPairs) {
+                if (equalsIgnoringCase(pair.drillFile, file.name())) {
+                    return &pair;
+                }
+            }
+        }
+        return nullptr;
+    }
+
     void readDrillsAgain() {
         std::vector<std::size_t> seen;
         for (const std::size_t row : m_board.files) {
@@ -97,7 +111,8 @@ private:
             }
             fitToCopper(file, m_filePads, m_copperBox);
             for (const std::size_t other : seen) {
-                if (file.role.source != RoleSource::Told && areSameHoles(m_files[other].image, file.image)) {
+                const bool isOfItsOwn = file.role.source == RoleSource::Told || haveOtherSpans(m_files[other], file);
+                if (!isOfItsOwn && areSameHoles(m_files[other].image, file.image)) {
                     file.diagnostics.report(Severity::Info, file.path, 0,
                                             "another file drills the same holes; this one is shown as a document");
                     file.role = FileRole{FileRole::Kind::Document};
@@ -112,14 +127,6 @@ private:
     }
 
     // ---- images ----
-
-    std::int32_t netRow(const std::string& name) {
-        const auto [found, isNew] = m_nets.try_emplace(name, static_cast<std::int32_t>(m_step.nets.size()));
-        if (isNew) {
-            m_step.nets.push_back({name, {}});
-        }
-        return found->second;
-    }
 
     /// How rows of an image become rows of the step.
     struct Rows {
@@ -140,7 +147,7 @@ private:
         std::ranges::move(image.regions, std::back_inserter(m_step.regions));
         std::ranges::move(image.attributes, std::back_inserter(m_step.attributes));
         for (const std::string& net : image.nets) {
-            rows.nets.push_back(net == "N/C" ? kNoRow : netRow(net));
+            rows.nets.push_back(net == "N/C" ? kNoRow : m_nets.row(net));
             m_result.hasNets = true;  // N/C says that there is none
         }
         for (const std::string& refdes : image.components) {
@@ -150,10 +157,7 @@ private:
     }
 
     void addImage(std::size_t layer, ReadFile& file) {
-        // The outline is taken from the image once more, so that one keeps what it draws.
-        Image image = file.role.kind == FileRole::Kind::Profile || file.role.kind == FileRole::Kind::Document
-                          ? file.image
-                          : std::move(file.image);
+        Image& image = file.image;
         const Rows rows = takeTables(image);
         const bool isCopperLayer = file.role.kind == FileRole::Kind::Copper;
         const LayerSide side = m_layers.layers[layer].side;
@@ -231,7 +235,7 @@ private:
             const std::int32_t component = m_parts.component(refdes);
             (void)m_parts.pin(
                 component, file.image.pins[static_cast<std::size_t>(feature.pin)].name, feature.a,
-                feature.net < 0 ? kNoRow : netRow(file.image.nets[static_cast<std::size_t>(feature.net)]));
+                feature.net < 0 ? kNoRow : m_nets.row(file.image.nets[static_cast<std::size_t>(feature.net)]));
             return;
         }
         PlacedPart part;
@@ -254,184 +258,17 @@ private:
         placed.parts.push_back(std::move(part));
     }
 
-    // ---- nets from netlists ----
-
-    void addNetlists() {
-        indexPads();
-        for (const std::size_t row : m_board.files) {
-            const ReadFile& file = m_files[row];
-            if (file.kind != ReadFile::Kind::Netlist) {
-                continue;
-            }
-            const std::optional<Point> shift = shiftOf(file.netlist, m_pads);
-            if (!shift) {
-                diagnostics().report(
-                    Severity::Warning, file.path, 0,
-                    "the points of the netlist lie on no pads, wherever its origin is taken to be; it is "
-                    "not used");
-                continue;
-            }
-            if (*shift != Point{}) {
-                diagnostics().report(Severity::Info, file.path, 0,
-                                     "the netlist counts from another origin, found by matching its points with pads");
-            }
-            const std::vector<std::string> names = fullNames(file.netlist.nets, m_step.nets);
-            if (!m_result.hasNets) {
-                diagnostics().report(
-                    Severity::Info, file.path, 0,
-                    "the images name no nets; those of the netlist are given to the pads at its points");
-                for (const D356Point& point : file.netlist.points) {
-                    giveNet(point, names, *shift);
-                }
-            }
-            m_step.netlists.push_back(drawnNetlist(file.netlist, names, *shift, file.path));
-        }
-    }
-
-    void giveNet(const D356Point& point, const std::vector<std::string>& names, Point shift) {
-        const Point at{point.position.x + shift.x, point.position.y + shift.y};
-        const std::int32_t net = point.net < 0 ? kNoRow : netRow(names[static_cast<std::size_t>(point.net)]);
-        const bool isPin = !point.isVia && !point.refdes.empty() && point.isPlated;
-        const std::int32_t component = isPin ? m_parts.component(point.refdes) : kNoRow;
-        const LayerSide side = point.access == 0   ? LayerSide::Through
-                               : point.access == 1 ? LayerSide::Top
-                                                   : LayerSide::Bottom;
-        m_pads.visit(at, kPointReach, [&](const IndexedPad& pad) {
-            const LayerSide padSide = m_layers.layers[static_cast<std::size_t>(pad.layer)].side;
-            if (side != LayerSide::Through && side != padSide) {
-                return;
-            }
-            DrawnFeature& feature =
-                m_step.features[static_cast<std::size_t>(pad.layer)][static_cast<std::size_t>(pad.feature)];
-            if (feature.net < 0) {
-                feature.net = net;
-            }
-            if (isPin && feature.component < 0) {
-                feature.component = component;
-                feature.pin = m_parts.pin(component, point.pin, feature.a, net);
-                m_parts.isSeenOn(component, side == LayerSide::Through ? LayerSide::None : padSide, true,
-                                 point.hole > 0);
-            } else if (point.isVia) {
-                feature.subnet = SubnetKind::Via;
-            }
-        });
-    }
-
-    /// Flashes on the copper layers of the step.
-    void indexPads() {
-        std::vector<IndexedPad> pads;
-        for (const std::int32_t layer : m_layers.copper) {
-            const std::vector<DrawnFeature>& features = m_step.features[static_cast<std::size_t>(layer)];
-            for (std::size_t i = 0; i < features.size(); ++i) {
-                if (features[i].kind == DrawnKind::Pad && !features[i].isNegative) {
-                    pads.push_back({features[i].a, layer, static_cast<std::int32_t>(i)});
-                }
-            }
-        }
-        m_pads = PadIndex(std::move(pads));
-    }
-
-    /// Plated holes have the net of the pads around them, and what these are.
-    void nameHoles() {
-        for (std::size_t layer = 0; layer < m_layers.layers.size(); ++layer) {
-            const LayerType type = m_layers.layers[layer].type;
-            if (type != LayerType::Drill && type != LayerType::Rout) {
-                continue;
-            }
-            for (DrawnFeature& hole : m_step.features[layer]) {
-                if (hole.plating == Plating::NonPlated) {
-                    continue;
-                }
-                const Point at = hole.kind == DrawnKind::Line
-                                     ? Point{hole.a.x / 2 + hole.b.x / 2, hole.a.y / 2 + hole.b.y / 2}
-                                     : hole.a;
-                bool isVia = false;
-                m_pads.visit(at, kHoleReach, [&](const IndexedPad& pad) {
-                    const DrawnFeature& flash =
-                        m_step.features[static_cast<std::size_t>(pad.layer)][static_cast<std::size_t>(pad.feature)];
-                    hole.net = hole.net < 0 ? flash.net : hole.net;
-                    isVia = isVia || flash.subnet == SubnetKind::Via;
-                });
-                if (isVia) {
-                    hole.plating = Plating::Via;
-                }
-            }
-        }
-    }
-
     // ---- outline, spans, names ----
 
-    void addOutline() {
-        std::optional<Outline> best;
-        std::string path;
-        std::vector<Point> copper;
+    void findBoardOutline() {
+        std::vector<Point> pads;
         for (const IndexedPad& pad : m_filePads.pads()) {
-            copper.push_back(pad.position);
+            pads.push_back(pad.position);
         }
-        for (const bool isTold : {true, false}) {
-            if (best) {
-                break;
-            }
-            for (const std::size_t row : m_board.files) {
-                const ReadFile& file = m_files[row];
-                const bool isCandidate =
-                    file.isImage() && file.kind == ReadFile::Kind::Gerber &&
-                    (file.role.kind == FileRole::Kind::Profile) == isTold &&
-                    (isTold || file.role.kind == FileRole::Kind::Document || file.role.kind == FileRole::Kind::Unknown);
-                if (best || !isCandidate) {
-                    continue;
-                }
-                Outline outline = outlineOf(file.image, copper);
-                if (isTold) {
-                    reportOutline(file, outline);
-                }
-                if (!outline.shape.isEmpty() && (isTold ? mayBe(outline.box) : fits(outline.box))) {
-                    best = std::move(outline);
-                    path = file.path;
-                }
-            }
-            if (best && !isTold) {
-                diagnostics().report(
-                    Severity::Info, path, 0,
-                    "no file is named as the board's outline; taken from this one, whose loops enclose the "
-                    "copper closely");
-            }
+        if (std::optional<BoardOutline> outline = findOutline(m_files, m_board, {pads, m_copperBox}, diagnostics())) {
+            m_step.profile = std::move(outline->shape);
+            m_step.profileFile = std::move(outline->path);
         }
-        if (best) {
-            m_step.profile = std::move(best->shape);
-            m_step.profileFile = path;
-        }
-    }
-
-    void reportOutline(const ReadFile& file, const Outline& outline) {
-        if (outline.openTracks > 0) {
-            diagnostics().report(Severity::Warning, file.path, 0,
-                                 "some lines of the board's outline do not close; they are left out of it");
-        }
-        if (outline.isDrawing) {
-            diagnostics().report(
-                Severity::Warning, file.path, 0,
-                "loops within the board's outline hold copper, or are too many for cut-outs; they were "
-                "taken for a drawing");
-        }
-        if (outline.widestJoint > 1'000) {
-            diagnostics().report(Severity::Info, file.path, 0,
-                                 "lines of the board's outline do not meet exactly; they were joined");
-        }
-    }
-
-    /// Not a symbol in a corner of a drawing.
-    [[nodiscard]] bool mayBe(const Box& box) const {
-        return m_copperBox.isEmpty() ||
-               (box.width() * 2 > m_copperBox.width() && box.height() * 2 > m_copperBox.height());
-    }
-
-    /// Encloses the copper, and not much more.
-    [[nodiscard]] bool fits(const Box& box) const {
-        const Box grown = box.grownBy(100'000);
-        const auto area = [](const Box& b) { return static_cast<double>(b.width()) * static_cast<double>(b.height()); };
-        return !m_copperBox.isEmpty() && grown.holds(m_copperBox.min) && grown.holds(m_copperBox.max) &&
-               area(box) < 2.0 * area(m_copperBox) + 1e12;
     }
 
     /// Spans count copper layers from the top; without one a drill passes all of them.
@@ -442,8 +279,7 @@ private:
                 continue;
             }
             const ReadFile& file = m_files[static_cast<std::size_t>(m_layers.files[layer])];
-            const int top = std::min(file.role.spanTop, file.role.spanBottom);
-            const int bottom = std::max(file.role.spanTop, file.role.spanBottom);
+            const auto [top, bottom] = spanOf(file);
             if (top < 1) {
                 continue;
             }
@@ -455,6 +291,43 @@ private:
             m_layers.layers[layer].spanTop = m_layers.copper[static_cast<std::size_t>(top - 1)];
             m_layers.layers[layer].spanBottom = m_layers.copper[static_cast<std::size_t>(bottom - 1)];
         }
+    }
+
+    struct Span {
+        int top = 0;  ///< 0: not said
+        int bottom = 0;
+    };
+
+    [[nodiscard]] Span spanOf(const ReadFile& file) {
+        const FileRole& role = file.role;
+        if (role.spanTop > 0 || role.spanBottom > 0) {
+            return {std::min(role.spanTop, role.spanBottom), std::max(role.spanTop, role.spanBottom)};
+        }
+        const LayerPair* const pair = pairOf(file);
+        return pair == nullptr ? Span{} : spanOf(*pair, file.path);
+    }
+
+    Span spanOf(const LayerPair& pair, const std::string& path) {
+        const int first = copperWithEnding(pair.endings.front());
+        const int last = copperWithEnding(pair.endings.back());
+        if (first < 1 || last < 1) {
+            diagnostics().report(Severity::Warning, path, 0,
+                                 "the drills begin or end on a layer of which the job has no image; taken through all");
+            return {};
+        }
+        return {std::min(first, last), std::max(first, last)};
+    }
+
+    /// Counted from the top; 0 if no copper layer's file is named so.
+    [[nodiscard]] int copperWithEnding(const std::string& ending) const {
+        for (std::size_t i = 0; i < m_layers.copper.size(); ++i) {
+            const std::int32_t row = m_layers.files[static_cast<std::size_t>(m_layers.copper[i])];
+            const std::string_view name = m_files[static_cast<std::size_t>(row)].name();
+            if (equalsIgnoringCase(name.substr(name.find_last_of('.') + 1), ending)) {
+                return static_cast<int>(i) + 1;
+            }
+        }
+        return 0;
     }
 
     void finish() {
@@ -497,8 +370,7 @@ private:
     OrderedLayers m_layers;
     Box m_copperBox;
     PadIndex m_filePads;  ///< before layers are ordered
-    PadIndex m_pads;      ///< by layer and feature of the step
-    std::unordered_map<std::string, std::int32_t> m_nets;
+    NetNames m_nets;
     PartList m_parts;
 };
 

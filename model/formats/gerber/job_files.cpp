@@ -85,6 +85,7 @@ void parse(ReadFile& file) {
         case ReadFile::Kind::Netlist: file.netlist = parseD356(text, file.path, file.diagnostics); break;
         case ReadFile::Kind::Job: file.job = parseJobFile(text, file.path, file.diagnostics); break;
         case ReadFile::Kind::Placements: file.placements = parsePlacements(text, file.path, file.diagnostics); break;
+        case ReadFile::Kind::LayerPairs: file.layerPairs = parseLayerPairs(text); break;
         case ReadFile::Kind::Other:
             file.diagnostics.report(Severity::Info, file.path, 0,
                                     "the file is no part of a Gerber job; it was not read");
@@ -166,6 +167,9 @@ ReadFile::Kind kindOf(std::string_view text, std::string_view name) {
     }
     if (looksLikeD356(head)) {
         return Kind::Netlist;
+    }
+    if (looksLikeLayerPairs(head)) {
+        return Kind::LayerPairs;
     }
     const bool hasFormat = head.find("%FS") != std::string_view::npos || head.find("%MO") != std::string_view::npos;
     if (hasFormat && (hasGerberOperation(head) || head.find("M02") != std::string_view::npos || head.size() == kHead ||

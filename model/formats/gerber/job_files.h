@@ -13,6 +13,7 @@
 #include "model/formats/gerber/image/image.h"
 #include "model/formats/gerber/job_file.h"
 #include "model/formats/gerber/naming/file_role.h"
+#include "model/formats/gerber/naming/layer_pairs.h"
 #include "model/formats/gerber/netlist/d356.h"
 #include "model/formats/gerber/placements.h"
 
@@ -20,7 +21,7 @@ namespace model::gerber {
 
 /// One file of a job, read as what its content is.
 struct ReadFile {
-    enum class Kind : std::uint8_t { Gerber, Drills, Netlist, Job, Placements, Other };
+    enum class Kind : std::uint8_t { Gerber, Drills, Netlist, Job, Placements, LayerPairs, Other };
 
     std::string path;  ///< inside the job
     Kind kind = Kind::Other;
@@ -32,6 +33,7 @@ struct ReadFile {
     D356 netlist;
     JobFileFacts job;
     PlacementFile placements;
+    std::vector<LayerPair> layerPairs;
     Diagnostics diagnostics;  ///< of everything but images, which have their own
 
     /// Without folders.

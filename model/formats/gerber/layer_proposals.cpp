@@ -22,6 +22,7 @@ std::string contentOf(const ReadFile& file) {
         case ReadFile::Kind::Netlist: return "netlist";
         case ReadFile::Kind::Job: return "job file";
         case ReadFile::Kind::Placements: return "placements";
+        case ReadFile::Kind::LayerPairs: return "layer pairs";
         default: return "other";
     }
 }

@@ -296,7 +296,8 @@ Outline outlineOf(const Image& image, std::span<const Point> copper) {
     // perhaps.
     std::size_t first = 0;
     for (std::size_t i = 1; i < loops.size(); ++i) {
-        first = shares[i] > 0.9 && loops.holds(first, i) ? i : first;
+        const bool isInner = shares[i] > 0.9 && (shares[first] <= 0.9 || loops.holds(first, i));
+        first = isInner ? i : first;
     }
     const bool isDrawing = loops.size() > kMostCutouts;
     std::vector<std::pair<std::size_t, bool>> taken;  // and whether it is a hole

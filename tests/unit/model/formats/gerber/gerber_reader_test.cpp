@@ -27,6 +27,10 @@ std::string image(const std::string& body, const std::string& function = "") {
 const std::string kCopper =
     "%ADD10C,1.5*%%ADD11C,0.3*%D10*X2000000Y2000000D03*X8000000D03*Y8000000D03*D11*"
     "X2000000Y2000000D02*X8000000D01*\n";
+/// Pads near the corners of a square of 10 mm.
+const std::string kWideCopper =
+    "%ADD10C,1.5*%%ADD11C,0.3*%D10*X1000000Y1000000D03*X9000000D03*Y9000000D03*X1000000D03*D11*"
+    "X1000000Y1000000D02*X9000000D01*\n";
 const std::string kNamedCopper =
     "%TA.AperFunction,ComponentPad*%%ADD10C,1.5*%%TD*%%TO.N,A*%%TO.P,J1,1*%D10*X2000000Y2000000D03*"
     "%TO.P,J1,2*%X8000000D03*%TO.N,B*%%TO.P,J1,3*%Y8000000D03*%TD*%\n";
@@ -225,6 +229,119 @@ private slots:
         const Board board = job.open();
         QVERIFY(board.ok());
         QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+    }
+
+    /// Allegro: the board is drawn on the fabrication film only, in a frame, with marks beside it on the copper.
+    void aDrawingWithTheOutlineIsFoundBesideMarksOfFilms() {
+        const std::string marks = "X-4000000Y-4000000D02*X-3000000D01*X14000000Y14000000D02*X15000000D01*";
+        const std::string frame =
+            "X-90000000Y-90000000D02*X90000000D01*Y90000000D01*X-90000000D01*Y-90000000D01*"
+            "X40000000Y40000000D02*X80000000D01*Y80000000D01*X40000000D01*Y40000000D01*";
+        const Job job({{"top.gtl", image(kWideCopper + marks)},
+                       {"bottom.gbl", image(kWideCopper + marks)},
+                       {"fab.gbr", image(kOutline + frame)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+        QVERIFY(isReported(**board, "named as the board's outline"));
+    }
+
+    /// Bodies of parts on assembly drawings are neither cut-outs nor islands.
+    void partsOfADrawingAreNoCutouts() {
+        const std::string parts =
+            "X1000000Y1000000D02*X3000000D01*Y3000000D01*X1000000D01*Y1000000D01*"
+            "X5000000Y5000000D02*X6000000D01*Y6000000D01*X5000000D01*Y5000000D01*"
+            "X7000000Y-5000000D02*X9000000D01*Y9000000D01*X7000000D01*Y-5000000D01*";
+        const Job job({{"top.gtl", image(kWideCopper)},
+                       {"bottom.gbl", image(kWideCopper)},
+                       {"assembly.gbr", image(kOutline + parts)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+        QCOMPARE((*board)->shapes.contoursOf((*board)->profile).size(), std::size_t{1});
+    }
+
+    /// OrCAD: every film draws the outline; no film is it. A pour around all pads that only copper draws is none.
+    void theLoopThatFilmsDrawAlikeIsTheOutline() {
+        const std::string pen = "%ADD15C,0.2*%D15*" + kOutline.substr(kOutline.find("X0Y0"));
+        const Job job({{"top.gtl", image(kWideCopper + pen)},
+                       {"bottom.gbl", image(kWideCopper + pen)},
+                       {"mask.gts", image("%ADD10C,1.7*%D10*X2000000Y2000000D03*" + pen)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+        QVERIFY(isReported(**board, "draw alike"));
+
+        const Job poured({{"top.gtl", image(kWideCopper + pen)},
+                          {"bottom.gbl", image(kWideCopper + pen)},
+                          {"mask.gts", image("%ADD10C,1.7*%D10*X2000000Y2000000D03*")}});
+        const Board box = poured.open();
+        QVERIFY(box.ok());
+        QCOMPARE((*box)->board, (model::Box{{-100'000, -100'000}, {10'100'000, 10'100'000}}));
+        QVERIFY(isReported(**box, "draws no outline"));
+    }
+
+    /// Altium tells in an export of layer pairs which copper layers the drills of a file pass.
+    void layerPairsTellTheSpansOfDrills() {
+        const std::string pairs =
+            "Layer Pairs Export File for PCB: C:\\b.PcbDoc\r\n"
+            "LayersSetName=Blind|DrillFile=B-Blind.TXT|DrillLayers=gtl,g1\r\n"
+            "LayersSetName=Buried|DrillFile=b-buried.txt|DrillLayers=g1,g2\r\n"
+            "LayersSetName=Lost|DrillFile=b-lost.txt|DrillLayers=gtl,g9\r\n"
+            "LayersSetName=Broken|DrillFile=|DrillLayers=\r\n";
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.G1", image(kCopper)},
+                       {"b.G2", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {"b-Blind.TXT", kDrills},
+                       {"b-Buried.TXT", "M48\nMETRIC\nT1C0.5\n%\nT1\nX2.0Y2.0\nM30\n"},
+                       {"b-Lost.TXT", "M48\nMETRIC\nT1C0.6\n%\nT1\nX8.0Y8.0\nM30\n"},
+                       {"b.LDP", pairs}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        const auto spanOf = [&](const std::string& file) {
+            const auto layer =
+                std::ranges::find_if((*board)->layers, [&](const model::Layer& row) { return row.file == file; });
+            if (layer == (*board)->layers.end()) {
+                return std::pair<std::string, std::string>();
+            }
+            return std::pair((*board)->layer(layer->spanTop).file, (*board)->layer(layer->spanBottom).file);
+        };
+        QCOMPARE(spanOf("b-Blind.TXT"), (std::pair<std::string, std::string>("b.GTL", "b.G1")));
+        QCOMPARE(spanOf("b-Buried.TXT"), (std::pair<std::string, std::string>("b.G1", "b.G2")));
+        QCOMPARE(spanOf("b-Lost.TXT"), (std::pair<std::string, std::string>("b.GTL", "b.GBL")));
+        QVERIFY(isReported(**board, "of which the job has no image"));
+        QVERIFY(!isReported(**board, "no part of a Gerber job"));
+    }
+
+    /// Allegro writes routs without sizes of tools; its netlist has the holes.
+    void aNetlistTellsTheSizesOfTools() {
+        const std::string netlist =
+            "P  UNITS CUST 1\n"
+            "317A                J1    -1     D0800PA00X+002000Y+002000X1500Y0000R000 S0\n"
+            "317A                J1    -2     D0800PA00X+008000Y+002000X1500Y0000R000 S0\n"
+            "317B                J1    -3     D0800PA00X+008000Y+008000X1500Y0000R000 S0\n"
+            "367                       -      D2000UA00X+005000Y+005000X4000Y2000R000 S3\n999\n";
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {"b.drl", kDrills},
+                       {"b.rou", "M48\nMETRIC,TZ\n%\nG90\nT01\nG00X004000Y005000\nM15\nG01X006000Y005000\nM16\nM30\n"},
+                       {"b.ipc", netlist}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "size of a tool is that of the netlist's holes"));
+        const auto tool = std::ranges::find_if(
+            (*board)->tools, [&](const model::DrillTool& row) { return (*board)->layer(row.layer).file == "b.rou"; });
+        QVERIFY(tool != (*board)->tools.end());
+        QCOMPARE(tool->drillSize, 2'000'000);
+    }
+
+    void whatIsWrongInAnImageIsReported() {
+        const Job job({{"top.gtl", image(kCopper + "Q7*\n")}, {"bottom.gbl", image(kCopper)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(std::ranges::any_of((*board)->diagnostics.entries(),
+                                    [](const auto& entry) { return entry.file == "top.gtl" && entry.line > 0; }));
     }
 };
 

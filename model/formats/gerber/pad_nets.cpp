@@ -1,0 +1,214 @@
+#include "model/formats/gerber/pad_nets.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <set>
+
+#include "model/formats/gerber/netlist_join.h"
+#include "model/formats/gerber/text/words.h"
+
+namespace model::gerber {
+
+using formats::DrawnFeature;
+using formats::DrawnKind;
+using formats::kNoRow;
+
+namespace {
+
+constexpr Nm kHoleReach = 2'000;
+constexpr Nm kPointReach = 15'000;
+/// Tools without a size are drawn no wider than this (drill_parser.cpp).
+constexpr Nm kSizeless = 10;
+
+Point middleOf(const DrawnFeature& hole) {
+    return hole.kind == DrawnKind::Line ? Point{hole.a.x / 2 + hole.b.x / 2, hole.a.y / 2 + hole.b.y / 2} : hole.a;
+}
+
+bool isNear(Point a, Point b) {
+    return std::abs(std::int64_t{a.x} - b.x) <= kPointReach && std::abs(std::int64_t{a.y} - b.y) <= kPointReach;
+}
+
+}  // namespace
+
+std::int32_t NetNames::row(const std::string& name) {
+    const auto [found, isNew] = m_rows.try_emplace(name, static_cast<std::int32_t>(m_step.nets.size()));
+    if (isNew) {
+        m_step.nets.push_back({name, {}});
+    }
+    return found->second;
+}
+
+PadNets::PadNets(formats::DrawnStep& step, OrderedLayers& layers, PartList& parts, NetNames& nets,
+                 Diagnostics& diagnostics)
+    : m_step(step), m_layers(layers), m_parts(parts), m_nets(nets), m_diagnostics(diagnostics) {}
+
+void PadNets::run(const std::vector<ReadFile>& files, const BoardFiles& board, bool hasNets) {
+    indexPads();
+    for (const std::size_t row : board.files) {
+        if (files[row].kind == ReadFile::Kind::Netlist) {
+            add(files[row], hasNets);
+        }
+    }
+    nameHoles();
+}
+
+/// Flashes on the copper layers of the step.
+void PadNets::indexPads() {
+    std::vector<IndexedPad> pads;
+    for (const std::int32_t layer : m_layers.copper) {
+        const std::vector<DrawnFeature>& features = m_step.features[static_cast<std::size_t>(layer)];
+        for (std::size_t i = 0; i < features.size(); ++i) {
+            if (features[i].kind == DrawnKind::Pad && !features[i].isNegative) {
+                pads.push_back({features[i].a, layer, static_cast<std::int32_t>(i)});
+            }
+        }
+    }
+    m_pads = PadIndex(std::move(pads));
+}
+
+void PadNets::add(const ReadFile& file, bool hasNets) {
+    const std::optional<Point> shift = shiftOf(file.netlist, m_pads);
+    if (!shift) {
+        m_diagnostics.report(Severity::Warning, file.path, 0,
+                             "the points of the netlist lie on no pads, wherever its origin is taken to be; it is "
+                             "not used");
+        return;
+    }
+    if (*shift != Point{}) {
+        m_diagnostics.report(Severity::Info, file.path, 0,
+                             "the netlist counts from another origin, found by matching its points with pads");
+    }
+    const std::vector<std::string> names = fullNames(file.netlist.nets, m_step.nets);
+    if (!hasNets) {
+        m_diagnostics.report(Severity::Info, file.path, 0,
+                             "the images name no nets; those of the netlist are given to the pads at its points");
+        for (const D356Point& point : file.netlist.points) {
+            giveNet(point, names, *shift);
+        }
+    }
+    giveSizes(file, *shift);
+    m_step.netlists.push_back(drawnNetlist(file.netlist, names, *shift, file.path));
+}
+
+void PadNets::giveNet(const D356Point& point, const std::vector<std::string>& names, Point shift) {
+    const Point at{point.position.x + shift.x, point.position.y + shift.y};
+    const std::int32_t net = point.net < 0 ? kNoRow : m_nets.row(names[static_cast<std::size_t>(point.net)]);
+    const bool isPin = !point.isVia && !point.refdes.empty() && point.isPlated;
+    const std::int32_t component = isPin ? m_parts.component(point.refdes) : kNoRow;
+    const LayerSide side = point.access == 0   ? LayerSide::Through
+                           : point.access == 1 ? LayerSide::Top
+                                               : LayerSide::Bottom;
+    m_pads.visit(at, kPointReach, [&](const IndexedPad& pad) {
+        const LayerSide padSide = m_layers.layers[static_cast<std::size_t>(pad.layer)].side;
+        if (side != LayerSide::Through && side != padSide) {
+            return;
+        }
+        DrawnFeature& feature =
+            m_step.features[static_cast<std::size_t>(pad.layer)][static_cast<std::size_t>(pad.feature)];
+        if (feature.net < 0) {
+            feature.net = net;
+        }
+        if (isPin && feature.component < 0) {
+            feature.component = component;
+            feature.pin = m_parts.pin(component, point.pin, feature.a, net);
+            m_parts.isSeenOn(component, side == LayerSide::Through ? LayerSide::None : padSide, true, point.hole > 0);
+        } else if (point.isVia) {
+            feature.subnet = SubnetKind::Via;
+        }
+    });
+}
+
+bool PadNets::holdsHoles(std::size_t layer) const {
+    const LayerType type = m_layers.layers[layer].type;
+    return type == LayerType::Drill || type == LayerType::Rout;
+}
+
+/// Holes of the netlist that lie in the middle of what a tool without a size makes tell its size.
+void PadNets::giveSizes(const ReadFile& file, Point shift) {
+    std::vector<const D356Point*> holes;
+    for (const D356Point& point : file.netlist.points) {
+        if (point.hole > 0) {
+            holes.push_back(&point);
+        }
+    }
+    for (std::size_t layer = 0; layer < m_layers.layers.size(); ++layer) {
+        if (!holdsHoles(layer)) {
+            continue;
+        }
+        std::set<std::int32_t> sizeless;
+        for (const DrawnFeature& hole : m_step.features[layer]) {
+            const bool isSizeless =
+                hole.symbol >= 0 && m_step.symbols[static_cast<std::size_t>(hole.symbol)].shape.width <= kSizeless;
+            if (isSizeless) {
+                sizeless.insert(hole.symbol);
+            }
+        }
+        for (const std::int32_t symbol : sizeless) {
+            if (giveSize(layer, symbol, holes, shift)) {
+                m_diagnostics.report(Severity::Info, m_layers.layers[layer].file, 0,
+                                     "the size of a tool is that of the netlist's holes where it drills");
+            }
+        }
+    }
+}
+
+bool PadNets::giveSize(std::size_t layer, std::int32_t symbol, const std::vector<const D356Point*>& holes,
+                       Point shift) {
+    Nm size = 0;
+    bool isPlated = false;
+    for (const DrawnFeature& made : m_step.features[layer]) {
+        if (made.symbol != symbol) {
+            continue;
+        }
+        const auto found = std::ranges::find_if(holes, [&](const D356Point* hole) {
+            return isNear({hole->position.x + shift.x, hole->position.y + shift.y}, middleOf(made));
+        });
+        if (found == holes.end() || (size > 0 && (*found)->hole != size)) {
+            return false;
+        }
+        size = (*found)->hole;
+        isPlated = isPlated || (*found)->isPlated;
+    }
+    formats::DrawnSymbol& tool = m_step.symbols[static_cast<std::size_t>(symbol)];
+    tool.shape.width = size;
+    const int number = parseInteger(std::string_view(tool.name).substr(1, tool.name.find(' ') - 1)).value_or(-1);
+    tool.name = "T" + std::to_string(number) + " " + shortNumber(base::toMm(size)) + " mm";
+    for (DrillTool& row : m_layers.layers[layer].tools) {
+        if (row.number == number) {
+            row.finishedSize = row.drillSize = size;
+        }
+    }
+    for (DrawnFeature& made : m_step.features[layer]) {
+        if (made.symbol == symbol && made.plating == Plating::NotSaid) {
+            made.plating = isPlated ? Plating::Plated : Plating::NonPlated;
+        }
+    }
+    return true;
+}
+
+/// Plated holes have the net of the pads around them, and what these are.
+void PadNets::nameHoles() {
+    for (std::size_t layer = 0; layer < m_layers.layers.size(); ++layer) {
+        if (!holdsHoles(layer)) {
+            continue;
+        }
+        for (DrawnFeature& hole : m_step.features[layer]) {
+            if (hole.plating == Plating::NonPlated) {
+                continue;
+            }
+            bool isVia = false;
+            m_pads.visit(middleOf(hole), kHoleReach, [&](const IndexedPad& pad) {
+                const DrawnFeature& flash =
+                    m_step.features[static_cast<std::size_t>(pad.layer)][static_cast<std::size_t>(pad.feature)];
+                hole.net = hole.net < 0 ? flash.net : hole.net;
+                isVia = isVia || flash.subnet == SubnetKind::Via;
+            });
+            if (isVia) {
+                hole.plating = Plating::Via;
+            }
+        }
+    }
+}
+
+}  // namespace model::gerber
