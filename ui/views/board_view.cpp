@@ -48,7 +48,9 @@ BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
         m_controller.setPlan();
     }
     m_picture.settings.isFabricated = kind == Kind::Solid;
-    if (context.surfaceInstance() != nullptr) {
+    // Where the device is software, flat pictures come from tiles (render/tiles), and need no surface.
+    const bool isPainted = kind == Kind::Flat && context.device().caps().isCpu;
+    if (context.surfaceInstance() != nullptr && !isPainted) {
         showVulkanCanvas();
     } else {
         showImageCanvas();
