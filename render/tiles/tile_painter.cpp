@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <vector>
 
 namespace render {
 
@@ -52,28 +53,47 @@ void blendEight(std::uint64_t masks, const std::array<std::uint8_t, 256>& after,
     }
 }
 
-void paintRow(const Paint& paint, const std::array<std::uint8_t, 256>& after, const std::uint8_t* masks, int from,
-              int to, std::uint32_t* samples) {
-    const std::uint32_t colour = after[SampleColours::kBackground] * 0x01010101U;
-    const bool isOpaque = paint.isOpaque();
-    for (int x = from; x < to; x += kStep) {
-        const std::uint64_t both = eightAt(masks + x);
-        if (both == 0) {
+/// A paint with something in this tile.
+struct Plane {
+    const std::uint8_t* masks;
+    const std::array<std::uint8_t, 256>* after;
+    std::uint32_t colour;
+    bool isBore;
+    bool isOpaque;
+
+    /// Samples that it covers of eight pixels.
+    [[nodiscard]] std::uint64_t covered(std::size_t at) const {
+        const std::uint64_t both = eightAt(masks + at);
+        if (isOpaque || isBore) {
+            return (isBore ? both >> 4U : both) & kLowNibbles;
+        }
+        return both & ~(both >> 4U) & kLowNibbles;  // of one layer only what is nearer is blended
+    }
+};
+
+/// Eight pixels: from the front, which samples of each plane nothing opaque hides; then those from the back.
+void paintEight(std::span<const Plane> planes, std::size_t at, std::uint64_t* seen, std::uint32_t* samples) {
+    std::uint64_t open = kLowNibbles;
+    std::size_t first = planes.size();
+    while (first > 0 && open != 0) {
+        const Plane& plane = planes[--first];
+        const std::uint64_t own = plane.covered(at) & open;
+        seen[first] = own;
+        if (plane.isOpaque) {
+            open &= ~own;
+        }
+    }
+    std::fill_n(samples, kStep, 0U);
+    for (std::size_t i = first; i < planes.size(); ++i) {
+        if (seen[i] == 0) {
             continue;
         }
-        std::uint64_t own = (paint.isBore ? both >> 4U : both) & kLowNibbles;
-        if (!isOpaque && !paint.isBore) {
-            own &= ~(both >> 4U);  // of one layer only what is nearer is blended
-        }
-        if (own == 0) {
-            continue;
-        }
-        if (!isOpaque) {
-            blendEight(own, after, samples + x);
-        } else if (own == kLowNibbles) {
-            std::fill_n(samples + x, kStep, colour);
+        if (!planes[i].isOpaque) {
+            blendEight(seen[i], *planes[i].after, samples);
+        } else if (seen[i] == kLowNibbles) {
+            std::fill_n(samples, kStep, planes[i].colour);
         } else {
-            coverMixed(own, colour, samples + x);
+            coverMixed(seen[i], planes[i].colour, samples);
         }
     }
 }
@@ -103,16 +123,22 @@ void stamp(const MaskTile& mask, bool isBore, std::uint8_t byte, PixelTile& samp
 void paintTile(std::span<const Paint> paints, const SampleColours& colours,
                std::span<const std::unique_ptr<MaskTile>> masks, const PixelTile* over, const TilePart& part,
                PixelTile& picture) {
+    std::vector<Plane> planes;
+    for (std::size_t i = 0; i < paints.size(); ++i) {
+        if (const MaskTile* mask = masks[paints[i].layer].get(); mask != nullptr) {
+            const std::array<std::uint8_t, 256>& after = colours.after()[i];
+            planes.push_back({mask->data(), &after, after[SampleColours::kBackground] * 0x01010101U, paints[i].isBore,
+                              paints[i].isOpaque()});
+        }
+    }
+    std::vector<std::uint64_t> seen(planes.size());
     std::array<std::uint32_t, kRow> samples{};
     const int from = part.from.x / kStep * kStep;
     const int to = (part.to.x + kStep - 1) / kStep * kStep;
     for (int y = part.from.y; y < part.to.y; ++y) {
         const std::size_t start = static_cast<std::size_t>(y) * kRow;
-        samples.fill(0);
-        for (std::size_t i = 0; i < paints.size(); ++i) {
-            if (const MaskTile* mask = masks[paints[i].layer].get(); mask != nullptr) {
-                paintRow(paints[i], colours.after()[i], mask->data() + start, from, to, samples.data());
-            }
+        for (int x = from; x < to; x += kStep) {
+            paintEight(planes, start + static_cast<std::size_t>(x), seen.data(), samples.data() + x);
         }
         if (over != nullptr) {
             putOver(colours, over->data() + start, from, to, samples.data());
