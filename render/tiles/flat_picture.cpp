@@ -1,10 +1,10 @@
 #include "render/tiles/flat_picture.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "model/base/parallel.h"
-#include "model/base/stopwatch.h"
 #include "render/culling/frame_plan.h"
 #include "render/tiles/rough_picture.h"
 
@@ -20,7 +20,6 @@ constexpr double kExactPx = 0.002;
 /// Sums of many moves stray by rounding: within this it is the same view until it rests.
 constexpr double kMovingPx = 0.1;
 constexpr std::size_t kMostTilings = 64;
-constexpr std::size_t kAtOnce = 8;  // masks, between looks at the clock
 
 // As in highlight_pass.cpp.
 constexpr double kOutlinePx[] = {1.4, 1.8};
@@ -30,14 +29,9 @@ constexpr glm::dvec2 kSides[] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-
 constexpr glm::vec3 kSilhouette(0.0015F);
 constexpr std::uint8_t kSilhouetteByte = 1;
 
-template <std::size_t Count>
-std::vector<glm::dvec2> movesTo(const double (&distances)[Count]) {
-    std::vector<glm::dvec2> moves;
-    for (const double distance : distances) {
-        for (const glm::dvec2& side : kSides) {
-            moves.push_back(distance * side);
-        }
-    }
+std::array<glm::dvec2, std::size(kSides)> movesTo(double distance) {
+    std::array<glm::dvec2, std::size(kSides)> moves;
+    std::ranges::transform(kSides, moves.begin(), [&](const glm::dvec2& side) { return distance * side; });
     return moves;
 }
 
@@ -232,7 +226,8 @@ void FlatPicture::fillLayer(Tile& tile, const PlaneMap& map, std::uint32_t layer
     tile.isDrawn[layer] = 1;
 }
 
-bool FlatPicture::fill(const Window& window, double budgetMs) {
+/// The first piece is drawn however little time there is.
+bool FlatPicture::fill(const Window& window, const Budget& budget) {
     struct Task {
         Tile* tile;
         PlaneMap map;
@@ -246,53 +241,119 @@ bool FlatPicture::fill(const Window& window, double budgetMs) {
             }
         }
     });
-    const base::Stopwatch watch;
-    std::size_t done = 0;
-    while (done < tasks.size() && (done == 0 || budgetMs == 0.0 || watch.milliseconds() < budgetMs)) {
-        const std::size_t count = std::min(kAtOnce, tasks.size() - done);
-        base::parallelFor(count, [&](std::size_t i) {
-            const Task& task = tasks[done + i];
-            fillLayer(*task.tile, task.map, task.layer);
-        });
-        done += count;
-    }
+    std::atomic<std::size_t> done = 0;
+    base::parallelFor(tasks.size(), [&](std::size_t i) {
+        if (i == 0 || !budget.isSpent()) {
+            fillLayer(*tasks[i].tile, tasks[i].map, tasks[i].layer);
+            ++done;
+        }
+    });
     if (done > 0) {
         evict();
     }
     return done == tasks.size();
 }
 
+/// Draws what stands out, everywhere as it is before anywhere `isOutlined`, of which a piece is drawn in any case.
+bool FlatPicture::fillOver(const Window& window, const Budget& budget, bool isOutlined) {
+    struct Task {
+        Tile* tile;
+        PlaneMap map;
+    };
+    const auto tasksOf = [&](const auto& isMissing) {
+        std::vector<Task> tasks;
+        forTiles(window, [&](Tile& tile, glm::ivec2 at, const TilePart&) {
+            if (isMissing(tile)) {
+                tasks.push_back({&tile, mapOf(window.tiling, at)});
+            }
+        });
+        return tasks;
+    };
+    const auto isStale = [&](const Tile& tile) { return tile.overLook != m_overLook; };
+    const std::vector<Task> stale = tasksOf(isStale);
+    base::parallelFor(stale.size(), [&](std::size_t i) {
+        if (i == 0 || !budget.isSpent()) {
+            drawOver(*stale[i].tile, stale[i].map);
+        }
+    });
+    if (std::ranges::any_of(stale, [&](const Task& task) { return isStale(*task.tile); })) {
+        return false;
+    }
+    if (!isOutlined) {
+        return true;
+    }
+    const std::vector<Task> bare = tasksOf([](const Tile& tile) { return !tile.isOutlined; });
+    base::parallelFor(bare.size(), [&](std::size_t i) {
+        for (bool isForced = i == 0; !bare[i].tile->isOutlined && (isForced || !budget.isSpent()); isForced = false) {
+            outlineOver(*bare[i].tile, bare[i].map);
+        }
+    });
+    return std::ranges::all_of(bare, [](const Task& task) { return task.tile->isOutlined; });
+}
+
+/// As it is, without its dark edge.
 void FlatPicture::drawOver(Tile& tile, const PlaneMap& map) const {
+    constexpr std::array<glm::dvec2, 1> kUnmoved{{{0.0, 0.0}}};
     tile.overLook = m_overLook;
+    tile.pictureLook = 0;
+    tile.overRows.clear();
+    tile.outline.reset();
     tile.over.reset();
     auto samples = std::make_unique<PixelTile>();
     auto mask = std::make_unique<MaskTile>();
-    const Drawn drawn{m_isFabricated, m_states};
-    std::vector<glm::dvec2> widened{{0.0, 0.0}};
-    bool isAnything = false;
-    if (m_standingOut <= kMostOutlined) {
-        const std::vector<glm::dvec2> outline = movesTo(kOutlinePx);
-        for (const OverPaint& paint : m_over) {
-            isAnything |=
-                !paint.isBore && m_board.drawStandingOut(paint.layer, map, drawn, paint.state, outline, *mask);
-        }
-        if (!isAnything) {
-            return;
-        }
-        stamp(*mask, false, kSilhouetteByte, *samples);
-        stamp(*mask, true, kSilhouetteByte, *samples);
-        const std::vector<glm::dvec2> moves = movesTo(kWidenPx);
-        widened.insert(widened.end(), moves.begin(), moves.end());
-    }
-    for (const OverPaint& paint : m_over) {
+    for (std::uint32_t row = 0; row < m_over.size(); ++row) {
+        const OverPaint& paint = m_over[row];
         mask->fill(0);
-        if (m_board.drawStandingOut(paint.layer, map, drawn, paint.state, widened, *mask)) {
-            isAnything = true;
+        if (m_board.drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, kUnmoved, *mask)) {
+            tile.overRows.push_back(row);
             stamp(*mask, paint.isBore, paint.byte, *samples);
         }
     }
-    if (isAnything) {
+    if (!tile.overRows.empty()) {
         tile.over = std::move(samples);
+    }
+    tile.isOutlined = tile.overRows.empty() || m_standingOut > kMostOutlined;
+}
+
+/// A step of the dark edge, or of what is widened over it: one of its layers, moved to the eight sides.
+void FlatPicture::outlineOver(Tile& tile, const PlaneMap& map) const {
+    constexpr std::size_t kEdgeSteps = std::size(kOutlinePx);
+    constexpr std::size_t kWideSteps = std::size(kWidenPx);
+    if (tile.outline == nullptr) {
+        tile.outline = std::make_unique<OutlineWork>();
+    }
+    OutlineWork& work = *tile.outline;
+    const auto draw = [&](const OverPaint& paint, std::span<const glm::dvec2> moves) {
+        (void)m_board.drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, moves, work.mask);
+    };
+    const std::size_t edge = kEdgeSteps * tile.overRows.size();
+    const std::size_t step = work.step++;
+    if (step < edge) {
+        if (const OverPaint& paint = m_over[tile.overRows[step / kEdgeSteps]]; !paint.isBore) {
+            draw(paint, movesTo(kOutlinePx[step % kEdgeSteps]));
+        }
+        if (work.step == edge) {
+            stamp(work.mask, false, kSilhouetteByte, work.samples);
+            stamp(work.mask, true, kSilhouetteByte, work.samples);
+            work.mask.fill(0);
+        }
+        return;
+    }
+    const std::size_t own = step - edge;
+    const OverPaint& paint = m_over[tile.overRows[own / kWideSteps]];
+    if (own % kWideSteps == 0) {
+        draw(paint, std::array<glm::dvec2, 1>{});
+    }
+    draw(paint, movesTo(kWidenPx[own % kWideSteps]));
+    if (own % kWideSteps == kWideSteps - 1) {
+        stamp(work.mask, paint.isBore, paint.byte, work.samples);
+        work.mask.fill(0);
+    }
+    if (own + 1 == kWideSteps * tile.overRows.size()) {
+        *tile.over = work.samples;
+        tile.outline.reset();
+        tile.isOutlined = true;
+        tile.pictureLook = 0;
     }
 }
 
@@ -314,8 +375,8 @@ void FlatPicture::paint(const Window& window, std::uint32_t* pixels) {
         if (!isReady) {
             return;
         }
-        if (tile->overLook != m_overLook) {
-            drawOver(*tile, mapOf(window.tiling, at));
+        if (tile->overLook != m_overLook && tile->over != nullptr) {  // of what stood out before
+            tile->over.reset();
             tile->pictureLook = 0;
         }
         if (tile->pictureLook != m_look || !tile->painted.holds(part)) {
@@ -336,25 +397,36 @@ void FlatPicture::paint(const Window& window, std::uint32_t* pixels) {
     });
 }
 
-void FlatPicture::paintRough(const Window& window, std::uint32_t* pixels) {
-    if (m_overview.look != m_look || m_overview.overLook != m_overLook ||
-        glm::sign(m_overview.map.scale) != glm::sign(window.tiling.scale)) {
-        const Window all = overviewWindow();
-        if (glm::sign(m_overview.map.scale) != glm::sign(window.tiling.scale)) {
-            std::erase_if(m_tiles, [](const auto& entry) { return std::get<0>(entry.first) == kOverviewTiling; });
-        }
-        (void)fill(all, 0.0);
-        m_overview = {{all.tiling.scale, -glm::dvec2(all.origin)}, all.size, {}, m_look, m_overLook};
-        m_overview.pixels.resize(static_cast<std::size_t>(all.size.x) * static_cast<std::size_t>(all.size.y));
-        paint(all, m_overview.pixels.data());
+/// True: the small picture of the whole board is there, as it looks now.
+bool FlatPicture::fillOverview(const Budget& budget) {
+    const bool isTurned = glm::sign(m_overview.map.scale) != glm::sign(m_window->tiling.scale);
+    if (m_overview.look == m_look && m_overview.overLook == m_overLook && !isTurned) {
+        return true;
     }
+    const Window all = overviewWindow();
+    if (isTurned) {
+        std::erase_if(m_tiles, [](const auto& entry) { return std::get<0>(entry.first) == kOverviewTiling; });
+        m_overview = {{all.tiling.scale, -glm::dvec2(all.origin)}, {}, {}, 0, 0};
+    }
+    if (!fill(all, budget) || !fillOver(all, budget, false)) {
+        return false;
+    }
+    m_overview = {{all.tiling.scale, -glm::dvec2(all.origin)}, all.size, {}, m_look, m_overLook};
+    m_overview.pixels.resize(static_cast<std::size_t>(all.size.x) * static_cast<std::size_t>(all.size.y));
+    paint(all, m_overview.pixels.data());
+    return true;
+}
+
+void FlatPicture::paintRough(const Window& window, const Budget& budget, std::uint32_t* pixels) {
+    const bool isOverview = fillOverview(budget);
     const PlaneMap map{window.tiling.scale, -window.tiling.phase - glm::dvec2(window.origin)};
     const bool isLastUsable =
         m_last.look == m_look && m_last.overLook == m_overLook && glm::sign(m_last.map.scale) == glm::sign(map.scale);
-    const RoughSource overview{m_overview.pixels.data(), m_overview.size, m_overview.map};
+    m_isBare = !isOverview;
+    const RoughSource overview{isOverview ? m_overview.pixels.data() : nullptr, m_overview.size, m_overview.map};
     const RoughSource last{isLastUsable ? m_last.pixels.data() : nullptr, m_last.size, m_last.map};
     paintScaled(last, overview, m_colours->pixel(0), map, window.size, pixels);
-    if (window.tiling.id == m_settled) {
+    if (window.tiling.id == m_settled || m_isBare) {
         paint(window, pixels);
     }
 }
@@ -375,7 +447,8 @@ void FlatPicture::evict() {
 std::uint64_t FlatPicture::bytesOf(const Tile& tile) {
     const auto masks = std::ranges::count_if(tile.masks, [](const auto& mask) { return mask != nullptr; });
     return static_cast<std::uint64_t>(masks) * sizeof(MaskTile) +
-           ((tile.over ? 1U : 0U) + (tile.picture ? 1U : 0U)) * sizeof(PixelTile);
+           ((tile.over ? 1U : 0U) + (tile.picture ? 1U : 0U)) * sizeof(PixelTile) +
+           (tile.outline ? sizeof(OutlineWork) : 0U);
 }
 
 std::uint64_t FlatPicture::bytes() const {
@@ -392,7 +465,17 @@ bool FlatPicture::refine(double budgetMs) {
     }
     m_isResting = true;
     ++m_use;
-    return !m_isExact || fill(*m_window, budgetMs);
+    if (!m_isExact) {
+        return true;
+    }
+    const Budget budget(budgetMs);
+    if (m_isBare) {
+        return fillOverview(budget);
+    }
+    if (!fill(*m_window, budget) || !fillOver(*m_window, budget, false)) {
+        return false;
+    }
+    return !m_isOverShown || fillOver(*m_window, budget, true);
 }
 
 void FlatPicture::keep(const FlatRequest& request, const std::uint32_t* pixels) {
@@ -408,8 +491,8 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
     const FramePlan plan =
         planFrame(*request.layers, request.camera, request.settings, static_cast<std::uint32_t>(request.width),
                   static_cast<std::uint32_t>(request.height));
-    const bool isOutlined = (plan.data.flags & (shader::kFrameOutlines | shader::kFrameMono)) != 0;
-    if (!m_board.isDrawable() || isOutlined || !isLevel(plan) || std::ranges::any_of(plan.upright.states, isUneven) ||
+    const bool hasOutlines = (plan.data.flags & (shader::kFrameOutlines | shader::kFrameMono)) != 0;
+    if (!m_board.isDrawable() || hasOutlines || !isLevel(plan) || std::ranges::any_of(plan.upright.states, isUneven) ||
         !setLook(request, plan)) {
         m_window.reset();
         return Quality::None;
@@ -417,12 +500,16 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
     ++m_use;
     m_window = windowOf(plan, request);
     m_isResting = false;
-    const bool isWhole = fill(*m_window, budgetMs);
+    const Budget budget(budgetMs);
+    m_isBare = false;
+    const bool isWhole = fill(*m_window, budget);
+    m_isOverShown = isWhole && fillOver(*m_window, budget, false);
+    const bool isOutlined = m_isOverShown && fillOver(*m_window, budget, true);
     if (isWhole) {
         paint(*m_window, pixels);
         keep(request, pixels);
     } else {
-        paintRough(*m_window, pixels);
+        paintRough(*m_window, budget, pixels);
     }
     evict();
     if (bytes() > m_maxBytes) {
@@ -430,7 +517,7 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
         m_window.reset();
         return Quality::None;
     }
-    return isWhole && m_isExact ? Quality::Exact : Quality::Rough;
+    return isOutlined && m_isExact ? Quality::Exact : Quality::Rough;
 }
 
 }  // namespace render

@@ -10,6 +10,7 @@
 
 #include "render/scene/camera.h"
 #include "render/scene/scene_layers.h"
+#include "render/tiles/budget.h"
 #include "render/tiles/flat_board.h"
 #include "render/tiles/tile_painter.h"
 
@@ -39,13 +40,13 @@ public:
 
     enum class Quality {
         None,   ///< nothing was drawn: this frame is for the device
-        Rough,  ///< what was there already, scaled; `refine` goes on
+        Rough,  ///< what was there already, scaled, or what stands out without its dark edge; `refine` goes on
         Exact
     };
     /// Draws into width * height pixels, 0xffRRGGBB, rows from the top. Takes `budgetMs` or a little longer for tiles
     /// that are missing (0: as long as it takes).
     [[nodiscard]] Quality draw(const FlatRequest& request, double budgetMs, std::uint32_t* pixels);
-    /// Goes on with the tiles of the last frame for about `budgetMs`. True: all are there.
+    /// Goes on with the last frame for about `budgetMs`. True: another `draw` would show more than the last one did.
     [[nodiscard]] bool refine(double budgetMs);
     [[nodiscard]] std::uint64_t bytes() const;
 
@@ -58,10 +59,19 @@ private:
         glm::dvec2 scale{0.0};
         glm::dvec2 phase{0.0};  ///< 0 to 1
     };
+    /// What stands out, widened and with a dark edge, as far as it is drawn.
+    struct OutlineWork {
+        MaskTile mask{};
+        PixelTile samples{};
+        std::size_t step = 0;
+    };
     struct Tile {
         std::vector<std::unique_ptr<MaskTile>> masks;  ///< by layer
         std::vector<std::uint8_t> isDrawn;             ///< likewise
         std::unique_ptr<PixelTile> over;
+        std::vector<std::uint32_t> overRows;   ///< of what stands out, those with something here
+        std::unique_ptr<OutlineWork> outline;  ///< while its dark edge is drawn
+        bool isOutlined = false;               ///< `over` has all that it gets
         std::unique_ptr<PixelTile> picture;
         std::uint64_t overLook = 0;
         std::uint64_t pictureLook = 0;
@@ -100,11 +110,14 @@ private:
     template <class Visit>
     void forTiles(const Window& window, const Visit& visit);
     [[nodiscard]] PlaneMap mapOf(const Tiling& tiling, glm::ivec2 tile) const;
-    bool fill(const Window& window, double budgetMs);
+    bool fill(const Window& window, const Budget& budget);
+    bool fillOver(const Window& window, const Budget& budget, bool isOutlined);
+    bool fillOverview(const Budget& budget);
     void fillLayer(Tile& tile, const PlaneMap& map, std::uint32_t layer) const;
     void drawOver(Tile& tile, const PlaneMap& map) const;
+    void outlineOver(Tile& tile, const PlaneMap& map) const;
     void paint(const Window& window, std::uint32_t* pixels);
-    void paintRough(const Window& window, std::uint32_t* pixels);
+    void paintRough(const Window& window, const Budget& budget, std::uint32_t* pixels);
     void keep(const FlatRequest& request, const std::uint32_t* pixels);
     void evict();
     [[nodiscard]] static std::uint64_t bytesOf(const Tile& tile);
@@ -131,6 +144,8 @@ private:
     std::uint32_t m_settled = 0;     ///< the tiling that was last shown exactly
     bool m_isExact = true;           ///< its tiles meet its pixels
     bool m_isResting = false;        ///< `refine` was called since
+    bool m_isOverShown = false;      ///< the last frame showed all that stands out
+    bool m_isBare = false;           ///< the last frame had nothing to stretch
     Sheet m_last;
     Sheet m_overview;
 };

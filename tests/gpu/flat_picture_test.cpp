@@ -145,6 +145,21 @@ private slots:
         both.compare();
     }
 
+    void highlightsAreSeenFirstAndEdgedThen() {
+        Both both(everything());
+        both.compare();
+        both.setStates(std::vector<ElementState>(64, kHighlighted));
+        Image image;
+        QCOMPARE(both.drawFlat(image, 1e-6), FlatPicture::Quality::Rough);
+        int rough = 0;
+        for (int i = 0; i < 10'000 && both.drawFlat(image, 1e-6) != FlatPicture::Quality::Exact; ++i) {
+            ++rough;
+            (void)both.flat.refine(1e-6);
+        }
+        QVERIFY(rough > 1 && rough < 10'000);
+        both.compare();
+    }
+
     void keepsWithinItsMemory() {
         constexpr std::uint64_t kBytes = 16ULL << 20U;
         Both both(randomTraces(400, 3), kBytes);
