@@ -9,6 +9,7 @@
 #include "app/common/console_progress.h"
 #include "model/base/thickness_units.h"
 #include "model/board/copies.h"
+#include "model/clearance/kicad_project_rules.h"
 #include "model/clearance/rule_file.h"
 #include "model/clearance/rule_presets.h"
 #include "model/design_rules/waived_check.h"
@@ -125,10 +126,14 @@ base::Result<base::Nm> parseTolerance(const std::string& text) {
     return tolerance;
 }
 
-base::Result<model::RuleTable> rulesFor(const ClearanceArguments& arguments) {
+/// `board`: what they are for; null: as the file has them.
+base::Result<model::RuleTable> rulesFor(const ClearanceArguments& arguments, const model::Document* board) {
     model::RuleTable table = model::defaultRules();
     if (arguments.rules != "default") {
         ASSIGN_OR_RETURN(model::RuleFile file, model::readRules(arguments.rules));
+        if (board != nullptr) {
+            model::leaveOutUnusedClasses(file, *board);
+        }
         for (const std::string& leftOut : file.leftOut) {
             std::fprintf(stderr, "copperscope: %s: %s\n", arguments.rules.c_str(), leftOut.c_str());
         }
@@ -242,7 +247,7 @@ Outcome writeWaivers(const ClearanceArguments& arguments, const Document& board,
 }
 
 Outcome runRules(const ClearanceArguments& arguments, const Document& board, base::Progress& progress) {
-    ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments));
+    ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments, &board));
     ASSIGN_OR_RETURN(const Waivers waivers, waiversFor(arguments));
     if (!arguments.newWaivers.empty()) {
         return writeWaivers(arguments, board, table, waivers, progress);
@@ -274,7 +279,7 @@ base::Status checkUsage(const ClearanceArguments& arguments) {
 
 Outcome runClearance(const ClearanceArguments& arguments) {
     if (arguments.printsRules) {
-        ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments));
+        ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments, nullptr));
         const model::RulePreset* preset = arguments.tolerance.empty() ? model::findPreset(arguments.rules) : nullptr;
         print(preset != nullptr ? preset->text : model::commentedJson(table));
         return int{kDone};

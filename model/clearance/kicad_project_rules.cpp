@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "model/base/thickness_units.h"
 #include "model/base/units.h"
 #include "model/clearance/kicad_rules.h"
+#include "model/clearance/rule_choice.h"
 #include "model/text/json_lines.h"
 #include "model/text/s_expression.h"
 #include "model/text/whole_file.h"
@@ -130,6 +132,7 @@ base::Result<RuleFile> used(RuleFile file) {
                            "the rules cannot be used: no minimum in this file of KiCad's has a counterpart" +
                                (file.leftOut.empty() ? "" : "; " + file.leftOut.front())};
     }
+    file.isOfKicad = true;
     return file;
 }
 
@@ -363,6 +366,38 @@ std::optional<RuleFile> kicadRulesOf(const fs::path& board) {
         }
     }
     return file;
+}
+
+std::optional<RuleTable> kicadRulesFor(const fs::path& path, const Document& board) {
+    std::optional<RuleFile> file = kicadRulesOf(path);
+    if (!file) {
+        return {};
+    }
+    leaveOutUnusedClasses(*file, board);
+    return std::move(file->table);
+}
+
+void leaveOutUnusedClasses(RuleFile& file, const Document& board) {
+    if (!file.isOfKicad || board.nets.empty()) {
+        return;
+    }
+    const RuleTable all = file.table;
+    const RuleChoice choice(board, all);
+    std::set<std::string> unused;
+    file.table.rules.clear();
+    for (std::size_t row = 0; row < all.rules.size(); ++row) {
+        const std::vector<std::string> empty = choice.emptyClassesOf(row);
+        if (empty.empty()) {
+            file.table.rules.push_back(all.rules[row]);
+        }
+        unused.insert(empty.begin(), empty.end());
+    }
+    for (const std::string& name : unused) {
+        const bool isName = name.starts_with(kNetPrefix);
+        file.leftOut.push_back("no net of the board fits " +
+                               (isName ? "the name " + name.substr(kNetPrefix.size()) : "net class " + name) +
+                               "; its rules ask for nothing");
+    }
 }
 
 }  // namespace model

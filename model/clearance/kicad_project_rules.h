@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "model/board/document.h"
 #include "model/clearance/rule_file.h"
 
 namespace model {
@@ -21,5 +22,13 @@ namespace model {
 /// Rules of the project that a board of KiCad belongs to: of the .kicad_pro beside it, with those of the .kicad_dru,
 /// which go before them; of an older board its own. None for what is no such board, or has no rules that can be used.
 [[nodiscard]] std::optional<RuleFile> kicadRulesOf(const std::filesystem::path& board);
+
+/// The same as they hold for the board that lies there.
+[[nodiscard]] std::optional<RuleTable> kicadRulesFor(const std::filesystem::path& path, const Document& board);
+
+/// Of rules of KiCad: takes away those for net classes and names that no net of the board fits, which ask for nothing
+/// there, and names them in `leftOut`. Projects carry classes from board to board. A board without nets keeps all:
+/// there it is the board that lacks something.
+void leaveOutUnusedClasses(RuleFile& file, const Document& board);
 
 }  // namespace model

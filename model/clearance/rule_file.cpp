@@ -323,7 +323,9 @@ base::Result<RuleFile> readRules(const std::filesystem::path& path) {
         return parseKicadProjectRules(text);
     }
     if (path.extension() == ".kicad_dru") {
-        return parseKicadRules(text);
+        ASSIGN_OR_RETURN(RuleFile file, parseKicadRules(text));
+        file.isOfKicad = true;
+        return file;
     }
     ASSIGN_OR_RETURN(RuleTable table, parseRules(text));
     return RuleFile{std::move(table), {}};

@@ -32,6 +32,7 @@ namespace model {
 struct RuleFile {
     RuleTable table;
     std::vector<std::string> leftOut;
+    bool isOfKicad = false;  ///< a project, board or custom rules of KiCad: see leaveOutUnusedClasses()
 };
 /// From a file, also one of KiCad's custom rules (.kicad_dru, see kicad_rules.h), a project of KiCad or a board that
 /// has one (.kicad_pro, .kicad_pcb, see kicad_project_rules.h), or by the name of a preset. Errors: BadInput.

@@ -256,7 +256,7 @@ std::span<const BoardFormat> knownFormats() {
     static const std::array kFormats = {
         BoardFormat{
             "ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", nullptr, readOdb, "odb", odb::jobsIn},
-        BoardFormat{"IPC-2581", {".xml", ".cvg"}, "an IPC-2581 file", isIpc, readIpc, "ipc2581", ipc2581::filesIn},
+        BoardFormat{"IPC-2581", {".xml", ".cvg", ".xml.gz", ".cvg.gz"}, "an IPC-2581 file", isIpc, readIpc, "ipc2581", ipc2581::filesIn},
         BoardFormat{"KiCad board", {".kicad_pcb"}, "a KiCad board", isKicad, readKicad, "kicad", kicad::boardsOf},
         BoardFormat{"Gerber job",
                     {".zip", ".gbrjob", ".gbr", ".ger", ".gtl", ".gbl", ".art", ".pho", ".gdo", ".drl", ".xln"},

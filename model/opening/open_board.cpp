@@ -27,12 +27,9 @@ base::Result<Thicknesses> parseThicknesses(const std::vector<std::string>& texts
 }
 
 /// Where the user has set none, a board of KiCad has the rules of its project.
-void takeProjectRules(const OpenRequest& request, session::LoadedSession& found) {
-    if (found.session.designRules) {
-        return;
-    }
-    if (std::optional<RuleFile> file = kicadRulesOf(request.path)) {
-        found.session.designRules = std::move(file->table);
+void takeProjectRules(const OpenRequest& request, const Document& board, session::LoadedSession& found) {
+    if (!found.session.designRules) {
+        found.session.designRules = kicadRulesFor(request.path, board);
     }
 }
 
@@ -41,7 +38,7 @@ base::Result<OpenedBoard> withSession(const OpenRequest& request, ReadBoard read
     session::LoadedSession found;
     if (!request.noSession) {
         found = session::loadSession(request.path, *read.document);
-        takeProjectRules(request, found);
+        takeProjectRules(request, *read.document, found);
     }
     ASSIGN_OR_RETURN(Thicknesses once, parseThicknesses(request.thicknesses, read.document->stackup));
     OpenedBoard board{request, {}, {found.session.thicknesses, std::move(once)}};

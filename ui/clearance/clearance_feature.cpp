@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "model/board/copies.h"
+#include "model/clearance/kicad_project_rules.h"
 #include "model/clearance/rule_file.h"
 #include "model/design_rules/design_rule_check.h"
 #include "model/export/stackup_clearance_export.h"
@@ -26,11 +27,12 @@ constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kNarrowest = 500;  ///< more than anybody steps through
 constexpr std::size_t kDrawn = 100;      ///< locations of a rule in a report with drawings
 
-/// The common rules need no place in a session.
+/// The rules that a board begins with need no place in its session: those of its project, or else the common ones.
 base::Status saveRulesOf(const std::filesystem::path& board, const model::Document& document,
                          const model::RuleTable& rules) {
     using Saved = std::optional<model::RuleTable>;
-    return model::session::saveDesignRules(board, document, rules == model::defaultRules() ? Saved() : Saved(rules));
+    const model::RuleTable first = model::kicadRulesFor(board, document).value_or(model::defaultRules());
+    return model::session::saveDesignRules(board, document, rules == first ? Saved() : Saved(rules));
 }
 
 }  // namespace
@@ -416,6 +418,7 @@ base::Status ClearanceFeature::exportReport(const QString& path) const {
 
 base::Result<QString> ClearanceFeature::openRules(const QString& path) {
     ASSIGN_OR_RETURN(model::RuleFile file, model::readRules(toPath(path)));
+    model::leaveOutUnusedClasses(file, *m_workspace.board()->document);
     const model::RuleTable before = m_rules.rules();
     m_rules.setRules(std::move(file.table));
     remember(before);

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSpinBox>
@@ -137,6 +138,13 @@ QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
         emit self->closeEditor(box);
     });
     return box;
+}
+
+bool CellDelegate::eventFilter(QObject* editor, QEvent* event) {
+    const bool isTaken = QStyledItemDelegate::eventFilter(editor, event);
+    const bool isKey = event->type() == QEvent::KeyPress && qobject_cast<QComboBox*>(editor) != nullptr;
+    const int key = isKey ? static_cast<const QKeyEvent&>(*event).key() : 0;
+    return isTaken || key == Qt::Key_Return || key == Qt::Key_Enter;
 }
 
 bool CellDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,

@@ -19,6 +19,8 @@ public:
                      const QModelIndex& index) override;
 
 protected:
+    /// Enter in a choice takes it, and is not the dialog's too.
+    bool eventFilter(QObject* editor, QEvent* event) override;
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 
 private:

@@ -2,6 +2,8 @@
 
 #include <QHeaderView>
 #include <glm/trigonometric.hpp>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "ui/common/panel_parts.h"
@@ -30,6 +32,30 @@ render::CameraPose cameraPose(const session::Pose& pose) {
             glm::radians(static_cast<float>(pose.yawDeg)),
             glm::radians(static_cast<float>(pose.pitchDeg)),
             pose.isParallel};
+}
+
+/// The only layer of each file that all of a layer comes from.
+std::map<std::string, std::string> layersByFile(const model::Document& board) {
+    std::map<std::string, std::string> names;
+    for (const model::Layer& layer : board.layers) {
+        const auto [row, isNew] = names.try_emplace(layer.file, layer.name);
+        row->second = isNew && !layer.file.empty() ? layer.name : std::string();
+    }
+    std::erase_if(names, [](const auto& row) { return row.second.empty(); });
+    return names;
+}
+
+/// New names by old ones of layers that come from the same file: a layer that is told what it draws has another name.
+std::map<std::string, std::string> renamedLayers(const model::Document& before, const model::Document& after) {
+    const std::map<std::string, std::string> now = layersByFile(after);
+    std::map<std::string, std::string> names;
+    for (const auto& [file, name] : layersByFile(before)) {
+        const auto found = now.find(file);
+        if (found != now.end() && found->second != name) {
+            names.emplace(name, found->second);
+        }
+    }
+    return names;
 }
 
 }  // namespace
@@ -174,6 +200,16 @@ void SavedViewsFeature::keep(const LoadedBoard& next) {
     const bool isFew = selection.selected().size() <= session::kMostSavedElements;
     m_kept->selection = session::saveSelection(
         selection.tree(), isFew ? selection.selected() : std::vector<model::BoardElement>{}, selection.nets());
+    const auto rename = [names = renamedLayers(*board.document, *next.document)](std::string& name) {
+        const auto found = names.find(name);
+        name = found != names.end() ? found->second : name;
+    };
+    for (session::LayerState& layer : m_kept->desk.layers) {
+        rename(layer.layer);
+    }
+    for (session::SavedElement& element : m_kept->selection.elements) {
+        rename(element.layer);
+    }
 }
 
 void SavedViewsFeature::restoreKept(const LoadedBoard& board) {

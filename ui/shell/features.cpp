@@ -1,5 +1,6 @@
 #include "ui/shell/features.h"
 
+#include "ui/assignment/assignment_feature.h"
 #include "ui/clearance/clearance_feature.h"
 #include "ui/element/element_feature.h"
 #include "ui/export/export_feature.h"
@@ -41,6 +42,7 @@ constexpr void (*kFeatures[])(FeatureContext&) = {
     addStatistics,
     add<PartsFeature>,
     add<ExportFeature>,
+    add<AssignmentFeature>,
     addSearch,
 };
 

@@ -28,6 +28,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {OpenFile, MenuId::File, QT_TR_NOOP("&Open…"), "Ctrl+O", QT_TR_NOOP("Open a board of any known format")},
     {OpenFolder, MenuId::File, QT_TR_NOOP("Open &folder…"), "Ctrl+Shift+O", QT_TR_NOOP("Open a board that is a folder of files")},
     {Reload, MenuId::File, QT_TR_NOOP("&Reload"), "F5 Ctrl+R", QT_TR_NOOP("Read the board again from disk"), kNeedsBoard},
+    {AssignLayers, MenuId::File, QT_TR_NOOP("&Assign layers…"), "Ctrl+Alt+A", QT_TR_NOOP("Say what the files of a Gerber job draw: layer, side, order, plating"), kNeedsBoard},
     {CancelLoading, MenuId::File, QT_TR_NOOP("&Cancel loading"), "Ctrl+.", QT_TR_NOOP("Stop reading and keep the board on the screen")},
     {SaveSession, MenuId::File, QT_TR_NOOP("Save sessio&n"), "Ctrl+S", QT_TR_NOOP("Save cameras, layers and unit in the session file beside the board; they are restored when it is opened"), kNewGroup | kNeedsBoard},
     {ExportBoard, MenuId::File, QT_TR_NOOP("E&xport…"), "Ctrl+E", QT_TR_NOOP("Export the board, or a part of it, as a file for other programs"), kNewGroup | kNeedsBoard},

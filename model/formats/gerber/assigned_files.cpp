@@ -87,10 +87,9 @@ base::Status applyMap(const fs::path& path, const formats::ReadOptions& options,
     return base::Done{};
 }
 
-}  // namespace
-
-base::Result<AssignedFiles> assignFiles(std::vector<ReadFile> files, const fs::path& path,
-                                        const formats::ReadOptions& options) {
+/// `options`: none if no layer map counts.
+base::Result<AssignedFiles> assign(std::vector<ReadFile> files, const fs::path& path,
+                                   const formats::ReadOptions* options) {
     AssignedFiles job{std::move(files), {}, {}};
     if (std::ranges::none_of(job.files, &ReadFile::isImage)) {
         const bool hasJobFile =
@@ -101,13 +100,26 @@ base::Result<AssignedFiles> assignFiles(std::vector<ReadFile> files, const fs::p
                                            : "there is no Gerber image and no drill file in it")};
     }
     assignRoles(job.files, factsOf(job.files));
-    RETURN_IF_ERROR(applyMap(path, options, job));
+    if (options != nullptr) {
+        RETURN_IF_ERROR(applyMap(path, *options, job));
+    }
     if (std::ranges::none_of(job.files, &ReadFile::isImage)) {
         return base::Error{base::ErrorCode::BadInput, path.string() + ": the layer map leaves out all files"};
     }
     takeAsCopper(job.files);
     job.boards = boardsOf(job.files);
     return job;
+}
+
+}  // namespace
+
+base::Result<AssignedFiles> assignFiles(std::vector<ReadFile> files, const fs::path& path,
+                                        const formats::ReadOptions& options) {
+    return assign(std::move(files), path, &options);
+}
+
+base::Result<AssignedFiles> assignWithoutMap(std::vector<ReadFile> files, const fs::path& path) {
+    return assign(std::move(files), path, nullptr);
 }
 
 }  // namespace model::gerber

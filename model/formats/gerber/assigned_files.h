@@ -22,5 +22,8 @@ struct AssignedFiles {
 /// or when the map of the options cannot be read.
 [[nodiscard]] base::Result<AssignedFiles> assignFiles(std::vector<ReadFile> files, const std::filesystem::path& path,
                                                       const formats::ReadOptions& options);
+/// The same without any layer map.
+[[nodiscard]] base::Result<AssignedFiles> assignWithoutMap(std::vector<ReadFile> files,
+                                                           const std::filesystem::path& path);
 
 }  // namespace model::gerber

@@ -145,6 +145,13 @@ base::Result<std::vector<LayerProposal>> proposeLayers(const std::filesystem::pa
     return Proposer(job).run();
 }
 
+base::Result<std::vector<LayerProposal>> proposeWithoutMap(const std::filesystem::path& path,
+                                                           base::Progress& progress) {
+    ASSIGN_OR_RETURN(std::vector<ReadFile> files, readFilesAt(path, progress));
+    ASSIGN_OR_RETURN(const AssignedFiles job, assignWithoutMap(std::move(files), path));
+    return Proposer(job).run();
+}
+
 LayerMap mapOf(const std::vector<LayerProposal>& proposals) {
     LayerMap map;
     for (const LayerProposal& proposal : proposals) {

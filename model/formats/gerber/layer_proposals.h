@@ -33,6 +33,10 @@ struct LayerProposal {
                                                                      const formats::ReadOptions& options,
                                                                      base::Progress& progress);
 
+/// The same as if there were no layer map, neither named nor beside the job.
+[[nodiscard]] base::Result<std::vector<LayerProposal>> proposeWithoutMap(const std::filesystem::path& path,
+                                                                         base::Progress& progress);
+
 /// The map that says just what these proposals say, of images, drills and what is ignored: changed by somebody, it is
 /// what opens the job as it should be.
 [[nodiscard]] LayerMap mapOf(const std::vector<LayerProposal>& proposals);

@@ -163,6 +163,41 @@ private slots:
         QVERIFY(!model::kicadRulesOf(board));
         QVERIFY(!model::readRules(board));
     }
+
+    void classesThatNoNetFitsAskForNothing() {
+        QTemporaryDir folder;
+        const fs::path path = fs::path(folder.path().toStdString()) / "b.kicad_pcb";
+        write(path, "(kicad_pcb (version 20241229))");
+        write(fs::path(path).replace_extension(".kicad_pro"), kProject);
+        write(fs::path(path).replace_extension(".kicad_dru"),
+              "(version 1)\n(rule x (condition \"A.NetName == 'CLK*'\") (constraint clearance (min 2mm)))");
+        const model::RuleFile all = *model::kicadRulesOf(path);
+        model::Document board;
+        QVERIFY(*model::kicadRulesFor(path, board) == all.table);  // it has no nets at all
+        board.nets.push_back({"GND", {}});
+        board.nets.push_back({"/A", {}});
+        model::RuleFile fitting = all;
+        model::leaveOutUnusedClasses(fitting, board);
+        QVERIFY(*model::kicadRulesFor(path, board) == fitting.table);
+        const auto& rules = fitting.table.rules;
+        const auto isOf = [](const Rule& rule, const char* name) { return std::ranges::count(rule.classes, name) > 0; };
+        QVERIFY(std::ranges::any_of(rules, [&](const Rule& rule) { return isOf(rule, "Power"); }));
+        QVERIFY(std::ranges::any_of(rules, [&](const Rule& rule) { return isOf(rule, "Fine"); }));
+        QVERIFY(std::ranges::none_of(rules, [&](const Rule& rule) { return isOf(rule, "Finer"); }));
+        QVERIFY(std::ranges::none_of(rules, [](const Rule& rule) { return rule.least == 2000 * kUm; }));
+        QCOMPARE(
+            std::ranges::count(fitting.leftOut, "no net of the board fits net class Finer; its rules ask for nothing"),
+            1);
+        QCOMPARE(
+            std::ranges::count(fitting.leftOut, "no net of the board fits the name CLK*; its rules ask for nothing"),
+            1);
+
+        // Rules that somebody wrote for the board keep what fits nothing.
+        fitting = all;
+        fitting.isOfKicad = false;
+        model::leaveOutUnusedClasses(fitting, board);
+        QVERIFY(fitting.table == all.table);
+    }
 };
 
 QTEST_APPLESS_MAIN(KicadProjectRulesTest)

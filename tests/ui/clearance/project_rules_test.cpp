@@ -1,0 +1,117 @@
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QPushButton>
+#include <QtTest>
+#include <fstream>
+
+#include "model/clearance/design_rules.h"
+#include "tests/locations.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/clearance/rule_dialog.h"
+#include "ui/clearance/rule_model.h"
+#include "ui/common/paths.h"
+#include "ui/workspace/board_watch.h"
+
+namespace fs = std::filesystem;
+using model::RuleKind;
+using ui::ActionId;
+
+namespace {
+
+constexpr const char* kProject = R"json({
+"board": {"design_settings": {"rules": {"min_clearance": 0.17, "min_track_width": 0.13}}},
+"net_settings": {
+  "classes": [{"name": "Default", "clearance": 0.21}, {"name": "Power", "clearance": 0.43},
+              {"name": "Elsewhere", "clearance": 0.9}],
+  "netclass_patterns": [{"netclass": "Power", "pattern": "GN*"}, {"netclass": "Elsewhere", "pattern": "RF_*"}]}})json";
+
+}  // namespace
+
+/// The rules that a board of KiCad begins with, and what becomes of them.
+class ProjectRulesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        window().find<ui::BoardWatch>().setQuietMs(100);
+        m_board = fs::path(m_fixture->folder().toStdString()) / "small.kicad_pcb";
+        fs::copy_file(fs::path(locations::kTestData) / "kicad" / "small.kicad_pcb", m_board);
+        std::ofstream(fs::path(m_board).replace_extension(".kicad_pro")) << kProject;
+        QVERIFY(m_fixture->openAndWait(ui::fromPath(m_board)));
+    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
+
+    void theWindowBeginsWithTheRulesOfTheProject() {
+        const std::vector<model::Rule> expected = {{RuleKind::CopperToCopper, 210'000, {"", ""}},
+                                                   {RuleKind::CopperToCopper, 430'000, {"Power", ""}},
+                                                   {RuleKind::TrackWidth, 130'000, {}}};
+        QVERIFY(rules().rules == expected);  // without those of the class that no net fits
+        const ui::RuleModel& model = window().find<ui::RuleModel>();
+        QCOMPARE(model.rowCount(), 3);
+        QCOMPARE(model.index(1, ui::RuleModel::First).data().toString(), "Power");
+    }
+
+    void commonRulesThatWereChosenLastOverAReload() {
+        const model::RuleTable ofProject = rules();
+        window().actions()[ActionId::EditRules].trigger();
+        auto* dialog = window().findChild<ui::RuleDialog*>();
+        QVERIFY(dialog != nullptr);
+        auto* presets = dialog->findChild<QComboBox*>("presets");
+        presets->setFocus();
+        QTest::keyClick(presets, Qt::Key_Down);
+        QTest::keyClick(presets, Qt::Key_Return);
+        QTRY_VERIFY(dialog->rules().rules() == model::defaultRules());
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        QVERIFY(rules() == model::defaultRules());
+
+        reload();
+        QVERIFY(rules() == model::defaultRules());
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(ui::fromPath(m_board)));
+        QVERIFY(rules() == model::defaultRules());
+
+        // Back to those of the project they are in no session again, and follow the project.
+        window().workspace().history().clear();
+        window().actions()[ActionId::EditRules].trigger();
+        dialog = window().findChild<ui::RuleDialog*>();
+        dialog->rules().replaceRules(ofProject);
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        QVERIFY(rules() == ofProject);
+        std::string text = kProject;
+        text.replace(text.find("0.43"), 4, "0.55");
+        std::ofstream(fs::path(m_board).replace_extension(".kicad_pro")) << text;
+        reload();
+        QCOMPARE(rules().rules[1].least, model::Nm{550'000});
+    }
+
+    void checksOfTheProjectAreComplete() {
+        auto* what = window().panel("clearances").findChild<QComboBox*>("what");
+        window().showPanel("clearances");
+        what->setCurrentIndex(static_cast<int>(ui::ClearancePanel::What::Rules));
+        window().actions()[ActionId::SearchClearances].trigger();
+        const ui::RuleModel& model = window().find<ui::RuleModel>();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !model.index(0, ui::RuleModel::Result).data().toString().isEmpty() && !window().workspace().isWorking(),
+            30000);
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const QString result = model.index(row, ui::RuleModel::Result).data().toString();
+            QVERIFY2(!result.contains("incomplete"), qPrintable(result));
+        }
+    }
+
+private:
+    [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
+    [[nodiscard]] const model::RuleTable& rules() { return window().find<ui::RuleModel>().rules(); }
+    void reload() {
+        const model::Document* before = window().document();
+        window().workspace().reload();
+        QTRY_VERIFY_WITH_TIMEOUT(window().document() != before && !window().loader().isLoading(), 30000);
+    }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+    fs::path m_board;
+};
+
+QTEST_MAIN(ProjectRulesTest)
+#include "project_rules_test.moc"
