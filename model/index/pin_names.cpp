@@ -25,7 +25,8 @@ std::string pinName(const Document& document, PinId id) {
 
 std::string fullPinName(const Document& document, PinId id) {
     const std::string* refdes = designatorOf(document, document.pins[id.row()]);
-    return refdes != nullptr ? *refdes + '.' + pinName(document, id) : pinName(document, id);
+    const std::string name = pinName(document, id);
+    return refdes == nullptr ? name : name.empty() ? *refdes : *refdes + '.' + name;
 }
 
 std::vector<NetId> netsOf(const Document& document, const Component& component) {

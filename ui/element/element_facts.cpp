@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "model/index/pin_names.h"
 #include "model/statistics/element_sizes.h"
 #include "ui/common/net_name.h"
 
@@ -145,8 +146,8 @@ QString partText(const Subject& s, const model::Component& component) {
 void addParts(const Subject& s, Facts& facts) {
     std::vector<model::ComponentId> parts;
     for (const model::Pin* pin : pinsOf(s)) {
-        const std::string& refdes = s.step.components[pin->component.row()].refdes;
-        const Facts::value_type fact{s.tr("Pin"), QString::fromStdString(refdes + '.' + s.step.text(pin->name))};
+        const model::PinId id{static_cast<std::size_t>(pin - s.step.pins.data())};
+        const Facts::value_type fact{s.tr("Pin"), QString::fromStdString(model::fullPinName(s.step, id))};
         if (std::ranges::find(facts, fact) ==
             facts.end()) {  // a thermal pad has a pin for each of its vias, all of one name
             facts.push_back(fact);

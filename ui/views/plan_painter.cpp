@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/index/pin_names.h"
 #include "ui/common/net_name.h"
 
 namespace ui {
@@ -238,7 +239,7 @@ std::vector<model::ElementId> PlanPainter::namedElements() const {
     return inSight;
 }
 
-/// "U1.5", and "5" where there is no room for that; empty for what is no pad of one pin.
+/// "U1.5", and "5" where there is no room for that; "U1" of a pad without a name; empty for what is no pad of one pin.
 QStringList PlanPainter::pinNames(model::ElementId element) const {
     const model::Document& board = *m_index->board;
     const std::vector<model::PinId> pins =
@@ -246,9 +247,9 @@ QStringList PlanPainter::pinNames(model::ElementId element) const {
     if (pins.size() != 1 || !board.pins[pins.front().row()].component.isValid()) {
         return {};
     }
-    const model::Pin& pin = board.pins[pins.front().row()];
-    const QString name = QString::fromStdString(board.text(pin.name));
-    return {QString::fromStdString(board.components[pin.component.row()].refdes) + '.' + name, name};
+    const QString full = QString::fromStdString(model::fullPinName(board, pins.front()));
+    const QString name = QString::fromStdString(model::pinName(board, pins.front()));
+    return name.isEmpty() ? QStringList{full} : QStringList{full, name};
 }
 
 /// What may be written on an element, line by line, the most telling first.

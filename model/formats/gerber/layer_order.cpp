@@ -143,7 +143,10 @@ private:
     void add(std::size_t row) {
         const ReadFile& file = m_files[row];
         formats::DrawnLayer layer;
-        layer.name = unique(layerName(file));
+        const std::size_t copper = m_result.copper.size();
+        const bool isOfStack = file.role.kind == Kind::Copper && m_usesStack;
+        const bool hasStackName = isOfStack && !m_copperRows[copper]->name.empty();
+        layer.name = unique(hasStackName ? m_copperRows[copper]->name : layerName(file));
         layer.file = file.path;
         layer.type = typeOf(file.role.kind);
         layer.context = isOfBoard(file.role.kind) ? LayerContext::Board : LayerContext::Misc;
@@ -159,9 +162,7 @@ private:
                                  "is drawn as it is");
         }
         describeGuess(file);
-        const std::size_t copper = m_result.copper.size();
-        if (file.role.kind == Kind::Copper && m_usesStack) {
-            layer.name = m_copperRows[copper]->name.empty() ? layer.name : unique(m_copperRows[copper]->name);
+        if (isOfStack) {
             layer.facts = factsOf(*m_copperRows[copper]);
         }
         const JobStackRow* mask = file.role.side == LayerSide::Bottom ? m_bottomMask : m_topMask;

@@ -23,7 +23,7 @@ private slots:
         Component part;
         part.refdes = "U5";
         builder.addComponent(part, std::vector{pin("U5-3", m_b), pin("U5.4", m_a), pin("12", m_b), pin("U5-", {}),
-                                               pin("U50", {}), pin("A1", {})});
+                                               pin("U50", {}), pin("A1", {}), pin("", {})});
         m_board = builder.finish();
     }
 
@@ -43,6 +43,11 @@ private slots:
         const PinId pin{static_cast<std::size_t>(row)};
         QCOMPARE(QString::fromStdString(pinName(*m_board, pin)), name);
         QCOMPARE(QString::fromStdString(fullPinName(*m_board, pin)), "U5." + name);
+    }
+
+    void aPinWithoutANameIsItsComponent() {
+        QCOMPARE(pinName(*m_board, PinId{std::size_t{6}}), std::string());
+        QCOMPARE(fullPinName(*m_board, PinId{std::size_t{6}}), std::string("U5"));
     }
 
     void aComponentsNetsAreNamedOnce() { QCOMPARE(netsOf(*m_board, m_board->components[0]), (std::vector{m_a, m_b})); }

@@ -198,6 +198,20 @@ private slots:
         }
     }
 
+    void layersThatJobFilesNameAsTheirFilesKeepTheName() {
+        const std::string jobFile =
+            R"({"FilesAttributes": [
+            {"Path": "b-top.gbr", "FileFunction": "Copper,L1,Top"}, {"Path": "b-low.gbr", "FileFunction": "Copper,L2,Bot"}],
+            "MaterialStackup": [{"Type": "Copper", "Thickness": 0.018, "Name": "top"},
+            {"Type": "Dielectric", "Thickness": 0.764}, {"Type": "Copper", "Thickness": 0.018}]})";
+        const Job job({{"b-top.gbr", image(kCopper)}, {"b-low.gbr", image(kCopper)}, {"b-job.gbrjob", jobFile}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY((*board)->findLayer("top").isValid());
+        QVERIFY(!(*board)->findLayer("top (2)").isValid());
+        QCOMPARE((*board)->layer((*board)->findLayer("top")).thickness, 18'000);
+    }
+
     void pickAndPlaceFilesPlaceComponents() {
         const Job job({{"b-F_Cu.gtl", image(kNamedCopper, "Copper,L1,Top")},
                        {"b-B_Cu.gbl", image(kNamedCopper, "Copper,L2,Bot")},
