@@ -43,6 +43,11 @@ JobStackRow stackRow(const Json& json) {
     row.material.name = text(json, "Material");
     row.material.dielectricConstant = number(json, "DielectricConstant");
     row.material.lossTangent = number(json, "LossTangent");
+    const std::string colour = text(json, "Color");
+    const bool isColoured = equalsIgnoringCase(row.type, "SolderMask") || equalsIgnoringCase(row.type, "Legend");
+    if (isColoured && !colour.empty()) {  // as other formats say it, "Liquid Ink, Green"
+        row.material.name += (row.material.name.empty() ? "" : ", ") + colour;
+    }
     return row;
 }
 

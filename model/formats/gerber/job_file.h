@@ -16,7 +16,7 @@ struct JobStackRow {
     std::string type;  ///< Copper, Dielectric, SolderMask, Legend …
     std::string name;
     std::optional<double> thicknessNm;
-    Material material;
+    Material material;  ///< of masks and legends with their colour behind: "Liquid Ink, Green"
 };
 
 /// What a Gerber job file (.gbrjob) says: JSON, or Gerber syntax in its oldest form.

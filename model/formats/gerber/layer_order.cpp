@@ -123,6 +123,8 @@ private:
                 m_between.back().push_back(&row);
             } else if (isMask) {
                 (m_copperRows.empty() ? m_topMask : m_bottomMask) = &row;
+            } else if (equalsIgnoringCase(row.type, "Legend")) {
+                (m_copperRows.empty() ? m_topLegend : m_bottomLegend) = &row;
             }
         }
         m_usesStack = m_copperRows.size() == m_board.copperLayers && !m_copperRows.empty();
@@ -165,7 +167,12 @@ private:
         if (isOfStack) {
             layer.facts = factsOf(*m_copperRows[copper]);
         }
-        const JobStackRow* mask = file.role.side == LayerSide::Bottom ? m_bottomMask : m_topMask;
+        const bool isBottom = file.role.side == LayerSide::Bottom;
+        const JobStackRow* mask = isBottom ? m_bottomMask : m_topMask;
+        const JobStackRow* legend = isBottom ? m_bottomLegend : m_topLegend;
+        if (file.role.kind == Kind::Legend && legend != nullptr) {
+            layer.facts = factsOf(*legend);
+        }
         if (file.role.kind == Kind::SolderMask && mask != nullptr) {
             layer.facts = factsOf(*mask);
         }
@@ -235,6 +242,8 @@ private:
     std::vector<std::vector<const JobStackRow*>> m_between;  ///< dielectrics below each copper row
     const JobStackRow* m_topMask = nullptr;
     const JobStackRow* m_bottomMask = nullptr;
+    const JobStackRow* m_topLegend = nullptr;
+    const JobStackRow* m_bottomLegend = nullptr;
     bool m_usesStack = false;
 };
 

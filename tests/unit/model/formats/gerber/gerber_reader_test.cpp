@@ -212,6 +212,31 @@ private slots:
         QCOMPARE((*board)->layer((*board)->findLayer("top")).thickness, 18'000);
     }
 
+    void aJobFileTellsTheColours() {
+        const std::string jobFile =
+            R"({"GeneralSpecs": {"ProjectId": {"Name": "proj"}}, "MaterialStackup": [
+            {"Type": "Legend", "Color": "Black", "Name": "silk"},
+            {"Type": "SolderMask", "Color": "Blue", "Material": "Ink", "Thickness": 0.01, "Name": "mask"},
+            {"Type": "Copper", "Thickness": 0.018, "Color": "Red", "Name": "F.Cu"}]})";
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.GTS", image(kCopper)},
+                       {"b.GTO", image(kCopper)},
+                       {"b-job.gbrjob", jobFile}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        const auto materialOf = [&](model::LayerType type) {
+            for (const model::StackupRow& row : (*board)->stackup.rows) {
+                if ((*board)->layer(row.layer).type == type) {
+                    return row.material.name;
+                }
+            }
+            return std::string("none");
+        };
+        QCOMPARE(materialOf(model::LayerType::SolderMask), std::string("Ink, Blue"));
+        QCOMPARE(materialOf(model::LayerType::SilkScreen), std::string("Black"));
+        QCOMPARE(materialOf(model::LayerType::Signal), std::string());
+    }
+
     void pickAndPlaceFilesPlaceComponents() {
         const Job job({{"b-F_Cu.gtl", image(kNamedCopper, "Copper,L1,Top")},
                        {"b-B_Cu.gbl", image(kNamedCopper, "Copper,L2,Bot")},
