@@ -69,6 +69,12 @@ void addRepeated(CLI::App& command, const char* name, std::vector<std::string>& 
     command.add_option(name, values, std::string(help) + "; may be given several times")->take_all()->expected(1);
 }
 
+/// An option that names a file, read or written.
+template <class Path>
+CLI::Option* addFile(CLI::App& command, const char* name, Path& value, const std::string& help) {
+    return command.add_option(name, value, help)->type_name("FILE");
+}
+
 template <class Number>
 CLI::Option* addNumber(CLI::App& command, const char* name, Number& value, Number low, Number high, const char* help) {
     return command.add_option(name, value, help)->check(CLI::Range(low, high))->capture_default_str();
@@ -93,8 +99,8 @@ void addInputOptions(CLI::App& command, model::OpenRequest& request) {
     const bool isFree = command.get_option_no_throw("--format") == nullptr;
     addChoice(command, isFree ? "--input-format,--format" : "--input-format", request.format, model::formatKeys(),
               ": what to read of a job that is there in several formats; default: the richest");
-    command.add_option("--layer-map", request.layerMap,
-                       "a file that says what each file of a Gerber job draws (see docs/command-line.md)");
+    addFile(command, "--layer-map", request.layerMap,
+            "what each file of a Gerber job draws (see docs/command-line.md)");
 }
 
 void addModellingOptions(CLI::App& command, BoardArguments& board) {
@@ -147,7 +153,7 @@ void addLevels(CLI::App& command, std::string& levels) {
 }
 
 void addPictureOptions(CLI::App& command, RenderArguments& arguments) {
-    command.add_option("-o,--output", arguments.output, "the picture to write (.png)")->required();
+    addFile(command, "-o,--output", arguments.output, "the picture to write (.png)")->required();
     addChoice(command, "--view", arguments.view, {"top", "bottom", "iso"});
     command.add_option_function<std::string>(
         "--size", [&arguments](const std::string& text) { parseSize(text, arguments); },
@@ -206,7 +212,7 @@ void addGenerate(CLI::App& parent, Command& chosen) {
     command.add_option("--seed", arguments.seed, "another number, another board of the same kind")
         ->capture_default_str();
     command.add_flag("--nurbs", arguments.isNurbs, "as a text model of the paper whose areas have NURBS edges");
-    command.add_option("-o,--output", arguments.output, "the ODB++ job to write (.tgz), with --nurbs the model (.txt)")
+    addFile(command, "-o,--output", arguments.output, "the ODB++ job to write (.tgz), with --nurbs the model (.txt)")
         ->required();
 }
 
@@ -223,22 +229,20 @@ void addReportFormat(CLI::App& command, std::string& format) {
 }
 
 void addWaivers(CLI::App& command, CLI::Option& rules, ClearanceArguments& arguments) {
-    command
-        .add_option("--waivers", arguments.waivers,
-                    "with --rules: locations that this JSON file waives are counted apart and are no failure")
+    addFile(command, "--waivers", arguments.waivers,
+            "with --rules: locations that this JSON file waives are counted apart and are no failure")
         ->needs(&rules);
     CLI::Option* write =
-        command
-            .add_option("--write-waivers", arguments.newWaivers,
-                        "with --rules: waive all locations that are left in this file, with those of --waivers")
+        addFile(command, "--write-waivers", arguments.newWaivers,
+                "with --rules: waive all locations that are left in this file, with those of --waivers")
             ->needs(&rules);
     command.add_option("--reason", arguments.reason, "why they are waived")->needs(write);
     command.add_option("--author", arguments.author, "who waives them")->needs(write);
 }
 
 void addMapOptions(CLI::App& command, ClearanceMapArguments& map) {
-    CLI::Option* file = command.add_option(
-        "--map", map.file, "writes the spacings between nets of a --layer as a picture (.png) or table (.csv)");
+    CLI::Option* file = addFile(command, "--map", map.file,
+                                "writes the spacings between nets of a --layer as a picture (.png) or table (.csv)");
     file->needs(command.get_option("--layer"));
     for (const char* listing : {"--rules", "--below", "--nets"}) {
         file->excludes(command.get_option(listing));
@@ -266,9 +270,9 @@ void addClearance(CLI::App& parent, Command& chosen) {
     command.add_flag("--through", arguments.isThroughStackup,
                      "distances in space, also through dielectric and on panels across copies");
     CLI::Option* rules =
-        command.add_option("--rules", arguments.rules,
-                           "check the rules of this JSON, .kicad_dru, .kicad_pro or .kicad_pcb file, or of a preset (" +
-                               presetNames() + "); exit code 4 if one is broken or incomplete");
+        addFile(command, "--rules", arguments.rules,
+                "check the rules of this JSON, .kicad_dru, .kicad_pro or .kicad_pcb file, or of a preset (" +
+                    presetNames() + "); exit code 4 if one is broken or incomplete");
     command.add_flag("--print", arguments.printsRules, "prints the rules as a file with comments, and checks nothing")
         ->needs(rules);
     command.add_option("--tolerance", arguments.tolerance,
@@ -282,7 +286,7 @@ void addClearance(CLI::App& parent, Command& chosen) {
     command.add_option("--layer", arguments.layer, "only on this copper layer, with --rules also solder mask");
     addList(command, "--nets", arguments.nets, "only between these two, separated by a comma")->expected(2);
     addChoice(command, "--format", arguments.format, {"text", "json", "csv", "junit", "sarif", "html"});
-    command.add_option("-o,--output", arguments.output, "write the report to this file; default: stdout");
+    addFile(command, "-o,--output", arguments.output, "write the report to this file; default: stdout");
     addWaivers(command, *rules, arguments);
     addMapOptions(command, arguments.map);
     addInputOptions(command, request);
@@ -308,8 +312,7 @@ void addExport(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("export", "Write a board as solids or drawings for other programs");
     ExportArguments& arguments = argumentsOf(command, chosen, runExport);
     addBoardOptions(command, arguments.board);
-    command.add_option("-o,--output", arguments.output, "the file to write (" + model::exportEndings() + ")")
-        ->required();
+    addFile(command, "-o,--output", arguments.output, "the file to write (" + model::exportEndings() + ")")->required();
     addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
     addList(command, "--nets", arguments.nets, "only copper of these nets, separated by commas");
     addList(command, "--window", arguments.window,
@@ -340,8 +343,8 @@ void addVerify(CLI::App& parent, Command& chosen) {
     addStackupOptions(command, arguments.board.request);
     command.add_option("BOARD", arguments.board.request.path, model::describeFormats() + "; default: the sample");
     addNetOptions(command, arguments.board.request);
-    command.add_option("--step", arguments.step,
-                       "this file, exported with the same --layers and --as-designed; default: one is written");
+    addFile(command, "--step", arguments.step,
+            "this file, exported with the same --layers and --as-designed; default: one is written");
     addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
     command.add_option("--sample", arguments.sample, "about so many elements, spread over all shapes and layers")
         ->excludes(command.get_option("--step"));
@@ -483,29 +486,41 @@ std::string versionText() {
     return "Copperscope " COPPERSCOPE_VERSION + (commit.empty() ? "" : ", commit " + commit);
 }
 
+/// As in docs/command-line.md, for --help and the man pages.
+constexpr const char* kExitCodes =
+    "Exit codes: 0 done; 1 wrong usage; 2 the input cannot be read; 3 no usable device, or the output cannot be "
+    "written; 4 a limit set by an option is broken.";
+
 constexpr void (*kCommands[])(CLI::App&, Command&) = {addInfo,    addRender,  addGenerate, addBench,  addClearance,
                                                       addSection, addMeasure, addExport,   addVerify, addAgree};
 
 }  // namespace
 
-Command parseCommandLine(int argc, char** argv) {
-    CLI::App parser{"Copperscope, a viewer for printed circuit boards", "copperscope"};
-    parser.set_version_flag("--version", versionText());
-    parser.require_subcommand(0, 1);
+std::shared_ptr<CLI::App> makeCommandLine(int argc, char** argv, Command& chosen) {
+    auto parser = std::make_shared<CLI::App>("Copperscope, a viewer for printed circuit boards", "copperscope");
+    parser->set_version_flag("--version", versionText());
+    parser->require_subcommand(0, 1);
     const auto workbench = std::make_shared<model::OpenRequest>();
-    parser.add_option("BOARD", workbench->path, "the board to open in the workbench; default: the sample");
-    addStep(parser, *workbench);
-    addStackupOptions(parser, *workbench);
-    addNetOptions(parser, *workbench);
-    addInputOptions(parser, *workbench);
-    Command chosen = [argc, argv, workbench] { return runWorkbench(argc, argv, *workbench); };
+    parser->add_option("BOARD", workbench->path, "the board to open in the workbench; default: the sample");
+    addStep(*parser, *workbench);
+    addStackupOptions(*parser, *workbench);
+    addNetOptions(*parser, *workbench);
+    addInputOptions(*parser, *workbench);
+    chosen = [argc, argv, workbench] { return runWorkbench(argc, argv, *workbench); };
     for (const auto addCommand : kCommands) {
-        addCommand(parser, chosen);
+        addCommand(*parser, chosen);
     }
+    parser->footer(kExitCodes);
+    return parser;
+}
+
+Command parseCommandLine(int argc, char** argv) {
+    Command chosen;
+    const auto parser = makeCommandLine(argc, argv, chosen);
     try {
-        parser.parse(argc, argv);
+        parser->parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        const int code = parser.exit(error) == 0 ? kDone : kWrongUsage;
+        const int code = parser->exit(error) == 0 ? kDone : kWrongUsage;
         return [code] { return code; };
     }
     return chosen;

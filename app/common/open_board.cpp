@@ -15,12 +15,10 @@ using Board = std::shared_ptr<const model::Document>;
 
 model::OpenRequest orSample(model::OpenRequest request) {
     if (request.path.empty()) {
-        const fs::path name = fs::path("sample") / "ocp_tap_sa45_odb.tgz";
         std::error_code error;
         const fs::path program = fs::read_symlink("/proc/self/exe", error);
-        const fs::path installed = program.parent_path().parent_path() / "share" / "copperscope" / name;
-        const bool isInstalled = !error && fs::exists(installed, error);
-        request.path = isInstalled ? installed : fs::path(COPPERSCOPE_SOURCE_RESOURCES) / name;
+        const fs::path resources = program.parent_path() / COPPERSCOPE_RESOURCES;
+        request.path = (resources / "sample" / "ocp_tap_sa45_odb.tgz").lexically_normal();
     }
     return request;
 }

@@ -18,8 +18,8 @@ struct BoardArguments {
     std::string triangulator = "auto";  ///< of areas; as tri::triangulatorNamed
 };
 
-/// The request, or without a path that of the board that comes with Copperscope: beside an installed program
-/// (../share/copperscope), else in the source tree it was built from.
+/// The request, or without a path that of the board that comes with Copperscope: at its place beside the program
+/// (../share/copperscope), which in a build tree leads to the sources.
 [[nodiscard]] model::OpenRequest orSample(model::OpenRequest request);
 
 /// model::openBoard; what of the session is not used is said on stderr. Errors: OutputFailed too, when the session

@@ -96,7 +96,8 @@ set(architecture_rows
     "app/verify                    | app             | app/common model/board model/export/solids model/figures model/geometry model/geometry/loops model/solids/shells model/text render/frame render/gpu render/modelling render/scene render/standard | json occt"
     "app/bench                     | app tri::bench  | app/common model/board model/formats model/text render/frame render/gpu render/modelling render/scene render/standard tri tri/gpu | json"
     "app/commands                  | app             | app/bench app/common app/reports app/verify model/agreement model/board model/clearance model/design_rules model/export model/export/files model/export/solids model/formats model/formats/common model/formats/gerber model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
-    "app                           |                 | app/commands app/common | log"
+    "app/manual                    | app             | | cli"
+    "app                           |                 | app/commands app/common app/manual | log"
 )
 
 # A library by the name it has above: how an include of it is told, and what is linked.

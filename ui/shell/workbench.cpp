@@ -1,6 +1,7 @@
 #include "ui/shell/workbench.h"
 
 #include <QApplication>
+#include <QIcon>
 #include <clocale>
 #include <cstdio>
 
@@ -41,6 +42,9 @@ int runWorkbench(int argc, char** argv, const StartOptions& options) {
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's: numbers in files would have commas
     QApplication::setApplicationName(QStringLiteral("Copperscope"));
     QApplication::setApplicationVersion(QStringLiteral(COPPERSCOPE_VERSION));
+    // The desktop file and icon of resources/desktop, where they are installed.
+    QApplication::setDesktopFileName(QStringLiteral("org.copperscope.Copperscope"));
+    QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("copperscope")));
     base::Result<std::unique_ptr<GpuContext>> context = GpuContext::create();
     if (!context) {
         return fail(context.error().text);
