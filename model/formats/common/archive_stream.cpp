@@ -11,6 +11,28 @@ namespace {
 
 constexpr std::size_t kBlock = 256 * 1024;
 
+/// Only what libarchive unpacks by itself: for other packings (lrzip, grzip, lzop), and for those that it was built
+/// without, it starts a program of the machine, which the bytes of a board must never do.
+void supportPackings(archive* a) {
+    archive_read_support_filter_compress(a);
+    if (archive_zlib_version() != nullptr) {
+        archive_read_support_filter_gzip(a);
+    }
+    if (archive_bzlib_version() != nullptr) {
+        archive_read_support_filter_bzip2(a);
+    }
+    if (archive_liblzma_version() != nullptr) {
+        archive_read_support_filter_xz(a);
+        archive_read_support_filter_lzma(a);
+    }
+    if (archive_libzstd_version() != nullptr) {
+        archive_read_support_filter_zstd(a);
+    }
+    if (archive_liblz4_version() != nullptr) {
+        archive_read_support_filter_lz4(a);
+    }
+}
+
 }  // namespace
 
 ArchiveStream::ArchiveStream(const std::filesystem::path& path, Formats formats) {
@@ -28,7 +50,7 @@ ArchiveStream::ArchiveStream(std::string_view bytes, Formats formats) {
 void ArchiveStream::support(Formats formats) {
     m_archive.reset(archive_read_new());
     archive* a = m_archive.get();
-    archive_read_support_filter_all(a);
+    supportPackings(a);
     archive_read_support_format_zip(a);
     if (formats == Formats::Containers) {
         archive_read_support_format_tar(a);

@@ -26,6 +26,38 @@ bool nothingWasWritten(const Folder& folder, std::size_t filesBefore) {
     return files == filesBefore;
 }
 
+void write(const fs::path& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+void addEntry(archive* out, const char* name, unsigned kind, const char* hardLinkTo) {
+    archive_entry* entry = archive_entry_new();
+    archive_entry_set_pathname(entry, name);
+    archive_entry_set_filetype(entry, kind);
+    archive_entry_set_perm(entry, 0644);
+    if (kind == AE_IFLNK) {
+        archive_entry_set_symlink(entry, "/etc/passwd");
+    }
+    if (hardLinkTo != nullptr) {
+        archive_entry_set_hardlink(entry, hardLinkTo);
+    }
+    archive_write_header(out, entry);
+    archive_entry_free(entry);
+}
+
+/// job/plain, and job/special of this kind.
+void writeSpecial(const fs::path& path, unsigned kind, bool isHardLink) {
+    archive* out = archive_write_new();
+    archive_write_set_format_ustar(out);
+    if (archive_write_open_filename(out, path.c_str()) != ARCHIVE_OK) {
+        qFatal("cannot write %s", path.c_str());
+    }
+    addEntry(out, "job/plain", AE_IFREG, nullptr);
+    addEntry(out, "job/special", kind, isHardLink ? "job/plain" : nullptr);
+    archive_write_close(out);
+    archive_write_free(out);
+}
+
 }  // namespace
 
 class ArchiveTest : public QObject {
@@ -84,6 +116,54 @@ private slots:
         QVERIFY(archive->find("job/..hidden/fine") >= 0);
         QVERIFY(nothingWasWritten(folder, 1));
         QCOMPARE(read(path)->nets.size(), std::size_t{3});
+    }
+
+    void linksAndDevicesAreLeftOut_data() {
+        QTest::addColumn<unsigned>("kind");
+        QTest::addColumn<bool>("isHardLink");
+        QTest::newRow("symbolic link") << unsigned{AE_IFLNK} << false;
+        QTest::newRow("hard link") << unsigned{AE_IFREG} << true;
+        QTest::newRow("named pipe") << unsigned{AE_IFIFO} << false;
+        QTest::newRow("character device") << unsigned{AE_IFCHR} << false;
+        QTest::newRow("block device") << unsigned{AE_IFBLK} << false;
+    }
+    void linksAndDevicesAreLeftOut() {
+        QFETCH(unsigned, kind);
+        QFETCH(bool, isHardLink);
+        Folder folder;
+        const fs::path path = folder.path() / "hostile.tar";
+        writeSpecial(path, kind, isHardLink);
+        Diagnostics diagnostics;
+        const auto archive = open(path, diagnostics);
+        QVERIFY(archive.ok());
+        QCOMPARE(archive->find("job/special"), -1);
+        QVERIFY(archive->find("job/plain") >= 0);
+        QVERIFY(findDiagnostic(diagnostics, "a link or a device") != nullptr);
+        QVERIFY(nothingWasWritten(folder, 1));
+    }
+
+    void noProgramIsRunToUnpack_data() {
+        QTest::addColumn<QByteArray>("magic");
+        QTest::newRow("lrzip") << QByteArray("LRZI\0\6", 6);
+        QTest::newRow("grzip") << QByteArray("GRZipII\0\2\4:)", 12);
+        QTest::newRow("lzop") << QByteArray("\x89LZO\0\r\n\x1a\n", 9);
+    }
+    void noProgramIsRunToUnpack() {
+        QFETCH(QByteArray, magic);
+        Folder folder;
+        const fs::path ran = folder.path() / "ran";
+        const fs::path program = folder.path() / QTest::currentDataTag();
+        write(program, "#!/bin/sh\n: > '" + ran.string() + "'\n");
+        fs::permissions(program, fs::perms::owner_all);
+        const fs::path board = folder.path() / "board.tgz";
+        write(board, magic.toStdString() + std::string(4096, 'x'));
+        const QByteArray path = qgetenv("PATH");
+        qputenv("PATH", QByteArray::fromStdString(folder.path().string()) + ":" + path);
+        Diagnostics diagnostics;
+        const bool isOpen = open(board, diagnostics).ok();
+        qputenv("PATH", path);
+        QVERIFY(!isOpen);
+        QVERIFY(!fs::exists(ran));
     }
 
     void everyTruncatedArchiveIsAClearError() {
