@@ -61,7 +61,7 @@ check_icons() {
     local file size
     for file in "$1"/copperscope-*.png; do
         size=$(od -An -tu1 -j16 -N8 "$file" | awk '{ print $3 * 256 + $4 "x" $7 * 256 + $8 }')
-        [ "$file" = "$1/copperscope-${size%x*}.png" ] && [ "${size%x*}" = "${size#*x}" ] || failed "$file is $size"
+        [ "$file $size" = "$1/copperscope-${size%x*}.png ${size%x*}x${size%x*}" ] || failed "$file is $size"
     done
 }
 
