@@ -2,6 +2,11 @@
 # Places are those of GNUInstallDirs. The program finds the sample beside itself, so the whole tree may be moved.
 include(GNUInstallDirs)
 set(COPPERSCOPE_RELEASE_DATE "2026-11-24" CACHE STRING "The day of this version, as AppStream shows it")
+set(COPPERSCOPE_HOMEPAGE "" CACHE STRING "Where the project is to be found, for AppStream and packages")
+set(COPPERSCOPE_HOMEPAGE_TAG "")
+if(COPPERSCOPE_HOMEPAGE)
+    set(COPPERSCOPE_HOMEPAGE_TAG "\n  <url type=\"homepage\">${COPPERSCOPE_HOMEPAGE}</url>")
+endif()
 set(desktop ${CMAKE_CURRENT_LIST_DIR})
 set(id org.copperscope.Copperscope)
 
@@ -10,6 +15,11 @@ install(FILES ${PROJECT_SOURCE_DIR}/resources/sample/ocp_tap_sa45_odb.tgz ${PROJ
     DESTINATION ${CMAKE_INSTALL_DATADIR}/copperscope/sample)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/resources/packages/copyright
     DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/changelog.gz DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+    COMMAND sh -c "${GZIP} -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md > ${PROJECT_BINARY_DIR}/changelog.gz" VERBATIM)
+add_custom_target(changelog ALL DEPENDS ${PROJECT_BINARY_DIR}/changelog.gz)
+install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(COPPERSCOPE_GUI)
     configure_file(${desktop}/${id}.metainfo.xml.in ${PROJECT_BINARY_DIR}/desktop/${id}.metainfo.xml @ONLY)

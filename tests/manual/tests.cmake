@@ -19,3 +19,8 @@ if(COPPERSCOPE_GUI)
     copperscope_form_test(form_of_mime_types mime ${desktop}.mime.xml ${desktop}.desktop)
     copperscope_form_test(form_of_icons icons ${PROJECT_SOURCE_DIR}/resources/desktop/icons)
 endif()
+
+# Needs everything of the build that is installed: a build of single targets has it not.
+add_test(NAME installs
+    COMMAND ${BASH} ${CMAKE_CURRENT_SOURCE_DIR}/manual/check_install.sh ${CMAKE_COMMAND} ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/install_scratch)
+set_tests_properties(installs PROPERTIES LABELS cli TIMEOUT 120)
