@@ -24,3 +24,7 @@ endif()
 add_test(NAME installs
     COMMAND ${BASH} ${CMAKE_CURRENT_SOURCE_DIR}/manual/check_install.sh ${CMAKE_COMMAND} ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/install_scratch)
 set_tests_properties(installs PROPERTIES LABELS cli TIMEOUT 120)
+
+add_test(NAME bill_of_materials COMMAND ${CMAKE_COMMAND} -DSBOM=${PROJECT_SOURCE_DIR}/scripts/sbom.sh -DPROGRAM=$<TARGET_FILE:copperscope>
+    -P ${CMAKE_CURRENT_SOURCE_DIR}/manual/check_sbom.cmake)
+set_tests_properties(bill_of_materials PROPERTIES LABELS cli TIMEOUT 120)
