@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 
 #include "model/formats/odb/text/records.h"
@@ -42,6 +43,24 @@ MountType mountOf(const PlacedComponent& component) {
     return MountType::Unknown;
 }
 
+/// The same package seen from below: y to -y, as KiCad flips what is on the bottom.
+EdaPackage flipped(const EdaPackage& package) {
+    const Placement over{{}, 180.0, true};
+    const auto outline = [&](const ShapeSketch& from) {
+        ShapeSketch to;
+        to.append(from, over);
+        return to;
+    };
+    EdaPackage turned = package;
+    turned.box = over.boxOf(package.box);
+    turned.outline = outline(package.outline);
+    for (EdaPin& pin : turned.pins) {
+        pin.position = over.apply(pin.position);
+        pin.outline = outline(pin.outline);
+    }
+    return turned;
+}
+
 class PartsMaker {
 public:
     PartsMaker(DocumentBuilder& builder, const Matrix& matrix, const LayerTable& layers, const StepData& step,
@@ -49,23 +68,43 @@ public:
         : m_builder(builder), m_matrix(matrix), m_layers(layers), m_step(step), m_nets(nets) {}
 
     void run() {
-        addPackages();
+        m_packages.resize(m_step.eda.value.packages.size());
         for (std::size_t row = 0; row < m_matrix.layers.size(); ++row) {
             const Parsed<std::vector<PlacedComponent>>& file = m_step.layers[row].components;
-            if (file.value.empty()) {
-                continue;
+            if (!file.value.empty()) {
+                const LayerSide side = m_builder.layer(m_layers.id(row)).side;
+                m_lists.push_back({&file, side, pinsAreMirrored(file.value, side)});
             }
-            const LayerSide side = m_builder.layer(m_layers.id(row)).side;
-            const bool isMirrored = pinsAreMirrored(file.value, side);
-            m_first[side == LayerSide::Bottom] = m_builder.soFar().components.size();
-            for (const PlacedComponent& component : file.value) {
-                add(component, side, isMirrored, file.path);
+        }
+        addPackages();
+        for (const List& list : m_lists) {
+            reportFlipped(list);
+            m_first[list.side == LayerSide::Bottom] = m_builder.soFar().components.size();
+            for (const PlacedComponent& component : list.file->value) {
+                add(component, list);
             }
         }
         tiePinPads();
     }
 
 private:
+    /// The components of a side.
+    struct List {
+        const Parsed<std::vector<PlacedComponent>>* file = nullptr;
+        LayerSide side = LayerSide::None;
+        bool isMirrored = false;  ///< as its pins lie
+
+        /// Is the component said to be mirrored, and its package drawn as if seen through the board?
+        [[nodiscard]] bool isFlipped(const PlacedComponent& component) const {
+            return side == LayerSide::Bottom && component.isMirrored && !isMirrored;
+        }
+    };
+    /// A package as it is drawn, and as it is where it is flipped; none where no component needs it.
+    struct BothWays {
+        PackageId drawn;
+        PackageId flipped;
+    };
+
     [[nodiscard]] const EdaPackage* packageOf(const PlacedComponent& component) const {
         const std::vector<EdaPackage>& packages = m_step.eda.value.packages;
         const bool isKnown = component.package >= 0 && static_cast<std::size_t>(component.package) < packages.size();
@@ -81,19 +120,38 @@ private:
     ShapeId shapeOf(const ShapeSketch& sketch) { return sketch.isEmpty() ? ShapeId{} : m_builder.addShape(sketch); }
 
     void addPackages() {
-        for (const EdaPackage& from : m_step.eda.value.packages) {
-            std::vector<PackagePin> pins;
-            for (const EdaPin& pin : from.pins) {
-                pins.push_back({m_builder.string(pin.name), pin.kind, pin.position, shapeOf(pin.outline)});
+        const std::vector<EdaPackage>& packages = m_step.eda.value.packages;
+        std::vector<std::array<bool, 2>> uses(packages.size());
+        for (const List& list : m_lists) {
+            for (const PlacedComponent& component : list.file->value) {
+                if (packageOf(component) != nullptr) {
+                    uses[static_cast<std::size_t>(component.package)][list.isFlipped(component)] = true;
+                }
             }
-            Package package;
-            package.name = from.name;
-            package.pitch = from.pitch;
-            package.box = from.box;
-            package.body = shapeOf(from.outline);
-            package.properties = addProperties(m_builder, from.properties);
-            m_packages.push_back(m_builder.addPackage(std::move(package), pins));
         }
+        for (std::size_t i = 0; i < packages.size(); ++i) {
+            const auto [isDrawn, isFlipped] = uses[i];
+            if (isDrawn || !isFlipped) {
+                m_packages[i].drawn = addPackage(packages[i]);
+            }
+            if (isFlipped) {
+                m_packages[i].flipped = addPackage(flipped(packages[i]));
+            }
+        }
+    }
+
+    PackageId addPackage(const EdaPackage& from) {
+        std::vector<PackagePin> pins;
+        for (const EdaPin& pin : from.pins) {
+            pins.push_back({m_builder.string(pin.name), pin.kind, pin.position, shapeOf(pin.outline)});
+        }
+        Package package;
+        package.name = from.name;
+        package.pitch = from.pitch;
+        package.box = from.box;
+        package.body = shapeOf(from.outline);
+        package.properties = addProperties(m_builder, from.properties);
+        return m_builder.addPackage(std::move(package), pins);
     }
 
     /// How many of a component's pins a placement puts where their records say.
@@ -116,25 +174,45 @@ private:
         return plain == mirrored ? side == LayerSide::Bottom : mirrored > plain;
     }
 
-    void add(const PlacedComponent& from, LayerSide side, bool isMirrored, std::string_view path) {
+    void reportFlipped(const List& list) {
+        const auto& parts = list.file->value;
+        const auto first =
+            std::ranges::find_if(parts, [&](const PlacedComponent& part) { return list.isFlipped(part); });
+        if (first != parts.end()) {
+            m_builder.diagnostics().report(Severity::Info, list.file->path, first->line,
+                                           "packages on the bottom are drawn as seen through the board; they were "
+                                           "flipped, and their parts' rotations with them");
+        }
+    }
+
+    void add(const PlacedComponent& from, const List& list) {
         const EdaPackage* package = packageOf(from);
+        const bool isFlipped = list.isFlipped(from);
+        PackageId id;
+        if (package != nullptr) {
+            const BothWays& ways = m_packages[static_cast<std::size_t>(from.package)];
+            id = isFlipped ? ways.flipped : ways.drawn;
+        }
         std::vector<Pin> pins;
         std::size_t known = 0;
         for (const PlacedPin& pin : from.pins) {
-            pins.push_back(pinFrom(pin, package, from.package));
+            pins.push_back(pinFrom(pin, package, id));
             known += pinOf(package, pin) != nullptr ? 1 : 0;
         }
-        if (fittingPins(from, isMirrored) < known) {
-            m_builder.diagnostics().report(Severity::Warning, path, from.line,
+        if (fittingPins(from, list.isMirrored) < known) {
+            m_builder.diagnostics().report(Severity::Warning, list.file->path, from.line,
                                            "the pins of a component do not lie where its package puts them; they stay "
                                            "where the TOP records say");
         }
         Component component;
         component.refdes = from.refdes;
         component.part = from.part;
-        component.package = package != nullptr ? m_packages[static_cast<std::size_t>(from.package)] : PackageId{};
-        component.placement = {from.position, from.clockwiseDeg, isMirrored};
-        component.side = side;
+        component.package = id;
+        component.placement = {from.position, from.clockwiseDeg, list.isMirrored};
+        if (isFlipped) {
+            component.placement = {from.position, std::fmod(540.0 - from.clockwiseDeg, 360.0), true};
+        }
+        component.side = list.side;
         component.height = from.height;
         component.mount = mountOf(from);
         component.isPopulated = !hasAttribute(from, ".no_pop");
@@ -143,14 +221,13 @@ private:
         m_builder.addComponent(std::move(component), pins);
     }
 
-    Pin pinFrom(const PlacedPin& from, const EdaPackage* package, std::int32_t packageNumber) {
+    Pin pinFrom(const PlacedPin& from, const EdaPackage* package, PackageId id) {
         const EdaPin* known = pinOf(package, from);
         Pin pin;
         pin.name = m_builder.string(from.name.empty() && known != nullptr ? known->name : from.name);
         pin.position = from.position;
         pin.net = m_nets.net(from.net);
         if (known != nullptr) {
-            const PackageId id = m_packages[static_cast<std::size_t>(packageNumber)];
             pin.packagePin = m_builder.soFar().packages[id.row()].pins.first + static_cast<std::uint32_t>(from.number);
         }
         return pin;
@@ -185,7 +262,8 @@ private:
     const LayerTable& m_layers;
     const StepData& m_step;
     const NetLinks& m_nets;
-    std::vector<PackageId> m_packages;                ///< by number of the PKG record
+    std::vector<List> m_lists;
+    std::vector<BothWays> m_packages;                 ///< by number of the PKG record
     std::vector<const PlacedComponent*> m_toeprints;  ///< by component
     std::array<std::size_t, 2> m_first{};             ///< first component of the top and of the bottom
 };

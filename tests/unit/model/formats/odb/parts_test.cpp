@@ -123,7 +123,7 @@ private slots:
         // The flag says the opposite of what the pins show: (x, y) → (-x, y), or as seen from the top.
         QTest::addRow("mirrored, flag N") << "CMP 0 10 20 0 N U1 c\nTOP 0 11 20 0 N 0 0 1\nTOP 1 8 21 0 N 0 0 2\n"
                                           << true;
-        QTest::addRow("plain, flag M") << "CMP 0 10 20 0 M U1 c\nTOP 0 9 20 0 N 0 0 1\nTOP 1 12 21 0 N 0 0 2\n"
+        QTest::addRow("plain, flag N") << "CMP 0 10 20 0 N U1 c\nTOP 0 9 20 0 N 0 0 1\nTOP 1 12 21 0 N 0 0 2\n"
                                        << false;
         QTest::addRow("turned, mirrored") << "CMP 0 10 20 90 N U1 c\nTOP 0 10 21 0 N 0 0 1\nTOP 1 9 18 0 N 0 0 2\n"
                                           << true;
@@ -141,6 +141,36 @@ private slots:
         for (const model::Pin& pin : d->pins) {
             QCOMPARE(d->components[0].placement.apply(d->packagePins[pin.packagePin].position), pin.position);
         }
+    }
+
+    void packagesDrawnThroughTheBoardAreFlipped_data() {
+        QTest::addColumn<QString>("top");
+        QTest::addColumn<std::size_t>("packages");
+        QTest::addRow("only on the bottom") << "" << std::size_t{1};
+        QTest::addRow("on both sides") << "CMP 0 50 20 0 N U2 c\nTOP 0 49 20 0 N 0 0 1\nTOP 1 52 21 0 N 0 0 2\n"
+                                       << std::size_t{2};
+    }
+    /// KiCad: said to be mirrored, by 90 degrees, with pins that are not.
+    void packagesDrawnThroughTheBoardAreFlipped() {
+        QFETCH(QString, top);
+        QFETCH(std::size_t, packages);
+        const Folder folder;
+        writeParts(folder, top.toStdString(), "CMP 0 10 20 90 M U1 c\nTOP 0 10 21 0 N 0 0 1\nTOP 1 11 18 0 N 0 0 2\n");
+        const auto d = read(folder.path());
+        QCOMPARE(d->packages.size(), packages);
+        const model::Component& u1 = d->components.back();
+        QCOMPARE(u1.refdes, std::string("U1"));
+        QVERIFY(u1.placement.isMirrored);
+        QCOMPARE(u1.placement.clockwiseDeg, 90.0);
+        const model::Package& package = d->packages[u1.package.row()];
+        QCOMPARE(package.box, (model::Box{{-2'000'000, -2'000'000}, {3'000'000, 2'000'000}}));
+        QCOMPARE(d->packagePins[package.pins.first + 1].position, (Point{2'000'000, -1'000'000}));
+        QCOMPARE(d->pinsOf(u1)[1].position, (Point{11'000'000, 18'000'000}));
+        for (const model::Pin& pin : d->pins) {
+            const model::Component& owner = d->components[pin.component.row()];
+            QCOMPARE(owner.placement.apply(d->packagePins[pin.packagePin].position), pin.position);
+        }
+        QVERIFY(findDiagnostic(d->diagnostics, "do not lie where its package") == nullptr);
     }
 
     void pinsThatFitNowhereStayAndAreReported() {
