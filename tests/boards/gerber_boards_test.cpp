@@ -169,6 +169,7 @@ private slots:
             QCOMPARE(other->board, first->board);
             QCOMPARE(holesOf(*other), holesOf(*first));
             QCOMPARE(other->components.size(), first->components.size());
+            QCOMPARE(other->pins.size(), first->pins.size());
             QCOMPARE(other->nets.size(), first->nets.size());
             QCOMPARE(copperOf(*other), copperOf(*first));
         }

@@ -126,7 +126,7 @@ void ImageParser::comment() {
     if (text.starts_with("#@!")) {
         text = trimmed(text.substr(3));
         text.remove_prefix(text.starts_with('%') ? 1 : 0);
-        if (text.size() > 2 && m_attributes.command(text.substr(0, 2), text.substr(2))) {
+        if (text.size() >= 2 && m_attributes.command(text.substr(0, 2), text.substr(2))) {
             return;
         }
     }
