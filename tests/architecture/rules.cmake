@@ -62,7 +62,7 @@ set(architecture_rows
     "shaders                       | shader::spirv   | shaders/lib shaders/shared shaders/tri |"
     "tri                           | tri             | | cgal"
     "tri/gpu                       | tri::gpu        | tri render/gpu shaders shaders/tri | vulkan"
-    "render/gpu                    | render::gpu     | | vulkan log"
+    "render/gpu                    | render::gpu     | model/text | vulkan log"
     "render/modelling              | render          | model/board model/figures model/geometry model/packages model/solids shaders/shared tri | glm"
     "render/standard               | render          | model/board model/figures model/geometry render/modelling shaders/shared | glm"
     "render/scene                  | render          | model/board model/index model/section render/gpu render/modelling render/standard shaders/shared | glm log vulkan"
