@@ -1,7 +1,14 @@
 #include "model/session/session.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <optional>
+#include <thread>
 
 #include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
@@ -30,6 +37,9 @@ constexpr const char* kLayerSetsKey = "layer_sets";
 constexpr const char* kBoardColoursKey = "board_colours";
 constexpr const char* kDesignRulesKey = "design_rules";
 constexpr const char* kWaiversKey = "waivers";
+/// Writing a session takes milliseconds.
+constexpr int kLockTries = 1000;
+constexpr std::chrono::milliseconds kLockPause{2};
 
 base::Error cannotWrite(const fs::path& path, const std::string& why) {
     return {base::ErrorCode::OutputFailed, path.string() + " cannot be written: " + why};
@@ -156,9 +166,45 @@ bool holdsNothing(const Json& json) {
                                [](const auto& item) { return item.key() == kVersionKey || item.key() == kJobKey; });
 }
 
+/// While it lives, no other program changes a session in this folder: reading a file, changing a part and writing it
+/// again must not mix with the same of others. The folder is locked, because files in it are replaced. A file system
+/// without locks is taken as one without other programs.
+class FolderLock {
+public:
+    explicit FolderLock(const fs::path& folder) : m_folder(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        m_isHeld = m_folder < 0 || take();
+        for (int i = 0; i < kLockTries && !m_isHeld; ++i) {
+            std::this_thread::sleep_for(kLockPause);
+            m_isHeld = take();
+        }
+    }
+    ~FolderLock() {
+        if (m_folder >= 0) {
+            ::close(m_folder);
+        }
+    }
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+    /// False: somebody keeps it for longer than writing a session takes.
+    [[nodiscard]] bool isHeld() const { return m_isHeld; }
+
+private:
+    [[nodiscard]] bool take() const {
+        return ::flock(m_folder, LOCK_EX | LOCK_NB) == 0 || (errno != EWOULDBLOCK && errno != EINTR);
+    }
+
+    int m_folder;
+    bool m_isHeld = false;
+};
+
 /// Sets one part of the file, or removes it when it is null.
 base::Status savePart(const fs::path& board, const Document& document, const char* key, const Json& part) {
     const fs::path path = sessionPath(board);
+    const FolderLock lock(path.parent_path());
+    if (!lock.isHeld()) {
+        return cannotWrite(path, "another program writes it, and does not end");
+    }
     std::string problem;
     const std::optional<std::string> before = textIn(path, problem);
     Json json = before ? jsonOf(*before, problem).value_or(Json::object()) : Json::object();
