@@ -78,7 +78,7 @@ void VulkanCanvas::exposeEvent(QExposeEvent*) {
 }
 
 void VulkanCanvas::resizeEvent(QResizeEvent*) {
-    m_controller.setViewport(size(), devicePixelRatio());
+    m_controller.setViewport(size());
 }
 
 bool VulkanCanvas::makePresenter() {
