@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "model/formats/kicad/barcode_symbol.h"
 #include "model/formats/kicad/shapes/regions.h"
+#include "model/formats/kicad/text/barcode_symbol.h"
 #include "model/formats/kicad/text/values.h"
 
 namespace model::kicad {

@@ -8,7 +8,7 @@
 
 #include "model/formats/kicad/canvas.h"
 #include "model/formats/kicad/text/tree.h"
-#include "model/formats/kicad/text_strokes.h"
+#include "model/formats/kicad/text/text_strokes.h"
 
 namespace model::kicad {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "model/formats/kicad/text_strokes.h"
+#include "model/formats/kicad/text/text_strokes.h"
 #include "model/geometry/discretise.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"

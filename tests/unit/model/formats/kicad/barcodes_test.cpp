@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "model/formats/kicad/barcode_symbol.h"
+#include "model/formats/kicad/text/barcode_symbol.h"
 #include "model/geometry/discretise.h"
 #include "model/geometry/region.h"
 #include "tests/unit/model/formats/kicad/kicad_testing.h"

@@ -1,4 +1,4 @@
-#include "model/formats/kicad/barcode_symbol.h"
+#include "model/formats/kicad/text/barcode_symbol.h"
 
 #include <zint.h>
 

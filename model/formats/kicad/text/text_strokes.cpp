@@ -1,4 +1,4 @@
-#include "model/formats/kicad/text_strokes.h"
+#include "model/formats/kicad/text/text_strokes.h"
 
 #include <algorithm>
 #include <cstddef>
