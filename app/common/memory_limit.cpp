@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "app/common/exit_code.h"
 #include "model/base/limits.h"
@@ -34,6 +35,10 @@ std::uint64_t limitInForce() {
         }
     } catch (const std::bad_alloc&) {
         std::_Exit(failOutOfMemory());
+    } catch (const std::system_error& error) {  // a thread that found no room for its stack
+        if (error.code() == std::errc::resource_unavailable_try_again) {
+            std::_Exit(failOutOfMemory());
+        }
     } catch (...) {
     }
     std::abort();

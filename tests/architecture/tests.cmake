@@ -4,7 +4,7 @@ add_test(NAME architecture
 add_test(NAME architecture_catches_violations
     COMMAND ${CMAKE_COMMAND} -DWORK=${CMAKE_CURRENT_BINARY_DIR}/architecture_scratch
             -P ${CMAKE_CURRENT_LIST_DIR}/catches_violations.cmake)
-set_tests_properties(architecture architecture_catches_violations PROPERTIES LABELS unit TIMEOUT 120)
+set_tests_properties(architecture architecture_catches_violations PROPERTIES LABELS unit TIMEOUT 300)
 
 # The words of the trade (words.txt) as a test, and the proof that this test can fail.
 add_test(NAME vocabulary

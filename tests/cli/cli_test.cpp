@@ -33,9 +33,9 @@ private slots:
     }
 
     void memoryBeyondTheLimitIsSaid() {
-        const Outcome run = copperscope({"info", locations::kSample, "--max-memory", "48M"});
+        const Outcome run = copperscope({"info", locations::kSample, "--max-memory", "12M"});
         QCOMPARE(run.exitCode, 3);
-        QVERIFY2(run.err.contains("out of memory: this takes more than 48 MiB, the limit that --max-memory sets"),
+        QVERIFY2(run.err.contains("out of memory: this takes more than 12 MiB, the limit that --max-memory sets"),
                  run.err.constData());
         QCOMPARE(copperscope({"info", locations::kSample, "--max-memory", "8G"}).exitCode, 0);
         QCOMPARE(copperscope({"info", locations::kSample, "--max-memory", "much"}).exitCode, 1);
