@@ -54,6 +54,21 @@ std::string_view refusal(const ArchiveStream& stream, std::string_view name) {
     return {};
 }
 
+/// What the file unpacks to, if it is one gzip member.
+std::optional<FileBytes> unpackGzipFile(const fs::path& path, std::uintmax_t size, const ArchiveLimits& limits) {
+    std::ifstream file(path, std::ios::binary);
+    char magic[2] = {};
+    if (size > kMostAtOneGo || !file.read(magic, sizeof magic) || std::string_view(magic, sizeof magic) != kGzipMagic) {
+        return std::nullopt;
+    }
+    FileBytes packed(size);
+    file.seekg(0);
+    if (!packed.holdsMemory() || !file.read(packed.data(), static_cast<std::streamsize>(size))) {
+        return std::nullopt;
+    }
+    return unpackGzip(packed.view(), limits.totalBytes);
+}
+
 }  // namespace
 
 std::string lowerCase(std::string_view text) {
@@ -114,6 +129,9 @@ base::Result<Archive> Archive::openFile(const fs::path& path, const ArchiveLimit
     if (error || fileSize == 0) {
         return badInput(path, error ? "the file cannot be read" : "the file is empty");
     }
+    if (std::optional<FileBytes> unpacked = unpackGzipFile(path, fileSize, limits)) {
+        return readUnpacked(*std::move(unpacked), path, limits, progress, diagnostics);
+    }
     ArchiveStream stream(path, ArchiveStream::Formats::Containers);
     base::Result<Archive> tree = readAll(stream, fileSize, path, limits, progress, diagnostics);
     if (tree || stream.hasEntries() || tree.error().code != base::ErrorCode::BadInput) {
@@ -129,6 +147,9 @@ base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& na
     if (bytes.empty()) {
         return badInput(name, "the file is empty");
     }
+    if (std::optional<FileBytes> unpacked = unpackGzip(bytes, limits.totalBytes)) {
+        return readUnpacked(*std::move(unpacked), name, limits, progress, diagnostics);
+    }
     ArchiveStream stream(bytes, ArchiveStream::Formats::Containers);
     base::Result<Archive> tree = readAll(stream, bytes.size(), name, limits, progress, diagnostics);
     if (tree || stream.hasEntries() || tree.error().code != base::ErrorCode::BadInput) {
@@ -139,16 +160,35 @@ base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& na
     return lone ? base::Result<Archive>(*std::move(lone)) : std::move(tree);
 }
 
-std::optional<Archive> Archive::readLone(ArchiveStream& stream, const fs::path& path, const ArchiveLimits& limits) {
-    Entry entry{path.stem().string(), {}, {}, 0};
-    if (!stream.next() || !stream.isPacked() || !stream.read(entry.data, limits.totalBytes)) {
-        return std::nullopt;
+base::Result<Archive> Archive::readUnpacked(FileBytes unpacked, const fs::path& path, const ArchiveLimits& limits,
+                                            base::Progress& progress, Diagnostics& diagnostics) {
+    ArchiveStream stream(unpacked, ArchiveStream::Formats::Containers);
+    base::Result<Archive> tree = readAll(stream, unpacked.size(), path, limits, progress, diagnostics);
+    if (tree) {
+        tree->m_unpacked = std::move(unpacked);
+        return tree;
     }
-    entry.size = entry.data.size();
+    if (stream.hasEntries() || tree.error().code != base::ErrorCode::BadInput) {
+        return tree;
+    }
+    return loneFile(path, Bytes(std::move(unpacked)));
+}
+
+Archive Archive::loneFile(const fs::path& path, Bytes data) {
+    Entry entry{path.stem().string(), std::move(data), {}, 0};
+    entry.size = entry.data.view().size();
     Archive tree;
     Diagnostics none;
     tree.add(std::move(entry), none);
     return tree;
+}
+
+std::optional<Archive> Archive::readLone(ArchiveStream& stream, const fs::path& path, const ArchiveLimits& limits) {
+    Bytes data;
+    if (!stream.next() || !stream.isPacked() || !stream.read(data, limits.totalBytes)) {
+        return std::nullopt;
+    }
+    return loneFile(path, std::move(data));
 }
 
 base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t packedBytes, const fs::path& path,
@@ -172,12 +212,12 @@ base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t pack
         }
         Entry entry{name, {}, {}, 0};
         if (!stream.read(entry.data, limits.totalBytes - total)) {
-            const bool isTooLarge = entry.data.size() + total + (1U << 20) > limits.totalBytes;
+            const bool isTooLarge = entry.data.view().size() + total + (1U << 20) > limits.totalBytes;
             return badInput(path, isTooLarge ? "the archive unpacks to too much data for a job"
                                              : "the archive ends early or is damaged at " + name);
         }
-        total += entry.data.size();
-        entry.size = entry.data.size();
+        entry.size = entry.data.view().size();
+        total += entry.size;
         if (tree.m_entries.size() >= limits.entries) {
             return badInput(path, "the archive holds too many files to be a job");
         }
@@ -209,7 +249,7 @@ int Archive::find(std::string_view path) const {
 base::Result<Bytes> Archive::bytes(int row) const {
     const Entry& entry = m_entries[static_cast<std::size_t>(row)];
     if (entry.source.empty()) {
-        return Bytes::borrow(entry.data);
+        return Bytes::borrow(entry.data.view());
     }
     std::ifstream file(entry.source, std::ios::binary);
     std::string data(entry.size, '\0');

@@ -11,6 +11,7 @@
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/board/diagnostics.h"
+#include "model/formats/common/gzip_member.h"
 
 namespace model::formats {
 
@@ -27,6 +28,7 @@ class Bytes {
 public:
     Bytes() = default;
     explicit Bytes(std::string own) : m_own(std::move(own)) {}
+    explicit Bytes(FileBytes own) : m_file(std::move(own)), m_borrowed(m_file.view()) {}
     [[nodiscard]] static Bytes borrow(std::string_view bytes) {
         Bytes borrowed;
         borrowed.m_borrowed = bytes;
@@ -36,7 +38,8 @@ public:
 
 private:
     std::string m_own;
-    std::string_view m_borrowed;
+    FileBytes m_file;
+    std::string_view m_borrowed;  ///< of somebody else, or of m_file
 };
 
 /// ASCII lower case; other bytes stay.
@@ -75,7 +78,7 @@ public:
 private:
     struct Entry {
         std::string path;
-        std::string data;              ///< of archives
+        Bytes data;                    ///< of archives
         std::filesystem::path source;  ///< of folders
         std::uint64_t size = 0;
     };
@@ -85,14 +88,20 @@ private:
                                                           Diagnostics& diagnostics);
     [[nodiscard]] static base::Result<Archive> openFile(const std::filesystem::path& path, const ArchiveLimits& limits,
                                                         base::Progress& progress, Diagnostics& diagnostics);
+    /// Of an archive file whose bytes, or what they were packed from, are in memory.
+    [[nodiscard]] static base::Result<Archive> readUnpacked(FileBytes unpacked, const std::filesystem::path& path,
+                                                            const ArchiveLimits& limits, base::Progress& progress,
+                                                            Diagnostics& diagnostics);
     [[nodiscard]] static base::Result<Archive> readAll(ArchiveStream& stream, std::uint64_t packedBytes,
                                                        const std::filesystem::path& path, const ArchiveLimits& limits,
                                                        base::Progress& progress, Diagnostics& diagnostics);
+    [[nodiscard]] static Archive loneFile(const std::filesystem::path& path, Bytes data);
     /// A packed file that is no container; nothing if it is none, or broken.
     [[nodiscard]] static std::optional<Archive> readLone(ArchiveStream& stream, const std::filesystem::path& path,
                                                          const ArchiveLimits& limits);
     void add(Entry entry, Diagnostics& diagnostics);
 
+    FileBytes m_unpacked;  ///< what data of entries may point into
     std::vector<Entry> m_entries;
     std::map<std::string, int, std::less<>> m_rows;
 };
