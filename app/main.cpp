@@ -1,9 +1,18 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <new>
+
 #include "app/commands/command_line.h"
+#include "app/common/memory_limit.h"
 
 int main(int argc, char** argv) {
-    spdlog::set_default_logger(spdlog::stderr_color_mt("copperscope"));  // data goes to stdout, talk to stderr
-    return app::parseCommandLine(argc, argv)();
+    app::endWhereMemoryRunsOut();
+    app::limitMemory(app::machineMemory());
+    try {
+        spdlog::set_default_logger(spdlog::stderr_color_mt("copperscope"));  // data goes to stdout, talk to stderr
+        return app::parseCommandLine(argc, argv)();
+    } catch (const std::bad_alloc&) {
+        return app::failOutOfMemory();
+    }
 }

@@ -3,14 +3,17 @@
 
 # build_preset PRESET [CMAKE OPTION...]: leaves the result in build/PRESET and all output in build/PRESET/build.log.
 # Prints nothing when nothing is to do.
-build_preset() {
-    local preset=$1 dir=$root/build/$1
-    shift
-    mkdir -p "$dir" || die "$kB"uildFailed "cannot write to $root/build"
+build_preset() { build_preset_target "$1" all "${@:2}"; }
+
+# build_preset_target PRESET TARGET [CMAKE OPTION...]: the same of one target.
+build_preset_target() {
+    local preset=$1 dir=$root/build/$1 target=$2
+    shift 2
+    mkdir -p "$dir" || die "$kBuildFailed" "cannot write to $root/build"
     exec 9>"$dir/.lock"
     flock -n 9 || { say "another build of $preset is running, waiting for it"; flock 9; }
     configure "$preset" "$dir" "$@"
-    cmake --build "$dir" 2>&1 | follow_build "$dir" || build_failed "$dir" "the build"
+    cmake --build "$dir" --target "$target" 2>&1 | follow_build "$dir" || build_failed "$dir" "the build"
     exec 9>&-  # the program that runs next must not hold the lock
 }
 

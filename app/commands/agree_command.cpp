@@ -67,6 +67,9 @@ ordered_json comparisonJson(const Comparison& comparison) {
     if (comparison.region) {
         addRegion(json, *comparison.region);
     }
+    if (comparison.farthest) {
+        json["farthest_nm"] = *comparison.farthest;
+    }
     json["differing"] = comparison.differing;
     json["differences"] = ordered_json::array();
     for (const model::Difference& difference : comparison.differences) {
@@ -105,7 +108,11 @@ std::string sizesOf(const Comparison& comparison) {
         return model::formatted("%.3f and %.3f mm²", region.areas[0] / 1e12, region.areas[1] / 1e12);
     }
     const auto& [a, b] = comparison.counts;
-    return a + b == 0 ? "" : a == b ? std::to_string(a) : std::to_string(a) + " and " + std::to_string(b);
+    const std::string counts = a + b == 0 ? ""
+                               : a == b   ? std::to_string(a)
+                                          : std::to_string(a) + " and " + std::to_string(b);
+    return comparison.farthest ? counts + model::formatted(", at most %.3f µm apart", *comparison.farthest / 1e3)
+                               : counts;
 }
 
 void printComparison(const Comparison& comparison) {

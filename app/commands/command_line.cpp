@@ -18,6 +18,7 @@
 #include "app/commands/workbench_command.h"
 #include "app/common/commit.h"
 #include "app/common/exit_code.h"
+#include "app/common/memory_limit.h"
 #include "model/agreement/agreement.h"
 #include "model/board/board_colours.h"
 #include "model/clearance/rule_presets.h"
@@ -69,6 +70,15 @@ void addRepeated(CLI::App& command, const char* name, std::vector<std::string>& 
     command.add_option(name, values, std::string(help) + "; may be given several times")->take_all()->expected(1);
 }
 
+/// An option that is a number of bytes, with K, M, G or T behind it for powers of 1024.
+void addSize(CLI::App& command, const char* name, const char* help, const std::function<void(std::uint64_t)>& take) {
+    command
+        .add_option_function<std::uint64_t>(
+            name, [take](const std::uint64_t& bytes) { take(bytes); }, help)
+        ->transform(CLI::AsSizeValue(false))
+        ->type_name("SIZE");
+}
+
 /// An option that names a file, read or written.
 template <class Path>
 CLI::Option* addFile(CLI::App& command, const char* name, Path& value, const std::string& help) {
@@ -101,6 +111,9 @@ void addInputOptions(CLI::App& command, model::OpenRequest& request) {
               ": what to read of a job that is there in several formats; default: the richest");
     addFile(command, "--layer-map", request.layerMap,
             "what each file of a Gerber job draws (see docs/command-line.md)");
+    addSize(command, "--max-unpacked", "how much an archive may unpack to, as 8G; default: 4G, and 250 times its size",
+            [&request](std::uint64_t bytes) { request.limits = model::formats::limitsOfUnpacking(bytes); });
+    addSize(command, "--max-memory", "how much memory may be taken, as 2G; default: what the machine has", limitMemory);
 }
 
 void addModellingOptions(CLI::App& command, BoardArguments& board) {
@@ -488,8 +501,8 @@ std::string versionText() {
 
 /// As in docs/command-line.md, for --help and the man pages.
 constexpr const char* kExitCodes =
-    "Exit codes: 0 done; 1 wrong usage; 2 the input cannot be read; 3 no usable device, or the output cannot be "
-    "written; 4 a limit set by an option is broken.";
+    "Exit codes: 0 done; 1 wrong usage; 2 the input cannot be read; 3 no usable device, not enough memory, or the "
+    "output cannot be written; 4 a limit set by an option is broken.";
 
 constexpr void (*kCommands[])(CLI::App&, Command&) = {addInfo,    addRender,  addGenerate, addBench,  addClearance,
                                                       addSection, addMeasure, addExport,   addVerify, addAgree};

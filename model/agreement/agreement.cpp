@@ -1,6 +1,7 @@
 #include "model/agreement/agreement.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/agreement/hole_agreement.h"
 #include "model/agreement/layer_agreement.h"
@@ -48,6 +49,11 @@ void Comparison::add(Difference difference, std::size_t most) {
     if (differing++ < most) {
         differences.push_back(std::move(difference));
     }
+}
+
+void Comparison::measure(Point a, Point b) {
+    const double apart = std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y);
+    farthest = std::max(farthest.value_or(0.0), apart);
 }
 
 bool AgreementRequest::wants(Aspect aspect) const {

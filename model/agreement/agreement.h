@@ -50,11 +50,14 @@ struct Comparison {
     std::array<std::size_t, 2> counts{};       ///< how many holes, parts, pins or nets either job has
     std::optional<RegionDifference> region{};  ///< of layers and outlines
     std::string note{};
+    std::optional<double> farthest{};       ///< of holes, parts and pins: largest distance between two of a pair, nm
     std::size_t differing = 0;              ///< how many differences there are
     std::vector<Difference> differences{};  ///< the first of them
 
     /// Counts it, and keeps it if it is one of the first `most`.
     void add(Difference difference, std::size_t most);
+    /// Takes the locations of a pair into `farthest`.
+    void measure(Point a, Point b);
 };
 
 struct AgreementRequest {

@@ -71,6 +71,9 @@ Comparison compareHoles(const FlatBoard& a, const FlatBoard& b, const AgreementR
                    (isSameSpan(hole, other) ? 0 : 1);
         };
         const auto found = b.holes.empty() ? std::nullopt : matcher.take(hole.middle, kSamePlace, unlike);
+        if (found) {
+            comparison.measure(hole.middle, b.holes[*found].middle);
+        }
         const std::string text = found ? difference(hole, b.holes[*found], request.tolerance) : onlyIn("A", hole);
         if (!text.empty()) {
             comparison.add({text, hole.middle}, request.most);

@@ -113,6 +113,7 @@ private:
             return addMissing("A", part);
         }
         const std::string name(part.refdes);
+        m_found.parts.measure(part.position, other->position);
         if (part.isBottom != other->isBottom) {
             add(m_found.parts, name + " is on the " + sideOf(part) + " in A, on the " + sideOf(*other) + " in B",
                 part.position);
@@ -183,6 +184,7 @@ private:
     }
 
     void reportPin(const Part& part, const PinAt& a, const PinAt& b) {
+        m_found.pins.measure(a.position, b.position);
         const bool areNamed = !a.name.empty() && !b.name.empty();  // some formats name pads that others leave nameless
         if (areNamed && a.name != b.name) {
             add(m_found.pins, pinName(part, a) + " is called " + std::string(b.name) + " in B", a.position);

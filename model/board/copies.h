@@ -38,9 +38,6 @@ struct BoardNet {
     constexpr auto operator<=>(const BoardNet&) const = default;
 };
 
-/// More copies than this are taken for a broken job; readers keep to it.
-inline constexpr std::size_t kMaxCopies = 100'000;
-
 [[nodiscard]] StepTree unfoldCopies(const Document& board);
 
 /// Every document once, the board itself first.

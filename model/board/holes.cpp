@@ -43,7 +43,7 @@ HoleSpan layerSpan(const Document& document, const Layer& layer) {
     }
     const bool isTop = document.layer(layer.spanTop).side == LayerSide::Top;
     const bool isBottom = document.layer(layer.spanBottom).side == LayerSide::Bottom;
-    const bool isSingle = layer.spanTop == layer.spanBottom && isTop;
+    const bool isSingle = layer.spanTop == layer.spanBottom && isTop && layer.use != LayerUse::DualDiameter;
     if ((isTop && isBottom) || isSingle) {
         return HoleSpan::Through;
     }

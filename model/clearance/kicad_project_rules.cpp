@@ -17,6 +17,7 @@
 #include "model/clearance/kicad_rules.h"
 #include "model/clearance/rule_choice.h"
 #include "model/text/json_lines.h"
+#include "model/text/json_reading.h"
 #include "model/text/s_expression.h"
 #include "model/text/whole_file.h"
 
@@ -311,11 +312,12 @@ void append(RuleFile& file, RuleFile others) {
 }  // namespace
 
 base::Result<RuleFile> parseKicadProjectRules(std::string_view text) {
-    const json root = json::parse(text, nullptr, false, true);
-    if (!root.is_object()) {
-        return base::Error{base::ErrorCode::BadInput, "the rules cannot be used: this project of KiCad is no JSON"};
+    const base::Result<json> root = readJson<json>(text);
+    if (!root || !root->is_object()) {
+        return base::Error{base::ErrorCode::BadInput, "the rules cannot be used: this is no project of KiCad (" +
+                                                          (root ? "it holds no object" : root.error().text) + ")"};
     }
-    return ProjectImporter(root, text).run();
+    return ProjectImporter(*root, text).run();
 }
 
 base::Result<RuleFile> parseKicadBoardRules(std::string_view board) {

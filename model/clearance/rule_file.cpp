@@ -318,7 +318,7 @@ base::Result<RuleFile> readRules(const std::filesystem::path& path) {
         std::optional<RuleFile> file = kicadRulesOf(path);
         return file ? base::Result<RuleFile>(std::move(*file)) : bad("this board has no project of KiCad with rules");
     }
-    ASSIGN_OR_RETURN(const std::string text, readWholeFile(path));
+    ASSIGN_OR_RETURN(const std::string text, readWholeFile(path, base::kMostSettingBytes));
     if (path.extension() == ".kicad_pro") {
         return parseKicadProjectRules(text);
     }

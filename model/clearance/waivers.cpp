@@ -262,7 +262,7 @@ std::string toJson(std::span<const Waiver> waivers) {
 }
 
 base::Result<std::vector<Waiver>> readWaivers(const std::filesystem::path& path) {
-    ASSIGN_OR_RETURN(const std::string text, readWholeFile(path));
+    ASSIGN_OR_RETURN(const std::string text, readWholeFile(path, base::kMostSettingBytes));
     return parseWaivers(text);
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "model/base/limits.h"
 #include "model/formats/gerber/gerber_reader.h"
 
 namespace model {
@@ -14,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// More archives in a folder than this are a collection and no board.
-constexpr std::size_t kMostArchives = 24;
 constexpr std::size_t kMostListed = 8;
 
 /// What KiCad packs from time to time by itself.
@@ -42,13 +41,14 @@ std::vector<BoardForm> openForms(const formats::Archive& archive, const fs::path
 }
 
 /// Those in the file `row` of the input, an archive.
-std::vector<BoardForm> packedForms(const BoardInput& input, int row, base::Progress& progress) {
+std::vector<BoardForm> packedForms(BoardInput& input, int row, base::Progress& progress) {
     const std::string& member = input.archive->path(row);
     const base::Result<formats::Bytes> bytes = input.archive->bytes(row);
     Diagnostics ignored;  // reading the board reports them
     const base::Result<formats::Archive> inner =
-        bytes ? formats::Archive::unpack(bytes->view(), member, {}, progress, ignored) : bytes.error();
+        bytes ? formats::Archive::unpack(bytes->view(), member, input.limits, progress, ignored) : bytes.error();
     if (!inner) {
+        input.unpacking.report(Severity::Warning, member, 0, "the archive was not looked into: " + inner.error().text);
         return {};
     }
     std::error_code error;
@@ -90,14 +90,14 @@ base::Result<std::vector<BoardForm>> formsIn(BoardInput& input, base::Progress& 
         if (!isNamedLikeArchive(path) || isSafetyCopy(path)) {
             continue;
         }
-        if (++archives <= kMostArchives) {
+        if (++archives <= base::kMostInnerArchives) {
             std::ranges::move(packedForms(input, row, progress), std::back_inserter(forms));
         }
     }
-    if (archives > kMostArchives) {
+    if (archives > base::kMostInnerArchives) {
         input.unpacking.report(Severity::Info, "", 0,
                                "there are " + std::to_string(archives) + " archives in it; the first " +
-                                   std::to_string(kMostArchives) + " were looked into");
+                                   std::to_string(base::kMostInnerArchives) + " were looked into, the limit");
     }
     std::error_code error;
     if (forms.size() > 1 && fs::is_directory(input.path, error)) {

@@ -145,7 +145,8 @@ base::Error unknown(const BoardInput& input) {
 /// Unpacks what may be a folder or archive. Errors: what stops it from being one.
 base::Status unpack(BoardInput& input, base::Progress& progress) {
     progress.beginPhase("Unpacking the job");
-    base::Result<formats::Archive> archive = formats::Archive::open(input.path, {}, progress, input.unpacking);
+    base::Result<formats::Archive> archive =
+        formats::Archive::open(input.path, input.limits, progress, input.unpacking);
     std::error_code error;
     const bool isBroken = !archive && (archive.error().code == base::ErrorCode::Cancelled ||
                                        !fs::is_regular_file(input.path, error) || isArchive(input.head));
@@ -175,7 +176,7 @@ base::Status enter(BoardInput& input, const std::string& member, base::Progress&
     ASSIGN_OR_RETURN(const formats::Bytes bytes, input.archive->bytes(row));
     input.path /= member;
     ASSIGN_OR_RETURN(formats::Archive inner,
-                     formats::Archive::unpack(bytes.view(), input.path, {}, progress, input.unpacking));
+                     formats::Archive::unpack(bytes.view(), input.path, input.limits, progress, input.unpacking));
     input.archive = std::move(inner);
     return base::Done{};
 }
@@ -194,7 +195,7 @@ base::Result<std::shared_ptr<const Document>> readPart(BoardInput& input, const 
 base::Result<std::shared_ptr<const Document>> readForm(BoardInput& input, const BoardForm& form,
                                                        const ReadOptions& options, base::Progress& progress) {
     if (form.path != input.path) {
-        BoardInput inner{form.path, readHead(form.path), {}, std::move(input.unpacking), input.reading};
+        BoardInput inner{form.path, readHead(form.path), {}, std::move(input.unpacking), input.reading, input.limits};
         if (isOf(*form.format, inner)) {
             return form.format->read(inner, options, progress);
         }
@@ -220,7 +221,7 @@ base::Result<ReadBoard> readAsItIs(const fs::path& path, const ReadOptions& opti
     if (!fs::exists(path, error)) {
         return badInput(path, "there is no such file or folder");
     }
-    BoardInput input{path, readHead(path), {}, {}, {}};
+    BoardInput input{path, readHead(path), {}, {}, {}, options.limits};
     if (const BoardFormat* format = formatOf(input)) {
         Forms itself{{format, path}};
         RETURN_IF_ERROR(putChosenFirst(itself, options, path));
@@ -256,7 +257,13 @@ std::span<const BoardFormat> knownFormats() {
     static const std::array kFormats = {
         BoardFormat{
             "ODB++ job", {".tgz", ".tar.gz", ".tar", ".zip"}, "an ODB++ matrix", nullptr, readOdb, "odb", odb::jobsIn},
-        BoardFormat{"IPC-2581", {".xml", ".cvg", ".xml.gz", ".cvg.gz"}, "an IPC-2581 file", isIpc, readIpc, "ipc2581", ipc2581::filesIn},
+        BoardFormat{"IPC-2581",
+                    {".xml", ".cvg", ".xml.gz", ".cvg.gz"},
+                    "an IPC-2581 file",
+                    isIpc,
+                    readIpc,
+                    "ipc2581",
+                    ipc2581::filesIn},
         BoardFormat{"KiCad board", {".kicad_pcb"}, "a KiCad board", isKicad, readKicad, "kicad", kicad::boardsOf},
         BoardFormat{"Gerber job",
                     {".zip", ".gbrjob", ".gbr", ".ger", ".gtl", ".gbl", ".art", ".pho", ".gdo", ".drl", ".xln"},

@@ -29,6 +29,7 @@ struct BoardInput {
     std::optional<formats::Archive> archive;  ///< of a folder or an archive, once it is unpacked
     Diagnostics unpacking;
     base::Stopwatch reading;  ///< since the path was opened
+    formats::ArchiveLimits limits{};
 };
 
 struct BoardFormat {

@@ -45,16 +45,27 @@ void collect(const ClipperLib::PolyNode& parent, PolygonSet& out) {
     }
 }
 
-/// Outlines wind +1 and holes -1 in a PolygonSet, so "any polygon covers it" is winding > 0.
-PolygonSet execute(ClipperLib::ClipType type, const PolygonSet& subject, const PolygonSet& clip) {
+/// Loops that do not overlap, sorted into polygons.
+PolygonSet sorted(const Paths& paths) {
     ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
-    clipper.AddPaths(toPaths(subject), ClipperLib::ptSubject, true);
-    clipper.AddPaths(toPaths(clip), ClipperLib::ptClip, true);
+    clipper.AddPaths(paths, ClipperLib::ptSubject, true);
     ClipperLib::PolyTree tree;
-    clipper.Execute(type, tree, ClipperLib::pftPositive, ClipperLib::pftPositive);
+    clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftPositive, ClipperLib::pftPositive);
     PolygonSet result;
     collect(tree, result);
     return result;
+}
+
+/// Outlines wind +1 and holes -1 in a PolygonSet, so "any polygon covers it" is winding > 0. Which hole is whose is
+/// found out in a pass of its own: polyclipping looks through all loops each time it joins two while it keeps a tree of
+/// them, and the strokes of a hatch make it join thousands, which are gone in the second pass.
+PolygonSet execute(ClipperLib::ClipType type, const PolygonSet& subject, const PolygonSet& clip) {
+    ClipperLib::Clipper clipper;
+    clipper.AddPaths(toPaths(subject), ClipperLib::ptSubject, true);
+    clipper.AddPaths(toPaths(clip), ClipperLib::ptClip, true);
+    Paths paths;
+    clipper.Execute(type, paths, ClipperLib::pftPositive, ClipperLib::pftPositive);
+    return sorted(paths);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/base/limits.h"
+
 namespace model {
 
 Point rounded(PointD p) {
@@ -150,6 +152,15 @@ std::int64_t turn(Point a, Point b, Point c) {
 }
 
 }  // namespace
+
+bool hasTooManyCorners(const ShapeSketch& sketch) {
+    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
+        if (sketch.contour(i).size() > base::kMostCorners) {
+            return true;
+        }
+    }
+    return false;
+}
 
 Box boxOf(const ShapeSketch& sketch) {
     Box box;

@@ -40,6 +40,9 @@ void addCapsule(ShapeSketch& sketch, PointD from, PointD to, double width);
 /// Adds nodes as one contour, without those whose straight edge has no length.
 void addPath(ShapeSketch& sketch, std::span<const PathNode> nodes, bool isHole);
 
+/// Has one of its contours more than base::kMostCorners corners? Readers leave it out.
+[[nodiscard]] bool hasTooManyCorners(const ShapeSketch& sketch);
+
 /// Around the contours of a sketch.
 [[nodiscard]] Box boxOf(const ShapeSketch& sketch);
 

@@ -61,8 +61,8 @@ Thicknesses SetThicknesses::all() const {
 }
 
 base::Result<OpenedBoard> openBoard(const OpenRequest& request, base::Progress& progress) {
-    const ReadOptions options{request.step,   request.inferNets, request.format,
-                              request.member, request.onlyAsks,  request.layerMap};
+    const ReadOptions options{request.step,     request.inferNets, request.format, request.member,
+                              request.onlyAsks, request.layerMap,  request.limits};
     ASSIGN_OR_RETURN(ReadBoard read, readAnyBoard(request.path, options, progress));
     if (!read.document) {
         OpenedBoard asks{request, nullptr};

@@ -23,6 +23,7 @@ struct OpenRequest {
     std::string member{};                    ///< BoardForm::member
     bool onlyAsks = false;                   ///< reads nothing where there are several forms and none is named here
     std::filesystem::path layerMap{};        ///< what files of a Gerber job draw; empty: ReadOptions::layerMap
+    formats::ArchiveLimits limits{};         ///< of archives that are unpacked
 };
 
 /// What thicknesses are set over those of the job: those of the session file, and over them those for this time only.

@@ -1,14 +1,21 @@
 #include "model/session/session.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
-#include <fstream>
+#include <cerrno>
+#include <chrono>
 #include <optional>
+#include <thread>
 
 #include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
 #include "model/clearance/rule_file.h"
 #include "model/session/session_json.h"
 #include "model/solids/restack.h"
+#include "model/text/json_reading.h"
 #include "model/text/json_text.h"
 #include "model/text/whole_file.h"
 
@@ -30,36 +37,42 @@ constexpr const char* kLayerSetsKey = "layer_sets";
 constexpr const char* kBoardColoursKey = "board_colours";
 constexpr const char* kDesignRulesKey = "design_rules";
 constexpr const char* kWaiversKey = "waivers";
-/// No session is this large; something else is.
-constexpr std::uintmax_t kMostBytes = 16 << 20;
+/// Writing a session takes milliseconds.
+constexpr int kLockTries = 1000;
+constexpr std::chrono::milliseconds kLockPause{2};
 
 base::Error cannotWrite(const fs::path& path, const std::string& why) {
     return {base::ErrorCode::OutputFailed, path.string() + " cannot be written: " + why};
 }
 
-/// The file as JSON; nothing when it is missing or no JSON object. `problem` says which.
-std::optional<Json> readJson(const fs::path& path, std::string& problem) {
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(path, error);
-    if (error) {
-        return std::nullopt;  // not there
-    }
-    std::ifstream file(path, std::ios::binary);
-    if (!file || size > kMostBytes) {
-        problem = file ? "is too large for a session" : "cannot be read";
+/// The text as JSON; nothing when it is no session of this version. `problem` says why.
+std::optional<Json> jsonOf(std::string_view text, std::string& problem) {
+    base::Result<Json> read = model::readJson<Json>(text);
+    if (!read || !read->is_object() || !read->contains(kVersionKey) || !(*read)[kVersionKey].is_number_integer()) {
+        problem = "is no session of Copperscope" + (read ? std::string() : " (" + read.error().text + ")");
         return std::nullopt;
     }
-    Json json = Json::parse(file, nullptr, false);
-    if (!json.is_object() || !json.contains(kVersionKey) || !json[kVersionKey].is_number_integer()) {
-        problem = "is no session of Copperscope";
-        return std::nullopt;
-    }
-    if (json[kVersionKey].get<std::int64_t>() != kVersion) {
-        problem = "is a session of version " + json[kVersionKey].dump() + ", this Copperscope knows version " +
+    const Json& version = (*read)[kVersionKey];
+    if (version.get<std::int64_t>() != kVersion) {
+        problem = "is a session of version " + version.dump() + ", this Copperscope knows version " +
                   std::to_string(kVersion);
         return std::nullopt;
     }
-    return json;
+    return *std::move(read);
+}
+
+/// What the file holds; nothing when it is missing or too large. `problem` says which.
+std::optional<std::string> textIn(const fs::path& path, std::string& problem) {
+    std::error_code error;
+    if (!fs::exists(path, error)) {
+        return std::nullopt;
+    }
+    base::Result<std::string> text = readWholeFile(path, base::kMostSettingBytes);
+    if (!text) {
+        problem = text.error().text.substr(path.string().size() + 1);
+        return std::nullopt;
+    }
+    return *std::move(text);
 }
 
 bool isThickness(const Json& value) {
@@ -153,11 +166,48 @@ bool holdsNothing(const Json& json) {
                                [](const auto& item) { return item.key() == kVersionKey || item.key() == kJobKey; });
 }
 
+/// While it lives, no other program changes a session in this folder: reading a file, changing a part and writing it
+/// again must not mix with the same of others. The folder is locked, because files in it are replaced. A file system
+/// without locks is taken as one without other programs.
+class FolderLock {
+public:
+    explicit FolderLock(const fs::path& folder) : m_folder(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        m_isHeld = m_folder < 0 || take();
+        for (int i = 0; i < kLockTries && !m_isHeld; ++i) {
+            std::this_thread::sleep_for(kLockPause);
+            m_isHeld = take();
+        }
+    }
+    ~FolderLock() {
+        if (m_folder >= 0) {
+            ::close(m_folder);
+        }
+    }
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+    /// False: somebody keeps it for longer than writing a session takes.
+    [[nodiscard]] bool isHeld() const { return m_isHeld; }
+
+private:
+    [[nodiscard]] bool take() const {
+        return ::flock(m_folder, LOCK_EX | LOCK_NB) == 0 || (errno != EWOULDBLOCK && errno != EINTR);
+    }
+
+    int m_folder;
+    bool m_isHeld = false;
+};
+
 /// Sets one part of the file, or removes it when it is null.
 base::Status savePart(const fs::path& board, const Document& document, const char* key, const Json& part) {
     const fs::path path = sessionPath(board);
+    const FolderLock lock(path.parent_path());
+    if (!lock.isHeld()) {
+        return cannotWrite(path, "another program writes it, and does not end");
+    }
     std::string problem;
-    Json json = readJson(path, problem).value_or(Json::object());
+    const std::optional<std::string> before = textIn(path, problem);
+    Json json = before ? jsonOf(*before, problem).value_or(Json::object()) : Json::object();
     if (!problem.empty()) {
         return cannotWrite(path, "the file there " + problem);
     }
@@ -171,7 +221,7 @@ base::Status savePart(const fs::path& board, const Document& document, const cha
         return removeFile(path);
     }
     const std::string text = jsonText(json);
-    if (text.size() > kMostBytes) {
+    if (text.size() > base::kMostSettingBytes) {
         return cannotWrite(path, "it would be larger than a session may be");
     }
     return writeWholeFile(path, text);
@@ -192,19 +242,30 @@ fs::path sessionPath(const fs::path& board) {
 }
 
 LoadedSession loadSession(const fs::path& board, const Document& document) {
-    LoadedSession out;
     const fs::path path = sessionPath(board);
     std::string problem;
-    const std::optional<Json> json = readJson(path, problem);
+    const std::optional<std::string> text = textIn(path, problem);
+    LoadedSession out = text ? parseSession(*text, document) : LoadedSession{};
+    if (!problem.empty()) {
+        out.ignored.push_back("it " + problem + "; it is ignored");
+    }
+    for (std::string& ignored : out.ignored) {
+        ignored = path.string() + ": " + ignored;
+    }
+    return out;
+}
+
+LoadedSession parseSession(std::string_view text, const Document& document) {
+    LoadedSession out;
+    std::string problem;
+    const std::optional<Json> json = jsonOf(text, problem);
     if (!json) {
-        if (!problem.empty()) {
-            out.ignored.push_back(path.string() + " " + problem + "; it is ignored");
-        }
+        out.ignored.push_back("it " + problem + "; it is ignored");
         return out;
     }
     const std::string job = json->value(kJobKey, Json()).dump(-1, ' ', true);
     if (job != Json(document.job.name).dump(-1, ' ', true, Json::error_handler_t::replace)) {
-        out.ignored.push_back(path.string() + " is the session of another board, " + job + "; it is ignored");
+        out.ignored.push_back("it is the session of another board, " + job + "; it is ignored");
         return out;
     }
     for (const auto& [key, value] : json->items()) {
@@ -236,8 +297,8 @@ LoadedSession loadSession(const fs::path& board, const Document& document) {
             out.ignored.push_back("\"" + key + "\" is not known");
         }
     }
-    for (std::string& text : out.ignored) {
-        text = path.string() + ": ignored " + text;
+    for (std::string& ignored : out.ignored) {
+        ignored = "ignored " + ignored;
     }
     return out;
 }

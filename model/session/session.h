@@ -126,6 +126,8 @@ struct LoadedSession {
 /// version, rows that the stackup does not have, values that are no thickness) is named in `ignored`; nothing is an
 /// error.
 [[nodiscard]] LoadedSession loadSession(const std::filesystem::path& board, const Document& document);
+/// The same of the text of such a file.
+[[nodiscard]] LoadedSession parseSession(std::string_view text, const Document& document);
 
 /// Writes one part of the session; the others, and what the file holds and we do not know, are kept. All of the file is
 /// written or nothing (a file beside it is written out and then renamed); a session without anything removes it.

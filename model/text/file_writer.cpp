@@ -47,8 +47,13 @@ FileWriter::~FileWriter() {
 }
 
 bool FileWriter::write(std::string_view bytes) {
-    m_pending += bytes;
     m_size += bytes.size();
+    if (bytes.size() >= kGathered) {
+        flush();
+        pack(bytes);
+        return m_failure.empty();
+    }
+    m_pending += bytes;
     if (m_pending.size() >= kGathered) {
         flush();
     }
@@ -90,14 +95,18 @@ void FileWriter::fail(const std::string& why) {
 }
 
 void FileWriter::flush() {
+    pack(m_pending);
+    m_pending.clear();
+}
+
+void FileWriter::pack(std::string_view bytes) {
     if (m_gzip) {
         std::string packed;
-        m_gzip->add(m_pending, packed);
+        m_gzip->add(bytes, packed);
         pass(packed);
     } else {
-        pass(m_pending);
+        pass(bytes);
     }
-    m_pending.clear();
 }
 
 void FileWriter::pass(std::string_view rest) {

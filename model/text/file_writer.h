@@ -28,7 +28,7 @@ public:
     FileWriter& operator=(const FileWriter&) = delete;
 
     /// False after a failure, so that long work can end early; who ignores it learns of it from commit(). Pieces may be
-    /// small, they are gathered.
+    /// small, they are gathered; large ones go to the file at once.
     bool write(std::string_view bytes);
     /// What was written so far, in bytes before packing: the position of what comes next.
     [[nodiscard]] std::uint64_t size() const { return m_size; }
@@ -42,6 +42,7 @@ public:
 private:
     void fail(const std::string& why);
     void flush();
+    void pack(std::string_view bytes);
     void pass(std::string_view bytes);
     void close();
 

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "model/base/limits.h"
+
 namespace model {
 
 namespace {
 
-constexpr std::size_t kDeepest = 64;
 const std::string kNothing;
 
 bool isBlank(char c) {
@@ -62,8 +63,8 @@ private:
     }
 
     base::Status open() {
-        if (m_open.size() > kDeepest) {
-            return bad("lists are nested too deep", m_line);
+        if (m_open.size() > base::kMostListDepth) {
+            return bad("lists in " + base::moreThan(base::kMostListDepth, "others"), m_line);
         }
         step();
         // The list that holds it does not grow before this one is closed, so the pointer stays good.

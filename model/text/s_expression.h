@@ -25,7 +25,7 @@ struct SExpression {
 };
 
 /// All of a text, as the items of one list. Comments run from # at the beginning of a word to the end of the line.
-/// Errors: BadInput, with the line: lists or texts that do not end, or are nested deeper than 64.
+/// Errors: BadInput, with the line: lists or texts that do not end, or are nested deeper than base::kMostListDepth.
 [[nodiscard]] base::Result<SExpression> parseSExpressions(std::string_view text);
 
 }  // namespace model

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/text/formatting.h"
+#include "model/text/json_reading.h"
 
 namespace model {
 
@@ -16,12 +17,11 @@ base::Error unusable(const std::string& what, const std::string& why) {
 }  // namespace
 
 base::Result<StrictJson> StrictJson::parse(std::string_view text, std::string what, const char* versionKey) {
-    Json json;
-    try {
-        json = Json::parse(text, nullptr, true, true);  // with comments
-    } catch (const Json::exception& error) {
-        return unusable(what, std::string("this is no file of JSON: ") + error.what());
+    base::Result<Json> read = readJson<Json>(text);
+    if (!read) {
+        return unusable(what, read.error().text);
     }
+    Json& json = *read;
     if (!json.is_object() || json.value(versionKey, Json()) != 1) {
         return unusable(what, "this is no file of Copperscope's " + what + " of version 1 (\"" + versionKey + "\": 1)");
     }

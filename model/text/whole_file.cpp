@@ -1,17 +1,30 @@
 #include "model/text/whole_file.h"
 
+#include <algorithm>
+#include <array>
 #include <fstream>
-#include <iterator>
 
 #include "model/text/file_writer.h"
 
 namespace model {
 
-base::Result<std::string> readWholeFile(const std::filesystem::path& path) {
+base::Result<std::string> readWholeFile(const std::filesystem::path& path, std::uint64_t most) {
     std::ifstream file(path, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(file), {});
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(path, error);  // not known of pipes and devices
+    std::string text;
+    text.reserve(error ? 0 : std::min<std::uintmax_t>(size, most));
+    std::array<char, 1U << 16U> piece{};
+    while (file && text.size() <= most) {
+        file.read(piece.data(), piece.size());
+        text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+    }
     if (!file.is_open() || file.bad()) {
         return base::Error{base::ErrorCode::BadInput, path.string() + " cannot be read"};
+    }
+    if (text.size() > most) {
+        return base::Error{base::ErrorCode::BadInput,
+                           path.string() + " holds " + base::moreThan(most, "bytes") + " for such a file"};
     }
     return text;
 }

@@ -26,6 +26,7 @@ Device::State::~State() {
         deferred->collectAll();
     }
     vkDestroySemaphore(handle, timeline, nullptr);
+    savePipelineCache();
     vkDestroyPipelineCache(handle, pipelineCache, nullptr);
     vkDestroyDevice(handle, nullptr);
 }
@@ -73,9 +74,38 @@ void Device::State::createObjects(bool hasDebugUtils) {
     auto semaphore = vkInfo<VkSemaphoreCreateInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO);
     semaphore.pNext = &type;
     VK_CHECK(vkCreateSemaphore(handle, &semaphore, nullptr, &timeline));
-    auto cache = vkInfo<VkPipelineCacheCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO);
-    VK_CHECK(vkCreatePipelineCache(handle, &cache, nullptr, &pipelineCache));
+    createPipelineCache();
     deferred = std::make_unique<DeferredDestroy>(handle);
+}
+
+void Device::State::createPipelineCache() {
+    cacheFile = std::make_unique<PipelineCacheFile>(pipelineCacheFolder(), choice.caps.cacheOwner);
+    const std::string saved = cacheFile->load();
+    auto info = vkInfo<VkPipelineCacheCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO);
+    info.initialDataSize = saved.size();
+    info.pInitialData = saved.data();
+    if (!saved.empty() && vkCreatePipelineCache(handle, &info, nullptr, &pipelineCache) == VK_SUCCESS) {
+        return;
+    }
+    info.initialDataSize = 0;
+    info.pInitialData = nullptr;
+    VK_CHECK(vkCreatePipelineCache(handle, &info, nullptr, &pipelineCache));
+}
+
+void Device::State::savePipelineCache() {
+    std::size_t size = 0;
+    if (isLost || pipelineCache == VK_NULL_HANDLE ||
+        vkGetPipelineCacheData(handle, pipelineCache, &size, nullptr) != VK_SUCCESS) {
+        return;
+    }
+    std::string data(size, '\0');
+    if (vkGetPipelineCacheData(handle, pipelineCache, &size, data.data()) != VK_SUCCESS) {
+        return;
+    }
+    data.resize(size);
+    if (const base::Status status = cacheFile->save(data); !status) {
+        spdlog::debug("Compiled pipelines are not kept: {}", status.error().text);
+    }
 }
 
 base::Result<Device> Device::create(const Instance& instance, VkSurfaceKHR presentTo) {

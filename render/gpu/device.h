@@ -10,6 +10,7 @@
 
 #include "model/base/result.h"
 #include "render/gpu/instance.h"
+#include "render/gpu/pipeline_cache_file.h"
 
 namespace render::gpu {
 
@@ -47,6 +48,7 @@ struct Caps {
     std::uint32_t maxDrawIndirectCount = 0;
     std::uint64_t maxAllocationBytes = 0;  ///< of one image or buffer
     std::uint64_t memoryBudgetBytes = 0;   ///< of the largest device-local heap, when the device was made
+    PipelineCacheOwner cacheOwner;         ///< of the pipelines it compiles
 };
 
 /// A physical device that can do all we need.
@@ -72,8 +74,9 @@ struct Submission {
     VkSemaphore signal = VK_NULL_HANDLE;
 };
 
-/// A Vulkan 1.3 device with one queue that draws, computes, copies and (when requested) presents. Everything on it
-/// happens on one thread. Move-only; resources and presenters refer to it, so it neither moves nor dies before them.
+/// A Vulkan 1.3 device with one queue that draws, computes, copies and (when requested) presents. Compiled pipelines
+/// are kept for the next start of the program (pipeline_cache_file.h). Everything on it happens on one thread.
+/// Move-only; resources and presenters refer to it, so it neither moves nor dies before them.
 class Device {
 public:
     /// Takes the best device: discrete before integrated before software; COPPERSCOPE_DEVICE=text keeps only devices
@@ -122,6 +125,7 @@ private:
         VkDevice handle = VK_NULL_HANDLE;
         VkQueue queue = VK_NULL_HANDLE;
         VkPipelineCache pipelineCache = VK_NULL_HANDLE;
+        std::unique_ptr<PipelineCacheFile> cacheFile;
         VkSemaphore timeline = VK_NULL_HANDLE;
         std::uint64_t submitted = 0;
         bool isLost = false;
@@ -135,6 +139,8 @@ private:
         ~State();
         VkResult createDevice();
         void createObjects(bool hasDebugUtils);
+        void createPipelineCache();
+        void savePipelineCache();
         [[nodiscard]] VkResult waitFor(std::uint64_t number, std::uint64_t patienceNs) const;
     };
     explicit Device(std::unique_ptr<State> state) : m_state(std::move(state)) {}

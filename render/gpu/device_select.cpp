@@ -67,6 +67,17 @@ std::uint64_t memoryBudget(VkPhysicalDevice device, bool hasBudget) {
     return largest;
 }
 
+PipelineCacheOwner cacheOwnerOf(const VkPhysicalDeviceProperties& core, VkDriverId driver) {
+    PipelineCacheOwner owner;
+    owner.vendor = core.vendorID;
+    owner.device = core.deviceID;
+    owner.driver = static_cast<std::uint32_t>(driver);
+    owner.driverVersion = core.driverVersion;
+    static_assert(sizeof owner.cacheUuid == sizeof core.pipelineCacheUUID);
+    std::ranges::copy(core.pipelineCacheUUID, owner.cacheUuid.begin());
+    return owner;
+}
+
 Caps capsOf(VkPhysicalDevice device, const Extensions& extensions, bool hasMesh) {
     auto mesh =
         vkInfo<VkPhysicalDeviceMeshShaderPropertiesEXT>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MESH_SHADER_PROPERTIES_EXT);
@@ -93,6 +104,7 @@ Caps capsOf(VkPhysicalDevice device, const Extensions& extensions, bool hasMesh)
     caps.maxTaskGroups = hasMesh ? mesh.maxTaskWorkGroupCount[0] : 0;
     caps.maxDrawIndirectCount = core.limits.maxDrawIndirectCount;
     caps.maxAllocationBytes = sizes.maxMemoryAllocationSize;
+    caps.cacheOwner = cacheOwnerOf(core, driver.driverID);
     caps.memoryBudgetBytes = memoryBudget(device, has(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME));
     return caps;
 }

@@ -52,7 +52,7 @@ set(architecture_rows
     "model/formats/gerber          | model::gerber   | model/board model/formats/common model/formats/drawing model/formats/gerber/drills model/formats/gerber/image model/formats/gerber/naming model/formats/gerber/netlist model/formats/gerber/text model/geometry model/nets model/text | json"
     "model/formats/kicad/text      | model::kicad    | model/board |"
     "model/formats/kicad/shapes    | model::kicad    | model/formats/common model/geometry model/geometry/loops |"
-    "model/formats/kicad           | model::kicad    | model/board model/formats/common model/formats/drawing model/formats/kicad/shapes model/formats/kicad/text model/geometry model/geometry/loops model/text | json"
+    "model/formats/kicad           | model::kicad    | model/board model/formats/common model/formats/drawing model/formats/kicad/shapes model/formats/kicad/text model/geometry model/geometry/loops model/text | barcode json"
     "model/formats/paper           | model::paper    | model/board model/geometry |"
     "model/formats                 | model           | model/board model/formats/common model/formats/drawing model/formats/gerber model/formats/ipc2581 model/formats/kicad model/formats/kicad/text model/formats/odb model/formats/paper model/nets model/text |"
     "model/opening                 | model           | model/board model/clearance model/formats model/session |"
@@ -62,7 +62,7 @@ set(architecture_rows
     "shaders                       | shader::spirv   | shaders/lib shaders/shared shaders/tri |"
     "tri                           | tri             | | cgal"
     "tri/gpu                       | tri::gpu        | tri render/gpu shaders shaders/tri | vulkan"
-    "render/gpu                    | render::gpu     | | vulkan log"
+    "render/gpu                    | render::gpu     | model/text | vulkan log"
     "render/modelling              | render          | model/board model/figures model/geometry model/packages model/solids shaders/shared tri | glm"
     "render/standard               | render          | model/board model/figures model/geometry render/modelling shaders/shared | glm"
     "render/scene                  | render          | model/board model/index model/section render/gpu render/modelling render/standard shaders/shared | glm log vulkan"
@@ -106,6 +106,7 @@ set(architecture_include_widgets
     "^QtWidgets|Q(Application|MainWindow|DesktopWidget|Label|Menu|MenuBar|ToolBar|StatusBar|Slider|Splitter|Frame|Completer|ProgressBar)$|^Q[A-Za-z]*(Widget|View|Layout|Button|Dialog|Box|Edit|Delegate|Style|Area|Bar)$")
 set(architecture_include_vulkan "^vulkan/")
 set(architecture_include_archive "^archive")
+set(architecture_include_barcode "^zint\\.h$")
 set(architecture_include_cgal "^CGAL/")
 set(architecture_include_cli "^CLI/")
 set(architecture_include_clipper "^polyclipping/")
@@ -121,6 +122,7 @@ set(architecture_link_qt Qt6::Core Qt6::Gui)
 set(architecture_link_widgets Qt6::Widgets)
 set(architecture_link_vulkan Vulkan::Vulkan)
 set(architecture_link_archive LibArchive::LibArchive)
+set(architecture_link_barcode copperscope_zint)
 set(architecture_link_cgal CGAL::CGAL)
 set(architecture_link_cli CLI11::CLI11)
 set(architecture_link_clipper PkgConfig::POLYCLIPPING)

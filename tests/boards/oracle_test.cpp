@@ -24,17 +24,37 @@ namespace {
 namespace fs = std::filesystem;
 
 // ---- what writers are known to do ----
+//
+// Each reason is proved by records of the writer's own: file and line, unpacked, of the board's folder.
 
+/// StickHub-ipc2581c.xml:19608, 25985 and 33470 lay one shape of R1's pin 1 on B.Cu, B.Mask and B.Paste; so they do
+/// with every pad of a pin on all seven boards. custom_pads_test.kicad_pcb:1127 asks for a margin of 0.5 mm,
+/// RoyalBlue54L-Feather.kicad_pcb:4477 for no mask over a pad that -ipc2581c.xml:59471 opens,
+/// multichannel_mixer-F_Paste.gtp draws nothing where -ipc2581c.xml:41135 has 135 pads of holes.
 constexpr const char* kPadsOnMaskAndPaste =
-    "KiCad's IPC-2581 puts every pad on the mask and paste of the sides it has copper on, without margins";
-constexpr const char* kNoOffset = "KiCad's IPC-2581 lays pads whose hole is not in their middle around the hole";
+    "KiCad's IPC-2581 repeats every pad of a pin on the mask and paste of the sides it has copper on, without margins";
+/// The hole of J1's pin 5 is at (143.23, -116.41), its pad 0.21 mm towards (143.23, -116.20), where F_Cu.gtl:1325
+/// flashes it; RoyalBlue54L-Feather-ipc2581c.xml:25997 has (143.02, -116.41). So do all 27 pads with an offset.
+constexpr const char* kOffsetNotTurned =
+    "KiCad's IPC-2581 adds the offset between pad and hole without turning it with the pad";
+constexpr const char* kOffsetAndHeatPads =
+    "as F.Mask, and the heat pads of U2 and U5 on the back, which have no mask, are opened: see kPadsOnMaskAndPaste";
+/// StickHub.kicad_pcb:18113 is a circle of radius 0.75 mm drawn 0.15 mm wide; the symbol of
+/// odb/steps/pcb/layers/b.mask/features:11 is donut_r1650.0x1425.0, which is 0.1125 mm wide. So are all circles.
 constexpr const char* kNarrowRings =
     "KiCad's ODB++ writes circles as donuts whose inner diameter lacks half a line width: 2r - w/2 for 2r - w";
+/// StickHub.kicad_pcb:32350 is a square filled and outlined 0.2 mm wide, 0.1 mm beyond (158, 94.75) as in
+/// F_Mask.gts:52; odb/steps/pcb/layers/f.mask/features:33 begins a surface that reaches 0.105 mm beyond it, and line 91
+/// draws its outline with r200 once more.
 constexpr const char* kOutlinedTwice =
     "KiCad's ODB++ writes filled polygons with the width of their outline twice: grown by it, then outlined again";
+/// RoyalBlue54L-Feather.kicad_pcb:21589 keeps "SCL" drawn in Ubuntu Sans, its S 0.48 mm wide; F_Silkscreen.gto:522 and
+/// the other forms have an S of 0.56 mm there. 72 texts are of that font.
 constexpr const char* kOtherFont =
-    "the texts' font, which the file keeps drawn, was not at hand when the other forms were written";
+    "the file keeps its texts drawn in their font; all other forms were written with letters of another one";
 
+/// RoyalBlue54L-Feather-ipc2581c.xml has nine parts J2_1, C9_1 … whose names are also names of balls of U1, and for the
+/// part J4 the ball is called J4_1 (21679); microwave has four parts POLY.
 constexpr const char* kUniqueNames =
     "KiCad's writers give no name twice, not even to a part and the pin of another: J3 becomes J3_1, POLY POLY_1";
 constexpr const char* kLettersOfRevisionB = "revision B allows few characters in names; the others become _";
@@ -59,16 +79,16 @@ const OtherLayer kOtherLayers[] = {
     {"RoyalBlue54L-Feather", ".kicad_pcb", "f.silkscreen", 11.0073, 3.9816, kOtherFont},
     {"RoyalBlue54L-Feather", ".kicad_pcb", "b.silkscreen", 10.6073, 4.0851, kOtherFont},
     {"RoyalBlue54L-Feather", "-odb", "b.silkscreen", 0.3480, 0.0, kNarrowRings},
-    {"RoyalBlue54L-Feather", "-ipc2581", "f.cu", 8.4362, 16.9393, kNoOffset},
-    {"RoyalBlue54L-Feather", "-ipc2581", "in1.cu", 8.4362, 16.9393, kNoOffset},
-    {"RoyalBlue54L-Feather", "-ipc2581", "in2.cu", 8.4248, 17.0493, kNoOffset},
-    {"RoyalBlue54L-Feather", "-ipc2581", "in3.cu", 8.4362, 16.9393, kNoOffset},
-    {"RoyalBlue54L-Feather", "-ipc2581", "in4.cu", 8.4248, 17.0493, kNoOffset},
-    {"RoyalBlue54L-Feather", "-ipc2581", "in5.cu", 8.4362, 17.1593, kNoOffset},
-    {"RoyalBlue54L-Feather", "-ipc2581", "in6.cu", 8.4362, 16.9393, kNoOffset},
-    {"RoyalBlue54L-Feather", "-ipc2581", "b.cu", 8.4362, 16.9943, kNoOffset},
-    {"RoyalBlue54L-Feather", "-ipc2581", "f.mask", 8.5212, 18.4433, kNoOffset},
-    {"RoyalBlue54L-Feather", "-ipc2581", "b.mask", 8.5212, 37.4101, kNoOffset},
+    {"RoyalBlue54L-Feather", "-ipc2581", "f.cu", 8.4362, 16.9393, kOffsetNotTurned},
+    {"RoyalBlue54L-Feather", "-ipc2581", "in1.cu", 8.4362, 16.9393, kOffsetNotTurned},
+    {"RoyalBlue54L-Feather", "-ipc2581", "in2.cu", 8.4248, 17.0493, kOffsetNotTurned},
+    {"RoyalBlue54L-Feather", "-ipc2581", "in3.cu", 8.4362, 16.9393, kOffsetNotTurned},
+    {"RoyalBlue54L-Feather", "-ipc2581", "in4.cu", 8.4248, 17.0493, kOffsetNotTurned},
+    {"RoyalBlue54L-Feather", "-ipc2581", "in5.cu", 8.4362, 17.1593, kOffsetNotTurned},
+    {"RoyalBlue54L-Feather", "-ipc2581", "in6.cu", 8.4362, 16.9393, kOffsetNotTurned},
+    {"RoyalBlue54L-Feather", "-ipc2581", "b.cu", 8.4362, 16.9943, kOffsetNotTurned},
+    {"RoyalBlue54L-Feather", "-ipc2581", "f.mask", 8.5212, 18.4433, kOffsetNotTurned},
+    {"RoyalBlue54L-Feather", "-ipc2581", "b.mask", 8.5212, 37.4101, kOffsetAndHeatPads},
     {"RoyalBlue54L-Feather", "-ipc2581", "f.paste", 0.0, 159.1526, kPadsOnMaskAndPaste},
     {"RoyalBlue54L-Feather", "-ipc2581", "b.paste", 0.0, 198.0462, kPadsOnMaskAndPaste},
     {"custom_pads_test", "-odb", "f.silkscreen", 1.2895, 0.0, kNarrowRings},
@@ -99,8 +119,8 @@ struct OtherList {
 
 const OtherList kOtherLists[] = {
     {"RoyalBlue54L-Feather", "-ipc2581", Aspect::Parts, 18, kUniqueNames},
-    // 16 pins of J1, J4_1 of U1, and two heat pads drawn once for both sides.
-    {"RoyalBlue54L-Feather", "-ipc2581", Aspect::Pins, 19, kNoOffset},
+    // 16 pins of J1, J4_1 of U1 (kUniqueNames), and two heat pads drawn once for both sides.
+    {"RoyalBlue54L-Feather", "-ipc2581", Aspect::Pins, 19, kOffsetNotTurned},
     {"RoyalBlue54L-Feather", "-ipc2581b", Aspect::NetNames, 64, kLettersOfRevisionB},
     {"StickHub", "-ipc2581b", Aspect::NetNames, 40, kLettersOfRevisionB},
     {"kit-dev-coldfire-xilinx_5213", "-ipc2581b", Aspect::NetNames, 206, kLettersOfRevisionB},
@@ -111,6 +131,17 @@ const OtherList kOtherLists[] = {
     {"microwave", "-odb", Aspect::Parts, 6, kUniqueNames},
     {"microwave", "-ipc2581", Aspect::Parts, 6, kUniqueNames},
 };
+
+/// How far the drill files have holes from where KiCad's file has them, at most, in nm: they are written in µm.
+struct Rounded {
+    const char* board;
+    double nm;
+};
+
+const Rounded kRoundedDrills[] = {
+    {"StickHub", 605.4},      {"RoyalBlue54L-Feather", 652.3}, {"kit-dev-coldfire-xilinx_5213", 622.9},
+    {"microwave", 0.0},       {"multichannel_mixer", 2.0},     {"flat_hierarchy", 200.0},
+    {"custom_pads_test", 0.0}};
 
 // ---- boards and forms ----
 
@@ -255,6 +286,40 @@ private slots:
             QVERIFY2(comparison.differing == (as == nullptr ? 0 : as->differing), textOf(comparison).constData());
             QVERIFY2(comparison.note.find("another rotation") == std::string::npos, textOf(comparison).constData());
         }
+    }
+
+    /// To the nanometre: these forms are written with six digits behind the millimetre.
+    void holesAndPartsLieWhereTheSourceHasThem_data() { addForms({".kicad_pcb"}); }
+    void holesAndPartsLieWhereTheSourceHasThem() {
+        QFETCH(QString, board);
+        QFETCH(QString, form);
+        const auto source = read(fileOf(board, ".kicad_pcb"));
+        const auto other = read(fileOf(board, form));
+        QVERIFY(source != nullptr && other != nullptr);
+        const auto comparisons = compare(*source, *other, {Aspect::Holes, Aspect::Parts});
+        QCOMPARE(comparisons.size(), std::size_t{2});
+        QCOMPARE(comparisons[0].farthest.value_or(0.0), 0.0);
+        QCOMPARE(comparisons[0].farthest.has_value(), board != "microwave");  // which has no holes
+        QCOMPARE(comparisons[1].farthest, std::optional(0.0));
+    }
+
+    void drillsAreRoundedToAMicrometre_data() {
+        QTest::addColumn<QString>("board");
+        QTest::addColumn<double>("nm");
+        for (const Rounded& known : kRoundedDrills) {
+            QTest::newRow(known.board) << QString(known.board) << known.nm;
+        }
+    }
+    void drillsAreRoundedToAMicrometre() {
+        QFETCH(QString, board);
+        QFETCH(double, nm);
+        const auto source = read(fileOf(board, ".kicad_pcb"));
+        const auto plotted = read(fileOf(board, "-gerbers.zip"));
+        QVERIFY(source != nullptr && plotted != nullptr);
+        const auto comparisons = compare(*source, *plotted, {Aspect::Holes});
+        QCOMPARE(comparisons.size(), std::size_t{1});
+        QVERIFY2(std::abs(comparisons[0].farthest.value_or(0.0) - nm) < 0.1, textOf(comparisons[0]).constData());
+        QCOMPARE(comparisons[0].differing, std::size_t{0});
     }
 
     void revisionBChangesOnlyCharactersOfNames_data() {

@@ -32,6 +32,16 @@ private slots:
         QCOMPARE(location["y_nm"].toInt(), 4'000'000);
     }
 
+    void memoryBeyondTheLimitIsSaid() {
+        const Outcome run = copperscope({"info", locations::kSample, "--max-memory", "48M"});
+        QCOMPARE(run.exitCode, 3);
+        QVERIFY2(run.err.contains("out of memory: this takes more than 48 MiB, the limit that --max-memory sets"),
+                 run.err.constData());
+        QCOMPARE(copperscope({"info", locations::kSample, "--max-memory", "8G"}).exitCode, 0);
+        QCOMPARE(copperscope({"info", locations::kSample, "--max-memory", "much"}).exitCode, 1);
+        QCOMPARE(copperscope({"info", locations::kSample, "--max-unpacked", "10K"}).exitCode, 2);
+    }
+
     void infoHasTheKeysThatOthersRelyOn() {
         const Outcome run = copperscope({"info", locations::kSample, "--json"});
         QCOMPARE(run.exitCode, 0);

@@ -1,4 +1,5 @@
-// Copper layers as `render --mono` draws them against rasters that KiCad drew itself, not through ODB++.
+// Copper layers as `render --mono` draws them, of every form a board is there in, against rasters that KiCad drew
+// itself of the board's source, through none of these forms.
 #include <png.h>
 
 #include <QJsonDocument>
@@ -6,8 +7,10 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string>
 
 #include "tests/locations.h"
 
@@ -81,6 +84,50 @@ Count compare(const Picture& ours, const Picture& reference) {
     return count;
 }
 
+// ---- boards and their forms ----
+
+/// The forms of a board: what its file is called after the board's name, in formats/kicad, packed or not.
+constexpr const char* kForms[] = {".kicad_pcb", "-ipc2581b.xml", "-ipc2581c.xml", "-gerbers.zip"};
+constexpr const char* kOdb = ".tgz";  ///< in kicad/, of every board that has rasters
+
+/// Empty if the board is not there in this form.
+fs::path fileOf(const std::string& board, const std::string& form) {
+    if (form == kOdb) {
+        return locations::boards() / "kicad" / (board + form);
+    }
+    const fs::path plain = locations::boards() / "formats" / "kicad" / board / (board + form);
+    const fs::path packed = plain.string() + ".gz";
+    return fs::exists(plain) ? plain : fs::exists(packed) ? packed : fs::path();
+}
+
+/// How many mm² of copper a form has elsewhere than KiCad, on each layer: oracle_test knows why.
+double misplacedCopper(const QString& board, const QString& form) {
+    return board == "RoyalBlue54L-Feather" && form.startsWith("-ipc2581") ? 23.0 : 0.0;
+}
+
+/// The part of the board that a raster shows, in the program's words.
+struct Window {
+    double scale = 0.0;  ///< pixels per mm
+    double left = 0.0;   ///< mm
+    double top = 0.0;
+
+    [[nodiscard]] QString words(const Picture& picture) const {
+        return QString("%1,%2,%3,%4")
+            .arg(left, 0, 'f', 6)
+            .arg(top - picture.height / scale, 0, 'f', 6)
+            .arg(left + picture.width / scale, 0, 'f', 6)
+            .arg(top, 0, 'f', 6);
+    }
+};
+
+Window windowOf(const fs::path& json) {
+    QFile file(QString::fromStdString(json.string()));
+    const QJsonObject location =
+        file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
+    return {location["px_per_mm"].toDouble(), location["odb_x_left_mm"].toDouble(),
+            location["odb_y_top_mm"].toDouble()};
+}
+
 }  // namespace
 
 class KicadRasterTest : public QObject {
@@ -89,44 +136,35 @@ class KicadRasterTest : public QObject {
 private slots:
     void copperIsWhereKicadHasIt_data() {
         QTest::addColumn<QString>("board");
+        QTest::addColumn<QString>("form");
         QTest::addColumn<QString>("layer");
         for (const auto& board : fs::directory_iterator(locations::boards() / "kicad" / "ref")) {
-            for (const auto& entry : fs::directory_iterator(board)) {
-                const std::string name = board.path().filename().string();
-                // Loading the largest board takes longest by far: one layer of it must do.
-                const bool isMuch =
-                    !locations::isThorough() && name.starts_with("jetson") && entry.path().stem() != "f.cu";
-                if (entry.path().extension() == ".png" && !isMuch) {
-                    QTest::addRow("%s %s", name.c_str(), entry.path().stem().c_str())
-                        << QString::fromStdString(name) << QString::fromStdString(entry.path().stem().string());
+            const std::string name = board.path().filename().string();
+            addLayers(name, kOdb);
+            for (const char* form : kForms) {
+                if (!fileOf(name, form).empty()) {
+                    addLayers(name, form);
                 }
             }
         }
     }
     void copperIsWhereKicadHasIt() {
         QFETCH(QString, board);
+        QFETCH(QString, form);
         QFETCH(QString, layer);
-        const QString boards = QString::fromStdString((locations::boards() / "kicad/").string());
-        Picture reference = readPng((boards + "ref/" + board + "/" + layer + ".png").toStdString());
-        QVERIFY(reference.width > 0);
+        const fs::path folder = locations::boards() / "kicad" / "ref" / board.toStdString();
+        Picture reference = readPng((folder / (layer.toStdString() + ".png")).string());
+        const Window window = windowOf(folder / "ref.json");
+        QVERIFY(reference.width > 0 && window.scale > 0.0);
         makeCopperWhite(reference);
-        QFile file(boards + "ref/" + board + "/ref.json");
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QJsonObject location = QJsonDocument::fromJson(file.readAll()).object();
-        const double scale = location["px_per_mm"].toDouble();
-        const double left = location["odb_x_left_mm"].toDouble();
-        const double top = location["odb_y_top_mm"].toDouble();
-        const QTemporaryDir folder;
-        const QString out = folder.filePath("out.png");
+        const QTemporaryDir drawn;
+        const QString out = drawn.filePath("out.png");
         QProcess process;
-        process.start(locations::kProgram,
-                      {"render", boards + board + ".tgz", "-o", out, "--mono", "--layers", layer, "--size",
-                       QString("%1x%2").arg(reference.width).arg(reference.height), "--window",
-                       QString("%1,%2,%3,%4")
-                           .arg(left, 0, 'f', 6)
-                           .arg(top - reference.height / scale, 0, 'f', 6)
-                           .arg(left + reference.width / scale, 0, 'f', 6)
-                           .arg(top, 0, 'f', 6)});
+        process.start(
+            locations::kProgram,
+            {"render", QString::fromStdString(fileOf(board.toStdString(), form.toStdString()).string()), "-o", out,
+             "--mono", "--layers", layer, "--size", QString("%1x%2").arg(reference.width).arg(reference.height),
+             "--window", window.words(reference)});
         QVERIFY(process.waitForFinished(300'000));
         QVERIFY2(process.exitCode() == 0, process.readAllStandardError().constData());
         const Picture ours = readPng(out.toStdString());
@@ -135,7 +173,22 @@ private slots:
         const Count count = compare(ours, reference);
         qInfo("%zu of %zu copper pixels differ", count.different, count.copper);
         QVERIFY(count.copper > 0);
-        QVERIFY(static_cast<double>(count.different) <= 0.001 * static_cast<double>(count.copper));
+        const double expected = misplacedCopper(board, form) * window.scale * window.scale;
+        const double allowed = 0.001 * static_cast<double>(count.copper);
+        QVERIFY(std::abs(static_cast<double>(count.different) - expected) <= allowed);
+    }
+
+private:
+    static void addLayers(const std::string& board, const char* form) {
+        for (const auto& entry : fs::directory_iterator(locations::boards() / "kicad" / "ref" / board)) {
+            // Loading the largest board takes longest by far: one layer of it must do.
+            const std::string layer = entry.path().stem().string();
+            const bool isMuch = !locations::isThorough() && board.starts_with("jetson") && layer != "f.cu";
+            if (entry.path().extension() == ".png" && !isMuch) {
+                QTest::addRow("%s%s %s", board.c_str(), form, layer.c_str())
+                    << QString::fromStdString(board) << QString(form) << QString::fromStdString(layer);
+            }
+        }
     }
 };
 

@@ -1,22 +1,40 @@
-# Hostile input (docs/testing.md): the table of targets, a test that runs each on truncated and changed seeds, and with the preset
-# `fuzz` one libFuzzer program per target.
-add_library(copperscope_fuzz_targets STATIC fuzz/contours.cpp fuzz/seeds.cpp fuzz/tar.cpp fuzz/targets.cpp)
-target_link_libraries(copperscope_fuzz_targets PUBLIC copperscope_options copperscope_model
-    copperscope_tri_oracle PRIVATE copperscope_test_locations)
+# Hostile input (docs/testing.md): the table of targets in four groups, a test that runs each on truncated and changed seeds, and with the
+# preset `fuzz` one libFuzzer program per target, linked with its group alone.
+add_library(copperscope_fuzz_seeds STATIC fuzz/seeds.cpp fuzz/tar.cpp)
+target_link_libraries(copperscope_fuzz_seeds PUBLIC copperscope_options PRIVATE copperscope_test_locations)
+if(COPPERSCOPE_FUZZ)
+    add_custom_target(fuzzers)
+endif()
 
+# fuzz_group(NAME SOURCES... LINK targets...): the rows of fuzz/NAME_targets.cpp.
+function(fuzz_group name)
+    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+    add_library(copperscope_fuzz_${name} STATIC fuzz/${name}_targets.cpp ${ARG_UNPARSED_ARGUMENTS})
+    target_link_libraries(copperscope_fuzz_${name} PUBLIC copperscope_fuzz_seeds ${ARG_LINK})
+    if(COPPERSCOPE_FUZZ)
+        file(STRINGS fuzz/${name}_targets.cpp rows REGEX "^        {\"")
+        foreach(row IN LISTS rows)
+            string(REGEX REPLACE "^ *{\"([a-z0-9_]+)\".*" "\\1" target "${row}")
+            add_executable(fuzz_${target} fuzz/fuzz_one.cpp)
+            target_compile_definitions(fuzz_${target} PRIVATE COPPERSCOPE_FUZZ_TARGET="${target}" COPPERSCOPE_FUZZ_GROUP=${name}Targets)
+            target_link_libraries(fuzz_${target} PRIVATE copperscope_fuzz_${name})
+            target_link_options(fuzz_${target} PRIVATE ${COPPERSCOPE_FUZZ_ENGINE})
+            add_dependencies(fuzzers fuzz_${target})
+        endforeach()
+    endif()
+endfunction()
+fuzz_group(odb LINK copperscope_model_formats_odb)
+fuzz_group(format LINK copperscope_model_formats)
+fuzz_group(setting LINK copperscope_model_session copperscope_model_formats_gerber copperscope_model_formats_paper)
+fuzz_group(geometry fuzz/contours.cpp fuzz/curves.cpp fuzz/regions.cpp LINK copperscope_model_export_solids copperscope_model_formats_paper
+    copperscope_tri_oracle)
+
+add_library(copperscope_fuzz_targets STATIC fuzz/targets.cpp)
+target_link_libraries(copperscope_fuzz_targets PUBLIC copperscope_fuzz_odb copperscope_fuzz_format copperscope_fuzz_setting
+    copperscope_fuzz_geometry)
 copperscope_test(hostile_input_test fuzz/hostile_input_test.cpp LABEL unit LINK copperscope_fuzz_targets)
-
 if(COPPERSCOPE_FUZZ)
     add_executable(write_seeds fuzz/write_seeds.cpp)
     target_link_libraries(write_seeds PRIVATE copperscope_fuzz_targets)
-    add_custom_target(fuzzers DEPENDS write_seeds)
-    file(STRINGS fuzz/targets.cpp rows REGEX "^        {\"")
-    foreach(row IN LISTS rows)
-        string(REGEX REPLACE "^ *{\"([a-z0-9_]+)\".*" "\\1" name "${row}")
-        add_executable(fuzz_${name} fuzz/fuzz_one.cpp)
-        target_compile_definitions(fuzz_${name} PRIVATE COPPERSCOPE_FUZZ_TARGET="${name}")
-        target_link_libraries(fuzz_${name} PRIVATE copperscope_fuzz_targets)
-        target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
-        add_dependencies(fuzzers fuzz_${name})
-    endforeach()
+    add_dependencies(fuzzers write_seeds)
 endif()

@@ -30,7 +30,7 @@ void addTargets() {
 
 const fuzz::Target& fetchTarget() {
     QFETCH(QString, target);
-    return *fuzz::findTarget(target.toStdString());
+    return *fuzz::findTarget(fuzz::targets(), target.toStdString());
 }
 
 }  // namespace

@@ -77,6 +77,9 @@ std::vector<File> seedsOf(const Target& target) {
     if (target.takesJobs) {
         std::ranges::move(jobsAsBundles(), std::back_inserter(seeds));
     }
+    if (!target.folder.empty()) {
+        std::ranges::move(filesBelow(fs::path(locations::kTestData) / target.folder), std::back_inserter(seeds));
+    }
     for (File& file : filesBelow(kJobs)) {
         const std::string name = fs::path(file.path).filename().string();
         if (!file.text.empty() && std::ranges::find(target.fixtures, name) != target.fixtures.end()) {

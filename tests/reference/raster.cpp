@@ -73,7 +73,7 @@ void Raster::set(std::size_t row, std::size_t from, std::size_t end, bool value)
     }
 }
 
-void Raster::fill(const std::vector<Contour>& contours, bool value) {
+void Raster::fill(const std::vector<Contour>& contours, bool value, Rule rule) {
     std::vector<Crossing> crossings;
     for (const Contour& contour : contours) {
         for (std::size_t i = 0; i < contour.size(); ++i) {
@@ -92,7 +92,8 @@ void Raster::fill(const std::vector<Contour>& contours, bool value) {
     int winding = 0;
     for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
         winding = (i > 0 && crossings[i - 1].row != crossings[i].row ? 0 : winding) + crossings[i].step;
-        if (winding > 0 && crossings[i + 1].row == crossings[i].row) {
+        const bool isInside = rule == Rule::Winding ? winding > 0 : winding % 2 != 0;
+        if (isInside && crossings[i + 1].row == crossings[i].row) {
             set(crossings[i].row, sampleFrom(crossings[i].x, m_left, m_columns),
                 sampleFrom(crossings[i + 1].x, m_left, m_columns), value);
         }
@@ -124,6 +125,25 @@ double Raster::difference(const Raster& other) const {
     std::size_t count = 0;
     for (std::size_t i = 0; i < m_bits.size(); ++i) {
         count += static_cast<std::size_t>(std::popcount(m_bits[i] ^ other.m_bits[i]));
+    }
+    return static_cast<double>(count) * m_pitch * m_pitch;
+}
+
+double Raster::differenceWider(const Raster& other, std::size_t around) const {
+    // A square of differing samples ends at a column whose runs upwards, and those before it, are long enough.
+    std::vector<std::uint16_t> above(m_columns);
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < m_rows; ++row) {
+        std::size_t run = 0;
+        std::size_t rows = 0;
+        for (std::size_t column = 0; column < m_columns; ++column) {
+            const std::size_t word = row * m_words + column / 64;
+            const bool isOther = ((m_bits[word] ^ other.m_bits[word]) >> (column % 64) & 1) != 0;
+            above[column] = static_cast<std::uint16_t>(isOther ? std::min(above[column] + 1, 60'000) : 0);
+            run = above[column] > 2 * around ? run + 1 : 0;
+            rows += run > 2 * around ? 1 : 0;
+        }
+        count += rows;
     }
     return static_cast<double>(count) * m_pitch * m_pitch;
 }

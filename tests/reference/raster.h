@@ -24,9 +24,13 @@ public:
     /// Covers all points whose coordinates lie between the corners.
     Raster(Point low, Point high, double pitch);
 
-    /// Sets (or clears) all samples with a winding number above zero; contours wind counter-clockwise around what they
-    /// fill and clockwise around holes.
-    void fill(const std::vector<Contour>& contours, bool value);
+    enum class Rule : std::uint8_t {
+        Winding,  ///< a winding number above zero; contours wind counter-clockwise around what they fill, clockwise
+                  ///< around holes
+        EvenOdd   ///< inside an odd number of contours, however they wind
+    };
+    /// Sets (or clears) all samples that lie inside.
+    void fill(const std::vector<Contour>& contours, bool value, Rule rule = Rule::Winding);
     /// Sets (or clears) all samples no further than `reach` from `middle` that are inside.
     void fill(Point middle, double reach, const std::function<bool(Point)>& isInside, bool value);
 
@@ -34,6 +38,9 @@ public:
     [[nodiscard]] double area() const;
     /// Of the samples that differ.
     [[nodiscard]] double difference(const Raster& other) const;
+    /// Of the samples that differ with all samples around them, up to `around` rows and columns away: what is narrower
+    /// than 2 `around` + 1 samples does not count.
+    [[nodiscard]] double differenceWider(const Raster& other, std::size_t around) const;
 
 private:
     [[nodiscard]] Point rotated(Point p) const;

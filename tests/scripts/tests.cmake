@@ -3,3 +3,7 @@ find_program(BASH bash REQUIRED)
 add_test(NAME setup
     COMMAND ${BASH} ${CMAKE_CURRENT_LIST_DIR}/setup_test.sh ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/setup_scratch)
 set_tests_properties(setup PROPERTIES LABELS unit TIMEOUT 60)
+
+add_test(NAME reliability
+    COMMAND ${BASH} ${CMAKE_CURRENT_LIST_DIR}/reliability_test.sh ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/reliability_scratch)
+set_tests_properties(reliability PROPERTIES LABELS unit TIMEOUT 60)

@@ -13,7 +13,7 @@ namespace model {
 namespace {
 
 /// Text is handed to the file in pieces of about this size.
-constexpr std::size_t kPiece = 1U << 20U;
+constexpr std::size_t kPiece = 1U << 18U;
 
 /// Writes the steps of a plan into one text.
 class StepWriter {
@@ -22,7 +22,7 @@ public:
         : m_plan(plan), m_options(options), m_file(file), m_progress(progress) {}
 
     base::Status write() {
-        m_text.text().insert(0, stepHeader(m_options.name, m_options.time, "Copperscope"));
+        m_file.write(stepHeader(m_options.name, m_options.time, "Copperscope"));
         std::vector<StepProduct> steps;
         for (std::size_t i = 0; i < m_plan.steps.size(); ++i) {
             m_shapes.clear();
@@ -34,8 +34,8 @@ public:
             return base::Error{base::ErrorCode::OutputFailed, "nothing useful came out: no element has a solid"};
         }
         m_assembly.finish();
-        m_text.text() += stepFooter();
         passOn(0);
+        m_file.write(stepFooter());
         if (m_progress.isCancelled()) {
             return base::Error{base::ErrorCode::Cancelled, "the export was cancelled"};
         }
@@ -56,7 +56,7 @@ private:
     void passOn(std::size_t atLeast) {
         if (m_text.text().size() >= atLeast) {
             m_file.write(m_text.text());
-            m_text.text().clear();
+            m_text.clear();
         }
     }
 

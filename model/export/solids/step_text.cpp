@@ -1,35 +1,40 @@
 #include "model/export/solids/step_text.h"
 
 #include <charconv>
-#include <cmath>
 
 namespace model {
 
 namespace {
 
-/// `digits` of `value` behind the point, without zeros at the end.
-void putFixed(std::string& text, std::int64_t value, int digits) {
-    char buffer[32];
-    char* end = buffer + sizeof(buffer);
-    char* begin = end;
-    const bool isNegative = value < 0;
-    std::uint64_t rest = isNegative ? 0U - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
-    bool isSignificant = false;
-    for (int i = 0; i < digits; ++i, rest /= 10) {
-        isSignificant = isSignificant || rest % 10 != 0;
-        if (isSignificant) {
-            *--begin = static_cast<char>('0' + rest % 10);
-        }
+/// The longest of what putFixed() and putNumber() write.
+constexpr std::size_t kMostDigits = 24;
+
+/// `Digits` of `value` behind the point, without zeros at the end.
+template <int Digits>
+char* putFixed(char* at, std::int64_t value) {
+    static constexpr std::uint64_t kOne = Digits == 8 ? 100'000'000U : 1'000'000'000U;
+    if (value < 0) {
+        *at++ = '-';
     }
-    *--begin = '.';
-    do {
-        *--begin = static_cast<char>('0' + rest % 10);
-        rest /= 10;
-    } while (rest != 0);
-    if (isNegative) {
-        *--begin = '-';
+    const std::uint64_t size = value < 0 ? 0U - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
+    at = std::to_chars(at, at + kMostDigits, size / kOne).ptr;
+    *at++ = '.';
+    auto rest = static_cast<std::uint32_t>(size % kOne);
+    if (rest == 0) {
+        return at;
     }
-    text.append(begin, end);
+    int digits = Digits;
+    for (; rest % 10 == 0; rest /= 10) {
+        --digits;
+    }
+    for (int i = digits; i-- > 0; rest /= 10) {
+        at[i] = static_cast<char>('0' + rest % 10);
+    }
+    return at + digits;
+}
+
+std::int64_t rounded(double value) {
+    return static_cast<std::int64_t>(value < 0 ? value - 0.5 : value + 0.5);
 }
 
 /// The next character of UTF-8 at `at`, which moves on; 0xFFFFFFFF if the bytes are none.
@@ -70,41 +75,26 @@ void putBeyondAscii(std::string& text, char32_t character) {
 }  // namespace
 
 StepId StepText::begin() {
-    m_text += '#';
-    ++m_last;
-    char buffer[16];
-    m_text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), m_last).ptr);
-    m_text += '=';
+    put(++m_last);
+    put("=");
     return m_last;
 }
 
 void StepText::put(StepId id) {
     if (id == 0) {
-        m_text += '$';
-        return;
+        return put("$");
     }
-    char buffer[16];
-    m_text += '#';
-    m_text.append(buffer, std::to_chars(buffer, buffer + sizeof(buffer), id).ptr);
-}
-
-void StepText::put(std::span<const StepId> ids) {
-    m_text += '(';
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        if (i > 0) {
-            m_text += ',';
-        }
-        put(ids[i]);
-    }
-    m_text += ')';
+    char* at = room(kMostDigits);
+    *at = '#';
+    end(std::to_chars(at + 1, at + kMostDigits, id).ptr);
 }
 
 void StepText::put(Length length) {
-    putFixed(m_text, std::llround(length.nm * 100), 8);
+    end(putFixed<8>(room(kMostDigits), rounded(length.nm * 100)));
 }
 
 void StepText::put(Ratio ratio) {
-    putFixed(m_text, std::llround(ratio.value * 1e9), 9);
+    end(putFixed<9>(room(kMostDigits), rounded(ratio.value * 1e9)));
 }
 
 StepId StepText::point(base::PointD p, double z) {

@@ -54,7 +54,41 @@ std::string_view refusal(const ArchiveStream& stream, std::string_view name) {
     return {};
 }
 
+/// Bytes that may come from so many, and why there may not be more.
+struct Allowance {
+    std::uint64_t bytes = 0;
+    std::string problem;
+};
+
+Allowance allowanceOf(const ArchiveLimits& limits, std::uint64_t packedBytes) {
+    const std::uint64_t byRatio = packedBytes > limits.totalBytes / std::max<std::uint64_t>(limits.expansion, 1)
+                                      ? limits.totalBytes
+                                      : packedBytes * limits.expansion;
+    const std::uint64_t suspicious = std::max(limits.freeBytes, byRatio);
+    if (suspicious < limits.totalBytes) {
+        return {suspicious, "the archive unpacks to too much: more than " + bytesText(limits.freeBytes) + " and " +
+                                std::to_string(limits.expansion) +
+                                " times its own size, which is what archives made to burst do; --max-unpacked sets "
+                                "another limit"};
+    }
+    return {limits.totalBytes, "the archive unpacks to too much: more than " + bytesText(limits.totalBytes) +
+                                   ", the limit for a job; --max-unpacked sets another one"};
+}
+
+base::Error tooManyFiles(const fs::path& path, const ArchiveLimits& limits) {
+    return badInput(path, "it holds too many files for a job: more than " + std::to_string(limits.entries) +
+                              ", the limit for an archive or folder");
+}
+
 }  // namespace
+
+std::string bytesText(std::uint64_t bytes) {
+    const bool isGiB = bytes >= base::kGiB && bytes % base::kGiB == 0;
+    const bool isMiB = bytes >= base::kMiB && bytes % base::kMiB == 0;
+    return isGiB   ? std::to_string(bytes / base::kGiB) + " GiB"
+           : isMiB ? std::to_string(bytes / base::kMiB) + " MiB"
+                   : std::to_string(bytes) + " bytes";
+}
 
 std::string lowerCase(std::string_view text) {
     std::string lower(text);
@@ -86,7 +120,7 @@ base::Result<Archive> Archive::openFolder(const fs::path& path, const ArchiveLim
             continue;
         }
         if (found.size() >= limits.entries) {
-            return badInput(path, "the folder holds too many files to be a job");
+            return tooManyFiles(path, limits);
         }
         if (progress.isCancelled()) {
             return cancelled();
@@ -120,8 +154,8 @@ base::Result<Archive> Archive::openFile(const fs::path& path, const ArchiveLimit
         return tree;
     }
     ArchiveStream member(path, ArchiveStream::Formats::Member);
-    std::optional<Archive> lone = readLone(member, path, limits);
-    return lone ? base::Result<Archive>(*std::move(lone)) : std::move(tree);
+    std::optional<base::Result<Archive>> lone = readLone(member, fileSize, path, limits);
+    return lone ? *std::move(lone) : std::move(tree);
 }
 
 base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& name, const ArchiveLimits& limits,
@@ -135,13 +169,22 @@ base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& na
         return tree;
     }
     ArchiveStream member(bytes, ArchiveStream::Formats::Member);
-    std::optional<Archive> lone = readLone(member, name, limits);
-    return lone ? base::Result<Archive>(*std::move(lone)) : std::move(tree);
+    std::optional<base::Result<Archive>> lone = readLone(member, bytes.size(), name, limits);
+    return lone ? *std::move(lone) : std::move(tree);
 }
 
-std::optional<Archive> Archive::readLone(ArchiveStream& stream, const fs::path& path, const ArchiveLimits& limits) {
+std::optional<base::Result<Archive>> Archive::readLone(ArchiveStream& stream, std::uint64_t packedBytes,
+                                                       const fs::path& path, const ArchiveLimits& limits) {
     Entry entry{path.stem().string(), {}, {}, 0};
-    if (!stream.next() || !stream.isPacked() || !stream.read(entry.data, limits.totalBytes)) {
+    if (!stream.next() || !stream.isPacked()) {
+        return std::nullopt;
+    }
+    const Allowance allowance = allowanceOf(limits, packedBytes);
+    const ArchiveStream::Reading reading = stream.read(entry.data, allowance.bytes);
+    if (reading == ArchiveStream::Reading::TooLarge) {
+        return badInput(path, allowance.problem);
+    }
+    if (reading == ArchiveStream::Reading::Broken) {
         return std::nullopt;
     }
     entry.size = entry.data.size();
@@ -155,6 +198,7 @@ base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t pack
                                        const ArchiveLimits& limits, base::Progress& progress,
                                        Diagnostics& diagnostics) {
     Archive tree;
+    const Allowance allowance = allowanceOf(limits, packedBytes);
     std::uint64_t total = 0;
     while (stream.next()) {
         if (progress.isCancelled()) {
@@ -171,15 +215,16 @@ base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t pack
             continue;
         }
         Entry entry{name, {}, {}, 0};
-        if (!stream.read(entry.data, limits.totalBytes - total)) {
-            const bool isTooLarge = entry.data.size() + total + (1U << 20) > limits.totalBytes;
-            return badInput(path, isTooLarge ? "the archive unpacks to too much data for a job"
-                                             : "the archive ends early or is damaged at " + name);
+        const ArchiveStream::Reading reading = stream.read(entry.data, allowance.bytes - total);
+        if (reading != ArchiveStream::Reading::Whole) {
+            return badInput(path, reading == ArchiveStream::Reading::TooLarge
+                                      ? allowance.problem
+                                      : "the archive ends early or is damaged at " + name);
         }
         total += entry.data.size();
         entry.size = entry.data.size();
         if (tree.m_entries.size() >= limits.entries) {
-            return badInput(path, "the archive holds too many files to be a job");
+            return tooManyFiles(path, limits);
         }
         tree.add(std::move(entry), diagnostics);
     }
@@ -210,6 +255,10 @@ base::Result<Bytes> Archive::bytes(int row) const {
     const Entry& entry = m_entries[static_cast<std::size_t>(row)];
     if (entry.source.empty()) {
         return Bytes::borrow(entry.data);
+    }
+    if (entry.size > base::kMostFileBytes) {
+        return badInput(entry.source,
+                        "the file is larger than " + bytesText(base::kMostFileBytes) + ", the limit for one file");
     }
     std::ifstream file(entry.source, std::ios::binary);
     std::string data(entry.size, '\0');

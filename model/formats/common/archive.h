@@ -11,16 +11,11 @@
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/board/diagnostics.h"
+#include "model/formats/common/archive_limits.h"
 
 namespace model::formats {
 
 class ArchiveStream;
-
-/// How much an archive may unpack to. The largest real job we know holds 71 MB; the limit only stops archive bombs.
-struct ArchiveLimits {
-    std::uint64_t totalBytes = std::uint64_t{4} << 30;
-    std::size_t entries = 1'000'000;
-};
 
 /// Bytes that are either held here or borrowed from somebody who lives longer.
 class Bytes {
@@ -38,6 +33,9 @@ private:
     std::string m_own;
     std::string_view m_borrowed;
 };
+
+/// For messages: "4 GiB", "512 MiB"; what is no whole number of these in bytes.
+[[nodiscard]] std::string bytesText(std::uint64_t bytes);
 
 /// ASCII lower case; other bytes stay.
 [[nodiscard]] std::string lowerCase(std::string_view text);
@@ -88,9 +86,10 @@ private:
     [[nodiscard]] static base::Result<Archive> readAll(ArchiveStream& stream, std::uint64_t packedBytes,
                                                        const std::filesystem::path& path, const ArchiveLimits& limits,
                                                        base::Progress& progress, Diagnostics& diagnostics);
-    /// A packed file that is no container; nothing if it is none, or broken.
-    [[nodiscard]] static std::optional<Archive> readLone(ArchiveStream& stream, const std::filesystem::path& path,
-                                                         const ArchiveLimits& limits);
+    /// A packed file that is no container; nothing if it is none, or broken. Errors: BadInput if it is too large.
+    [[nodiscard]] static std::optional<base::Result<Archive>> readLone(ArchiveStream& stream, std::uint64_t packedBytes,
+                                                                       const std::filesystem::path& path,
+                                                                       const ArchiveLimits& limits);
     void add(Entry entry, Diagnostics& diagnostics);
 
     std::vector<Entry> m_entries;

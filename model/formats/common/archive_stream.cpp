@@ -95,18 +95,18 @@ bool ArchiveStream::isFolder() const {
     return archive_entry_filetype(m_entry) == AE_IFDIR;
 }
 
-bool ArchiveStream::read(std::string& out, std::uint64_t limit) {
+ArchiveStream::Reading ArchiveStream::read(std::string& out, std::uint64_t limit) {
     const void* block = nullptr;
     std::size_t size = 0;
     la_int64_t offset = 0;
     int status = ARCHIVE_OK;
     while ((status = archive_read_data_block(m_archive.get(), &block, &size, &offset)) == ARCHIVE_OK) {
         if (out.size() + size > limit) {
-            return false;
+            return Reading::TooLarge;
         }
         out.append(static_cast<const char*>(block), size);
     }
-    return status == ARCHIVE_EOF;
+    return status == ARCHIVE_EOF ? Reading::Whole : Reading::Broken;
 }
 
 std::uint64_t ArchiveStream::position() const {
@@ -122,8 +122,14 @@ base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit) {
     ArchiveStream stream(bytes.view(), ArchiveStream::Formats::Member);
     std::string text;
     // A header too broken for its format would come through as raw bytes.
-    if (!stream.next() || !stream.isPacked() || !stream.read(text, limit)) {
-        return base::Error{base::ErrorCode::BadInput, "the packed file is broken or too large"};
+    const bool isThere = stream.next() && stream.isPacked();
+    const ArchiveStream::Reading reading = isThere ? stream.read(text, limit) : ArchiveStream::Reading::Broken;
+    if (reading == ArchiveStream::Reading::TooLarge) {
+        return base::Error{base::ErrorCode::BadInput,
+                           "the packed file unpacks to more than " + bytesText(limit) + ", the limit for one file"};
+    }
+    if (reading == ArchiveStream::Reading::Broken) {
+        return base::Error{base::ErrorCode::BadInput, "the packed file is broken"};
     }
     return Bytes(std::move(text));
 }

@@ -36,8 +36,9 @@ public:
     [[nodiscard]] bool isPacked() const;
     [[nodiscard]] bool isRegularFile() const;
     [[nodiscard]] bool isFolder() const;
-    /// Appends the data of the entry to `out`. False when it is broken or would grow past `limit` bytes.
-    [[nodiscard]] bool read(std::string& out, std::uint64_t limit);
+    enum class Reading { Whole, Broken, TooLarge };
+    /// Appends the data of the entry to `out`, as long as that does not grow past `limit` bytes.
+    [[nodiscard]] Reading read(std::string& out, std::uint64_t limit);
     /// Bytes of the archive file read so far.
     [[nodiscard]] std::uint64_t position() const;
 
@@ -54,12 +55,9 @@ private:
     bool m_hasEntries = false;
 };
 
-/// Most bytes that one packed file of a job may unpack to. The largest real one we know holds 34 MB.
-inline constexpr std::uint64_t kMaxMemberBytes = std::uint64_t{512} << 20;
-
 /// The plain text of a member that may be packed, which its first bytes say: `1F 9D` is Unix compress, `1F 8B` gzip,
 /// `PK` a zip with one file (DipTrace names those `.Z` too); anything else is returned as it is. Errors: BadInput when
 /// it is broken or unpacks to more than `limit` bytes.
-[[nodiscard]] base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit = kMaxMemberBytes);
+[[nodiscard]] base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit = base::kMostMemberBytes);
 
 }  // namespace model::formats

@@ -2,22 +2,24 @@
 
 #include <algorithm>
 
-#include "model/board/copies.h"
+#include "model/base/limits.h"
 
 namespace model::formats {
 
 namespace {
 
-/// Why a copy cannot be; nullptr if it can.
-const char* problemOf(const DrawnCopy& copy, std::size_t step, const std::vector<CopyPlan>& plans) {
+/// Why a copy cannot be; empty if it can.
+std::string problemOf(const DrawnCopy& copy, std::size_t step, const std::vector<CopyPlan>& plans) {
     if (copy.step <= static_cast<std::int64_t>(step) || static_cast<std::size_t>(copy.step) >= plans.size()) {
         return "a copy of a step that is not there, or that holds the copy itself; it is missing";
     }
     const CopyPlan& child = plans[static_cast<std::size_t>(copy.step)];
-    if (child.height >= kMaxStepDepth) {
-        return "copies of steps nest too deep; those within are missing";
+    if (child.height >= base::kMostStepDepth) {
+        return "the step has " + base::moreThan(base::kMostStepDepth, "levels of steps") + "; those within are missing";
     }
-    return plans[step].total + child.total > kMaxCopies ? "the step has too many copies; the rest is missing" : nullptr;
+    return plans[step].total + child.total > base::kMostCopies
+               ? "the step has " + base::moreThan(base::kMostCopies, "copies") + "; the rest is missing"
+               : std::string();
 }
 
 }  // namespace
@@ -27,7 +29,7 @@ std::vector<CopyPlan> planCopies(const DrawnJob& job, Diagnostics& diagnostics) 
     for (std::size_t step = job.steps.size(); step-- > 0;) {  // those that are placed lie behind
         CopyPlan& plan = plans[step];
         for (const DrawnCopy& copy : job.steps[step].copies) {
-            if (const char* problem = problemOf(copy, step, plans)) {
+            if (const std::string problem = problemOf(copy, step, plans); !problem.empty()) {
                 diagnostics.report(Severity::Error, job.steps[step].copiesFile, copy.line, problem);
                 continue;
             }

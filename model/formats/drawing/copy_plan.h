@@ -7,8 +7,8 @@
 
 namespace model::formats {
 
-/// One plan per step. Copies of steps that do not lie behind the one that holds them, more than kMaxStepDepth levels
-/// and more than kMaxCopies copies are reported and left out.
+/// One plan per step. Copies of steps that do not lie behind the one that holds them, more than base::kMostStepDepth
+/// levels and more than base::kMostCopies copies are reported and left out.
 [[nodiscard]] std::vector<CopyPlan> planCopies(const DrawnJob& job, Diagnostics& diagnostics);
 
 }  // namespace model::formats

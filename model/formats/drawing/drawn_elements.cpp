@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "model/base/limits.h"
 #include "model/formats/common/element_maker.h"
 #include "model/geometry/outlines.h"
 
@@ -77,6 +78,10 @@ private:
             return report(Severity::Warning, feature,
                           isKnown ? "a region without a usable polygon draws nothing"
                                   : "a feature names a region that is not there; it draws nothing");
+        }
+        if (hasTooManyCorners(m_step.regions[static_cast<std::size_t>(feature.region)])) {
+            return report(Severity::Error, feature,
+                          "a contour of " + base::moreThan(base::kMostCorners, "corners") + "; it was left out");
         }
         ShapeId& shape = m_regions[static_cast<std::size_t>(feature.region)];
         if (!shape.isValid()) {

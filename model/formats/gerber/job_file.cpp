@@ -7,6 +7,7 @@
 #include "model/formats/common/archive.h"
 #include "model/formats/gerber/image/image.h"
 #include "model/formats/gerber/text/words.h"
+#include "model/text/json_reading.h"
 
 namespace model::gerber {
 
@@ -61,7 +62,7 @@ void readFiles(const Json& files, JobFileFacts& facts) {
 }
 
 /// KiCad and the specification write GeneralSpecs, Fusion Overall.
-JobFileFacts readJson(const Json& json) {
+JobFileFacts factsOf(const Json& json) {
     JobFileFacts facts;
     const Json& software = member(member(json, "Header"), "GenerationSoftware");
     for (const char* key : {"Vendor", "Application", "Version"}) {
@@ -116,12 +117,12 @@ JobFileFacts parseJobFile(std::string_view source, std::string_view path, Diagno
     if (!trimmed(source).starts_with('{')) {
         return readGerber(source, path);
     }
-    const Json json = Json::parse(source, nullptr, false, true);
-    if (json.is_discarded()) {
-        diagnostics.report(Severity::Warning, path, 0, "the job file is no JSON that can be read; it is not used");
+    const base::Result<Json> json = model::readJson<Json>(source);
+    if (!json) {
+        diagnostics.report(Severity::Warning, path, 0, "the job file is not used: " + json.error().text);
         return {};
     }
-    return readJson(json);
+    return factsOf(*json);
 }
 
 }  // namespace model::gerber

@@ -12,7 +12,6 @@ namespace model::gerber {
 
 namespace {
 
-constexpr std::uint64_t kLargestFile = std::uint64_t{1} << 30;
 constexpr std::size_t kHead = 100'000;
 
 /// Files that are never read, whatever they hold.
@@ -199,9 +198,7 @@ base::Result<std::vector<ReadFile>> readFiles(const formats::Archive& archive, b
     std::vector<int> rows;
     for (const auto& [path, row] : archive.rows()) {
         const std::string_view name = std::string_view(path).substr(path.find_last_of('/') + 1);
-        const bool isRead = !name.starts_with('.') && archive.storedSize(row) <= kLargestFile &&
-                            std::ranges::find(kForeign, endingOf(name)) == kForeign.end();
-        if (isRead) {
+        if (!name.starts_with('.') && std::ranges::find(kForeign, endingOf(name)) == kForeign.end()) {
             rows.push_back(row);
         }
     }
@@ -220,7 +217,7 @@ base::Result<std::vector<ReadFile>> readFiles(const formats::Archive& archive, b
             files[order[i]] = readFile(archive.path(row), std::move(*bytes));
         } else {
             files[order[i]].path = archive.path(row);
-            files[order[i]].diagnostics.report(Severity::Error, archive.path(row), 0, "the file cannot be read");
+            files[order[i]].diagnostics.report(Severity::Error, archive.path(row), 0, bytes.error().text);
         }
     });
     if (progress.isCancelled()) {

@@ -198,7 +198,7 @@ std::string layerMapRow(const LayerMap::Row& row) {
 }
 
 base::Result<LayerMap> readLayerMap(const std::filesystem::path& path, Diagnostics& diagnostics) {
-    ASSIGN_OR_RETURN(const std::string text, readWholeFile(path));
+    ASSIGN_OR_RETURN(const std::string text, readWholeFile(path, base::kMostSettingBytes));
     LayerMap map = parseLayerMap(text, path.filename().string(), diagnostics);
     if (map.isEmpty()) {
         return base::Error{base::ErrorCode::BadInput,

@@ -17,9 +17,17 @@ using formats::DrawnJob;
 constexpr std::string_view kRoot = "IPC-2581";
 constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 constexpr std::size_t kHeadBytes = 4096;
+constexpr char kNewestKnown = 'C';
+constexpr std::size_t kLongestRevision = 20;
 
 base::Error badInput(const std::filesystem::path& path, const std::string& text) {
     return {base::ErrorCode::BadInput, path.string() + ": " + text};
+}
+
+/// Revisions are letters, some with a digit behind.
+bool isNewer(std::string_view revision) {
+    const std::string letter = formats::lowerCase(revision.substr(0, 1));
+    return letter > formats::lowerCase(std::string(1, kNewestKnown)) && letter <= "z";
 }
 
 bool isUtf16(std::string_view text) {
@@ -74,7 +82,13 @@ private:
             XmlCursor at = m_reading.at(section);
             if (section.depth == 1) {
                 at.next();
-                m_job.info.version += textOf(at.value("revision"));
+                const std::string revision = textOf(at.value("revision"));
+                m_job.info.version += revision;
+                if (isNewer(revision)) {
+                    m_reading.report(Severity::Warning, section.line,
+                                     "the file is of revision " + revision.substr(0, kLongestRevision) +
+                                         ", newer than what is known (C); what is new in it is not read");
+                }
             } else if (section.name == "SoftwarePackage" && m_job.info.generator.empty()) {
                 at.next();
                 m_job.info.generator = textOf(at.value("name")) + " " + textOf(at.value("revision"));

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
+#include "model/base/limits.h"
+
 namespace model::ipc2581 {
 
 namespace {
 
 using formats::DrawnStep;
-
-/// Panels nest two or three deep; more is a broken file.
-constexpr int kMaxDepth = 8;
-/// On one step, by its own StepRepeats.
-constexpr std::size_t kMostCopies = 100'000;
 
 class StepPlacer {
 public:
@@ -49,9 +46,11 @@ private:
             if (child == m_steps.size()) {
                 m_reading.report(Severity::Warning, repeat.line,
                                  "a StepRepeat names a step that the file does not have");
-            } else if (m_states[child] == State::Open || depth >= kMaxDepth) {
+            } else if (m_states[child] == State::Open || depth >= base::kMostStepDepth) {
                 m_reading.report(Severity::Error, repeat.line,
-                                 "the step contains itself or nests too deep; its copies are missing");
+                                 "the step contains itself or has " +
+                                     base::moreThan(base::kMostStepDepth, "levels of steps") +
+                                     "; its copies are missing");
             } else if (m_states[child] == State::Untouched) {
                 visit(child, depth + 1);
             }
@@ -65,9 +64,10 @@ private:
         const PointD datum = turn.apply(m_steps[child].datum);
         for (int j = 0; j < repeat.rows; ++j) {
             for (int i = 0; i < repeat.columns; ++i) {
-                if (drawn.copies.size() >= kMostCopies) {
-                    return m_reading.report(Severity::Error, repeat.line,
-                                            "the step has too many copies; the rest is missing");
+                if (drawn.copies.size() >= base::kMostCopies) {
+                    return m_reading.report(
+                        Severity::Error, repeat.line,
+                        "the step has " + base::moreThan(base::kMostCopies, "copies") + "; the rest is missing");
                 }
                 const PointD at = {repeat.first.x + i * repeat.pitch.x - datum.x,
                                    repeat.first.y + j * repeat.pitch.y - datum.y};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/base/limits.h"
 #include "model/formats/common/text_layout.h"
 #include "model/formats/ipc2581/shapes/hatches.h"
 #include "model/formats/ipc2581/shapes/primitives.h"
@@ -16,10 +17,6 @@ namespace {
 
 using formats::PadShape;
 
-/// Shapes within shapes, by nesting or through dictionaries.
-constexpr int kMostNested = 8;
-/// Shapes drawn through references to user shapes in a step. The largest real file we know has 2 000.
-constexpr std::size_t kMostExpansions = 10'000'000;
 /// Of the height of the letters.
 constexpr double kTextPen = 0.1;
 
@@ -65,14 +62,17 @@ bool ShapeReader::draw(XmlCursor& at, const Turn& turn, double unitNm) {
 }
 
 void ShapeReader::drawSpecial(XmlCursor& at, const Turn& turn, double unitNm) {
-    if (m_depth >= kMostNested) {
+    if (m_depth >= base::kMostShapeDepth) {
         return m_reading.report(Severity::Error, at.line(),
-                                "shapes contain each other or nest too deep; the rest is left out");
+                                "shapes contain each other or have " + base::moreThan(base::kMostShapeDepth, "levels") +
+                                    "; the rest is left out");
     }
     ++m_depth;
     forEachChild(at, [&] {
-        if (m_references > 0 && ++m_expansions > kMostExpansions) {
-            m_reading.report(Severity::Error, at.line(), "shapes refer to too many other shapes; the rest is left out");
+        if (m_references > 0 && ++m_expansions > base::kMostReferred) {
+            m_reading.report(
+                Severity::Error, at.line(),
+                "shapes refer to " + base::moreThan(base::kMostReferred, "other shapes") + "; the rest is left out");
         } else if (!draw(at, turn, unitNm)) {
             m_reading.reportUnknown(at);
         }
@@ -92,9 +92,10 @@ bool ShapeReader::drawUser(const XmlCursor& at, const Turn& turn) {
     ++m_depth;
     ++m_references;
     forEachChild(inside, [&] {
-        if (m_depth > kMostNested) {
+        if (m_depth > base::kMostShapeDepth) {
             m_reading.report(Severity::Error, inside.line(),
-                             "shapes contain each other or nest too deep; the rest is left out");
+                             "shapes contain each other or have " + base::moreThan(base::kMostShapeDepth, "levels") +
+                                 "; the rest is left out");
         } else if (!draw(inside, turn, entry->unitNm)) {
             m_reading.reportUnknown(inside);
         }

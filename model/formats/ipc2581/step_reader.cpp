@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/base/limits.h"
 #include "model/formats/ipc2581/xml/xml_values.h"
 #include "model/geometry/outlines.h"
 
@@ -14,14 +15,13 @@ namespace {
 using formats::DrawnNetlist;
 using formats::NetlistPoint;
 
-constexpr double kMostRepeats = 100'000;
-
 int countOf(Reading& reading, const XmlCursor& at, const char* attribute) {
     const double count = reading.lengthOr(at, attribute, 1.0, 1.0);
-    if (count >= 1.0 && count <= kMostRepeats) {
+    if (count >= 1.0 && count <= static_cast<double>(base::kMostCopies)) {
         return static_cast<int>(count);
     }
-    reading.report(Severity::Warning, at.line(), "a StepRepeat counts below 1 or absurdly many copies; 1 is used");
+    reading.report(Severity::Warning, at.line(),
+                   "a StepRepeat counts none or " + base::moreThan(base::kMostCopies, "copies") + "; 1 is used");
     return 1;
 }
 

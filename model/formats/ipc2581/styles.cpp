@@ -14,9 +14,9 @@ Dictionaries::Dictionaries(Reading& reading) : m_reading(reading) {
             at.next();
             const std::string_view units = at.value("units");
             const double named = unitNamed(units);
-            if (named == 0.0 && !units.empty()) {
+            if (named == 0.0 && (!units.empty() || section.name != "DictionaryColor")) {
                 reading.report(Severity::Warning, section.line,
-                               "the dictionary's units are unknown; millimetres are used");
+                               "the dictionary names no units that are known; millimetres are used");
             }
             unitNm = named > 0.0 ? named : base::kNmPerMm;
         } else if (section.name.starts_with("Entry")) {

@@ -31,12 +31,6 @@ void drawBackDrills(Canvas& canvas, const Item& item, const Origin& origin, Poin
         const std::int32_t row = canvas.layers().backDrills(from, to, canvas.job());
         canvas.drawPad(row, drilled, canvas.pen(width), at, 0.0);
     }
-    for (const char* head : {"front_post_machining", "back_post_machining"}) {
-        const Item machining = item.find(head);
-        if (machining.isThere() && machining.word(1) != "not_post_machined" && machining.word(1) != "none") {
-            canvas.report(Severity::Warning, machining.line(), "countersinks and counterbores of holes are not drawn");
-        }
-    }
 }
 
 }  // namespace model::kicad

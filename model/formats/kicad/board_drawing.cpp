@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/formats/kicad/barcodes.h"
 #include "model/formats/kicad/canvas.h"
 #include "model/formats/kicad/dimensions.h"
 #include "model/formats/kicad/footprints.h"
@@ -93,7 +94,7 @@ public:
         } else if (head == "target") {
             drawTarget(m_canvas, item, originOf(item));
         } else if (head == "barcode") {
-            m_canvas.report(Severity::Warning, item.line(), "barcodes are not drawn");
+            drawBarcode(m_canvas, item, variables(), originOf(item));
         } else if (head == "image") {
             m_canvas.report(Severity::Info, item.line(), "images are for the eyes of editors; they are not drawn");
         } else {

@@ -265,6 +265,10 @@ std::int32_t BoardLayers::backDrills(std::int32_t from, std::int32_t to, DrawnJo
     return drillRow(from, to, DrillKind::BackDrill, job);
 }
 
+std::int32_t BoardLayers::wideDrills(std::int32_t from, std::int32_t to, DrawnJob& job) {
+    return drillRow(from, to, DrillKind::Wide, job);
+}
+
 std::int32_t BoardLayers::drillRow(std::int32_t from, std::int32_t to, DrillKind kind, DrawnJob& job) {
     const std::vector<std::int32_t> passed = span(from, to);
     if (passed.empty()) {
@@ -274,15 +278,17 @@ std::int32_t BoardLayers::drillRow(std::int32_t from, std::int32_t to, DrillKind
     if (isNew) {
         found->second = static_cast<std::int32_t>(job.layers.size());
         DrawnLayer layer;
-        layer.name = std::string(kind == DrillKind::Plated      ? "drill_plated_"
-                                 : kind == DrillKind::NonPlated ? "drill_non-plated_"
-                                                                : "back_drill_") +
+        constexpr std::array<const char*, 4> kNames = {"drill_plated_", "drill_non-plated_", "back_drill_",
+                                                       "wide_drill_"};
+        layer.name = std::string(kNames[static_cast<std::size_t>(kind)]) +
                      job.layers[static_cast<std::size_t>(passed.front())].name + "-" +
                      job.layers[static_cast<std::size_t>(passed.back())].name;
         layer.file = job.layers[static_cast<std::size_t>(passed.front())].file;
         layer.type = LayerType::Drill;
         layer.side = LayerSide::Through;
-        layer.use = kind == DrillKind::BackDrill ? LayerUse::Backdrill : LayerUse::Plain;
+        layer.use = kind == DrillKind::BackDrill ? LayerUse::Backdrill
+                    : kind == DrillKind::Wide    ? LayerUse::DualDiameter
+                                                 : LayerUse::Plain;
         layer.spanTop = passed.front();
         layer.spanBottom = passed.back();
         job.layers.push_back(std::move(layer));

@@ -38,6 +38,8 @@ public:
     [[nodiscard]] std::int32_t drills(std::int32_t from, std::int32_t to, bool isPlated, formats::DrawnJob& job);
     /// The row of what is drilled from one copper layer down to another after plating.
     [[nodiscard]] std::int32_t backDrills(std::int32_t from, std::int32_t to, formats::DrawnJob& job);
+    /// The row of what is drilled wider from an outer copper layer inwards: counterbores and countersinks.
+    [[nodiscard]] std::int32_t wideDrills(std::int32_t from, std::int32_t to, formats::DrawnJob& job);
     /// Does the board say how thick its dielectrics are?
     [[nodiscard]] bool hasStackup() const { return m_hasStackup; }
 
@@ -55,7 +57,7 @@ private:
                      std::string_view file);
 
     std::map<std::string, std::int32_t, std::less<>> m_rows;
-    enum class DrillKind : std::uint8_t { Plated, NonPlated, BackDrill };
+    enum class DrillKind : std::uint8_t { Plated, NonPlated, BackDrill, Wide };
     [[nodiscard]] std::int32_t drillRow(std::int32_t from, std::int32_t to, DrillKind kind, formats::DrawnJob& job);
 
     std::map<std::tuple<std::int32_t, std::int32_t, DrillKind>, std::int32_t> m_drills;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "model/formats/kicad/barcodes.h"
+#include "model/formats/kicad/dimensions.h"
 #include "model/formats/kicad/pads.h"
 #include "model/formats/kicad/text/values.h"
 #include "model/formats/kicad/text_boxes.h"
@@ -135,13 +137,13 @@ public:
             } else if (head == "fp_text_box" || head == "table") {
                 addTextBox(item);
             } else if (head == "barcode") {
-                m_canvas.report(Severity::Warning, item.line(), "barcodes are not drawn");
+                addBarcode(item);
             } else if (head == "image") {
                 m_canvas.report(Severity::Info, item.line(), "images are for the eyes of editors; they are not drawn");
             } else if (head == "zone") {
                 drawZone(m_canvas, item);
             } else if (head == "dimension") {
-                m_canvas.report(Severity::Info, item.line(), "dimensions of footprints are not drawn");
+                drawDimension(m_canvas, item, [&](std::string_view name) { return variable(name); });
             }
         }
         package().outline.append(bodyOf(m_fab.empty() ? m_courtyard : m_fab),
@@ -239,6 +241,14 @@ private:
         } else {
             drawTextBox(m_canvas, item, m_owner.frame, variables, origin);
         }
+    }
+
+    void addBarcode(const Item& item) {
+        Origin origin;
+        origin.line = item.line();
+        origin.component = m_owner.component;
+        drawBarcode(
+            m_canvas, item, [&](std::string_view name) { return variable(name); }, origin);
     }
 
     std::optional<std::string> variable(std::string_view name) {

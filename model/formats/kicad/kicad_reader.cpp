@@ -101,7 +101,7 @@ Board readBoard(const fs::path& path, const Diagnostics& before, base::Progress&
     beside.replace_extension(kProject);
     std::error_code error;
     if (fs::is_regular_file(beside, error)) {
-        const base::Result<std::string> project = readWholeFile(beside);
+        const base::Result<std::string> project = readWholeFile(beside, base::kMostSettingBytes);
         if (project) {
             source.project = readProject(*project, beside.filename().string(), source.diagnostics);
         } else {

@@ -10,6 +10,7 @@
 
 #include "model/formats/kicad/back_drills.h"
 #include "model/formats/kicad/pad_forms.h"
+#include "model/formats/kicad/post_machining.h"
 #include "model/formats/kicad/shapes/pad_outlines.h"
 #include "model/formats/kicad/text/values.h"
 #include "model/formats/kicad/vias.h"
@@ -137,6 +138,7 @@ private:
         if (reach < 1.0) {
             m_canvas.drawPad(row, origin, m_canvas.pen(pen), m_at, 0.0);
             drawBackDrills(m_canvas, m_pad, m_origin, m_at);
+            drawPostMachining(m_canvas, m_pad, m_origin, m_at, pen);
             return;
         }
         const bool isFlat = m_drill.width > m_drill.height;
@@ -147,6 +149,7 @@ private:
         if (a && b) {
             m_canvas.drawEdge(row, origin, {*a, {}, EdgeKind::Line}, *b, pen);
         }
+        drawPostMachining(m_canvas, m_pad, m_origin, m_at, 0.0);
     }
 
     // ---- pins ----

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/formats/kicad/text/values.h"
+#include "model/text/json_reading.h"
 
 namespace model::kicad {
 
@@ -68,10 +69,12 @@ std::string Project::classOf(std::string_view net) const {
 
 Project readProject(std::string_view text, std::string_view file, Diagnostics& diagnostics) {
     Project project;
-    const json root = json::parse(text, nullptr, false, true);
+    const base::Result<json> read = readJson<json>(text);
+    const json& root = read ? *read : member(json(), "");
     if (!root.is_object()) {
         diagnostics.report(Severity::Warning, file, 0,
-                           "the project beside the board is no JSON; text variables and net classes are missing");
+                           "the project beside the board is not used, so text variables and net classes are missing: " +
+                               (read ? "it holds no object" : read.error().text));
         return project;
     }
     for (const auto& [name, value] : member(root, "text_variables").items()) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/formats/kicad/back_drills.h"
+#include "model/formats/kicad/post_machining.h"
 #include "model/formats/kicad/text/values.h"
 
 namespace model::kicad {
@@ -44,8 +45,7 @@ double viaSizeOn(const Item& via, const std::string& layer) {
     return length(via, "size");
 }
 
-void openMask(Canvas& canvas, const Item& via, const Origin& origin, PointD at,
-              const std::vector<std::int32_t>& span) {
+void openMask(Canvas& canvas, const Item& via, const Origin& origin, PointD at, const std::vector<std::int32_t>& span) {
     const BoardLayers& layers = canvas.layers();
     const double size = length(via, "size");
     const std::array<bool, 2> isTented = tentingOf(via, canvas.settings().isViaTented);
@@ -109,6 +109,7 @@ void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
     const std::int32_t row = layers.drills(span.front(), span.back(), true, canvas.job());
     canvas.drawPad(row, origin, canvas.pen(drill), *at, 0.0);
     drawBackDrills(canvas, via, origin, *at);
+    drawPostMachining(canvas, via, origin, *at, drill);
 }
 
 }  // namespace model::kicad

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/base/limits.h"
 #include "model/board/copies.h"
 
 namespace model::odb {
@@ -37,8 +38,10 @@ private:
             if (child == m_steps.size()) {
                 continue;  // reported when the steps were collected
             }
-            if (m_states[child] == State::Open || depth >= formats::kMaxStepDepth) {
-                report(step, repeat, "the step contains itself or nests too deep; its copies are missing");
+            if (m_states[child] == State::Open || depth >= base::kMostStepDepth) {
+                report(step, repeat,
+                       "the step contains itself or has " + base::moreThan(base::kMostStepDepth, "levels of steps") +
+                           "; its copies are missing");
                 continue;
             }
             if (m_states[child] == State::Untouched) {
@@ -54,8 +57,10 @@ private:
         plan.height = std::max(plan.height, m_plans[child].height + 1);
         for (int row = 0; row < repeat.rows; ++row) {
             for (int column = 0; column < repeat.columns; ++column) {
-                if (plan.total + m_plans[child].total > kMaxCopies) {
-                    return report(step, repeat, "the step has too many copies; the rest is missing");
+                if (plan.total + m_plans[child].total > base::kMostCopies) {
+                    return report(
+                        step, repeat,
+                        "the step has " + base::moreThan(base::kMostCopies, "copies") + "; the rest is missing");
                 }
                 const Point location = {repeat.first.x + column * repeat.pitch.x,
                                         repeat.first.y + row * repeat.pitch.y};

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "model/base/limits.h"
 #include "model/base/stopwatch.h"
 #include "model/board/document_builder.h"
 #include "model/formats/paper/lexer.h"
@@ -340,6 +341,12 @@ private:
         if (sketch.isEmpty()) {
             m_out.diagnostics().report(Severity::Warning, m_file, record.line,
                                        "a SHAPE without an outline was left out");
+            return;
+        }
+        if (hasTooManyCorners(sketch)) {
+            m_out.diagnostics().report(
+                Severity::Error, m_file, record.line,
+                "a contour of " + base::moreThan(base::kMostCorners, "corners") + "; it was left out");
             return;
         }
         m_out.addArea({m_out.addShape(sketch), {}}, origin);

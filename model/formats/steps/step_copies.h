@@ -11,9 +11,6 @@
 /// Copies of steps on the step that holds them (panels), whatever the job is written in.
 namespace model::formats {
 
-/// Panels nest two or three deep; more is a broken file.
-inline constexpr int kMaxStepDepth = 8;
-
 /// A copy of a step as the job lays it down.
 struct PlannedCopy {
     std::size_t step = 0;  ///< row of the job's steps

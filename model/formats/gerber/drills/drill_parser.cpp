@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 
+#include "model/base/limits.h"
 #include "model/base/units.h"
 #include "model/formats/gerber/drills/drill_file.h"
 #include "model/formats/gerber/image/attributes.h"
@@ -18,7 +19,6 @@ using formats::DrawnKind;
 namespace {
 
 constexpr std::size_t kMostComments = 100;
-constexpr std::size_t kMostRepeated = 1'000'000;
 constexpr Nm kNoSize = 10;  ///< of a tool without one: the hole stays a hole, and nothing is invented
 
 /// The values of one line: X1.5Y2G85X3 gives X, Y, G, X in turn.
@@ -437,8 +437,11 @@ private:
              : part.letter == 'Y' ? dy
                                   : m_ignored) = part.letter == 'R' ? 0.0 : length(part.digits);
         }
-        if (m_isBad || count < 1 || m_image.features.empty() || !mayRepeat(static_cast<std::size_t>(count))) {
+        if (m_isBad || count < 1 || m_image.features.empty()) {
             return report(Severity::Warning, "a repetition of a hole that cannot be read; it was left out");
+        }
+        if (!mayRepeat(static_cast<std::size_t>(count))) {
+            return;
         }
         for (int i = 0; i < count; ++i) {
             m_position = {m_position.x + dx, m_position.y + dy};
@@ -452,7 +455,11 @@ private:
 
     bool mayRepeat(std::size_t count) {
         m_repeated += count;
-        return m_repeated <= kMostRepeated;
+        if (m_repeated > base::kMostRepeated) {
+            report(Severity::Error,
+                   "repetitions draw " + base::moreThan(base::kMostRepeated, "holes") + "; the rest is left out");
+        }
+        return m_repeated <= base::kMostRepeated;
     }
 
     /// M02X1Y2: the holes between M25 and M01 again, that much farther than the last time.
@@ -466,8 +473,11 @@ private:
             }
         }
         const std::size_t count = m_patternEnd - std::min(m_patternBegin, m_patternEnd);
-        if (m_isBad || !mayRepeat(count)) {
+        if (m_isBad) {
             return report(Severity::Warning, "a repeated pattern of holes that cannot be read; it was left out");
+        }
+        if (!mayRepeat(count)) {
+            return;
         }
         for (std::size_t i = 0; i < count; ++i) {
             DrawnFeature feature = m_image.features[m_patternBegin + i];

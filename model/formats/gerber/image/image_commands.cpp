@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "model/base/limits.h"
 #include "model/formats/gerber/image/image_parser.h"
 #include "model/formats/gerber/text/words.h"
 
@@ -9,8 +10,6 @@ namespace model::gerber {
 
 namespace {
 
-constexpr std::size_t kMostFrames = 50;
-constexpr int kMostCopies = 100'000;
 constexpr std::size_t kLongestName = 60;
 
 std::size_t countLines(const char* begin, const char* end) {
@@ -243,9 +242,12 @@ void ImageParser::block(std::string_view rest) {
         return endFrame();
     }
     const std::optional<int> code = parseInteger(rest.substr(1));
-    if (!rest.starts_with('D') || !code || *code < 10 || m_frames.size() >= kMostFrames) {
+    if (m_frames.size() >= base::kMostBlockDepth) {
         return report(Severity::Warning,
-                      "a block whose number cannot be read, or in too many others; its parts are drawn");
+                      "a block in " + base::moreThan(base::kMostBlockDepth, "others") + "; its parts are drawn");
+    }
+    if (!rest.starts_with('D') || !code || *code < 10) {
+        return report(Severity::Warning, "a block whose number cannot be read; its parts are drawn");
     }
     Frame frame;
     frame.isBlock = true;
@@ -264,8 +266,14 @@ void ImageParser::repeat(std::string_view rest) {
     if (rest.empty() || (nx == 1.0 && ny == 1.0)) {
         return;
     }
-    if (!(nx >= 1 && ny >= 1 && nx <= kMostCopies && ny <= kMostCopies) || m_frames.size() >= kMostFrames) {
-        return report(Severity::Warning, "a repeated step whose counts cannot be read; it is drawn once");
+    if (m_frames.size() >= base::kMostBlockDepth) {
+        return report(Severity::Warning,
+                      "a repeated step in " + base::moreThan(base::kMostBlockDepth, "others") + "; it is drawn once");
+    }
+    if (!(nx >= 1 && ny >= 1 && nx <= static_cast<double>(base::kMostCopies) &&
+          ny <= static_cast<double>(base::kMostCopies))) {
+        return report(Severity::Warning, "a repeated step whose counts cannot be read or draw " +
+                                             base::moreThan(base::kMostCopies, "copies") + "; it is drawn once");
     }
     Frame frame;
     frame.nx = static_cast<int>(nx);

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "model/base/limits.h"
 #include "model/formats/gerber/image/image_parser.h"
 #include "model/formats/gerber/text/words.h"
 #include "model/geometry/outlines.h"
@@ -14,9 +15,6 @@ using formats::DrawnFeature;
 using formats::DrawnKind;
 
 namespace {
-
-/// Blocks within blocks and repeated steps multiply: a file of 1 kB could draw more than any machine holds.
-constexpr std::size_t kMostExpanded = 4'000'000;
 
 double distance(PointD a, PointD b) {
     return std::hypot(a.x - b.x, a.y - b.y);
@@ -171,9 +169,9 @@ void ImageParser::flash() {
 }
 
 bool ImageParser::mayExpand(std::size_t count) {
-    if (count > kMostExpanded || m_expanded > kMostExpanded - count) {
-        report(Severity::Error,
-               "blocks or repeated steps draw more than 4 million objects; the rest of them is left out");
+    if (count > base::kMostExpanded || m_expanded > base::kMostExpanded - count) {
+        report(Severity::Error, "blocks or repeated steps draw " + base::moreThan(base::kMostExpanded, "objects") +
+                                    "; the rest of them is left out");
         return false;
     }
     m_expanded += count;

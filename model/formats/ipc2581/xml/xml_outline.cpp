@@ -1,5 +1,6 @@
 #include "model/formats/ipc2581/xml/xml_outline.h"
 
+#include "model/base/limits.h"
 #include "model/formats/ipc2581/xml/xml_cursor.h"
 
 namespace model::ipc2581 {
@@ -44,8 +45,9 @@ XmlOutline outlineOf(std::string_view text, base::Progress& progress) {
             outline.sections.push_back({at.name(), at.offset(), at.line(), depth});
         }
         if (!at.isEmpty()) {
-            if (open.size() == kMostDepth) {
-                setFault(outline, at, "elements nest too deep");
+            if (open.size() == base::kMostXmlDepth) {
+                static_assert(base::kMostXmlDepth == 64);
+                setFault(outline, at, "elements nest too deep: 64 levels are the limit");
                 return outline;
             }
             open.push_back(at.name());

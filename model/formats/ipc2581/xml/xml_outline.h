@@ -28,9 +28,6 @@ struct XmlOutline {
 
 /// Sections down to this depth: the parts of a step, and the entries of dictionaries.
 inline constexpr int kOutlineDepth = 5;
-/// Elements may nest so deep. Those of the standard nest 15 deep.
-inline constexpr std::size_t kMostDepth = 64;
-
 /// Reads the text once. Cancelled: what was listed so far.
 [[nodiscard]] XmlOutline outlineOf(std::string_view text, base::Progress& progress);
 

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "model/base/limits.h"
 #include "model/formats/common/element_maker.h"
 #include "model/formats/odb/symbols/barcode.h"
+#include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
 
 namespace model::odb {
@@ -122,6 +124,11 @@ private:
             return report(Severity::Warning, feature, "a surface without a usable polygon draws nothing");
         }
         const ShapeSketch sketch = sketchOf(m_file.surfaces, ShapeId{std::size_t{feature.index}});
+        if (hasTooManyCorners(sketch)) {
+            m_maker.endChain();
+            return report(Severity::Error, feature,
+                          "a contour of " + base::moreThan(base::kMostCorners, "corners") + "; it was left out");
+        }
         m_maker.addArea(sourceOf(row), m_builder.addShape(sketch), {});
     }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "model/base/limits.h"
 #include "model/formats/odb/text/records.h"
 #include "model/formats/odb/text/structured_text.h"
 
@@ -163,9 +164,10 @@ Matrix parseMatrix(std::string_view text, std::string_view path, Diagnostics& di
     for (const Block& block : parseStructured(text, path, diagnostics).blocks) {
         if (equalsIgnoringCase(block.name, "STEP")) {
             steps.emplace_back(parseInteger(block.value("COL")).value_or(0), toUtf8(block.value("NAME")));
-        } else if (equalsIgnoringCase(block.name, "LAYER") && matrix.layers.size() == kMaxLayers) {
-            diagnostics.report(Severity::Error, path, block.line,
-                               "the matrix has too many layers; the rest was left out");
+        } else if (equalsIgnoringCase(block.name, "LAYER") && matrix.layers.size() == base::kMostLayers) {
+            diagnostics.report(
+                Severity::Error, path, block.line,
+                "the matrix has " + base::moreThan(base::kMostLayers, "layers") + "; the rest was left out");
         } else if (equalsIgnoringCase(block.name, "LAYER")) {
             matrix.layers.push_back(layerOf(block, path, diagnostics));
         } else {

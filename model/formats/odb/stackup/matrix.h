@@ -39,9 +39,7 @@ struct Matrix {
     [[nodiscard]] std::size_t rowOf(std::string_view name) const;
 };
 
-/// More rows than this are no board; the rest is left out and reported.
-inline constexpr std::size_t kMaxLayers = 5'000;
-
+/// Rows beyond base::kMostLayers are left out and reported.
 [[nodiscard]] Matrix parseMatrix(std::string_view text, std::string_view path, Diagnostics& diagnostics);
 
 /// A film, glue or plate of a rigid-flex board, which may be drawn by its zone alone.

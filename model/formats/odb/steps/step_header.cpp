@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "model/base/limits.h"
 #include "model/formats/odb/text/records.h"
 #include "model/formats/odb/text/structured_text.h"
 
@@ -56,7 +57,8 @@ bool isSane(const StepRepeat& repeat) {
         const std::int64_t end = from + std::int64_t{pitch} * (count - 1);
         return end <= base::kMaxCoordinate && end >= -base::kMaxCoordinate;
     };
-    return repeat.columns >= 1 && repeat.rows >= 1 && std::int64_t{repeat.columns} * repeat.rows <= kMaxRepeats &&
+    return repeat.columns >= 1 && repeat.rows >= 1 &&
+           std::int64_t{repeat.columns} * repeat.rows <= std::int64_t{base::kMostCopies} &&
            reaches(repeat.first.x, repeat.pitch.x, repeat.columns) &&
            reaches(repeat.first.y, repeat.pitch.y, repeat.rows);
 }

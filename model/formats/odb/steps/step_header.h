@@ -30,9 +30,7 @@ struct StepHeader {
     std::vector<StepRepeat> repeats;
 };
 
-/// More copies than this in one block are taken for a broken file: reported, and the block is left out.
-inline constexpr int kMaxRepeats = 100'000;
-
+/// A block of more than base::kMostCopies copies is reported and left out.
 [[nodiscard]] StepHeader parseStepHeader(std::string_view text, std::string_view path, Unit defaultUnit,
                                          Diagnostics& diagnostics);
 

@@ -151,7 +151,9 @@ private slots:
         QCOMPARE(firstOf(agreement, Aspect::Holes), std::string("only A has a plated hole of 0.300 mm"));
         QCOMPARE(*find(agreement, Aspect::Holes)->differences[0].location, mm(30, 20));
         other.steps[0].features[3][0].a.x -= 1'500;
-        QVERIFY(compared(board(), other).isAgreed());
+        const Agreement near = compared(board(), other);
+        QVERIFY(near.isAgreed());
+        QCOMPARE(find(near, Aspect::Holes)->farthest, std::optional(500.0));
     }
 
     void partsAndPinsAreComparedByName() {
@@ -170,6 +172,9 @@ private slots:
         QCOMPARE(parts.differences[1].text, std::string("R2 is turned by 0.00 degrees in A, by 90.00 in B"));
         QCOMPARE(parts.differing, std::size_t{2});
         QVERIFY(parts.note.find("1 parts without pins") == 0);
+        QCOMPARE(parts.farthest, std::optional(50'000.0));
+        QCOMPARE(find(agreement, Aspect::Pins)->farthest, std::optional(0.0));
+        QVERIFY(!find(agreement, Aspect::Nets)->farthest);
         QCOMPARE(firstOf(agreement, Aspect::Pins), std::string("R2.1 is called A in B"));
         step.components[1].pins[0].name.clear();  // a format that has no name for it
         QVERIFY(find(compared(board(), other), Aspect::Pins)->accord == Accord::Agree);

@@ -1,6 +1,8 @@
 #include "model/geometry/boolean.h"
 
 #include <QtTest>
+#include <cstdlib>
+#include <random>
 
 using model::Point;
 using model::PolygonSet;
@@ -11,6 +13,14 @@ PolygonSet square(int x, int y, int size) {
     PolygonSet set;
     set.beginPolygon();
     const Point corners[] = {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+    set.addLoop(corners);
+    return set;
+}
+
+PolygonSet bar(int x, int y, int width, int height) {
+    PolygonSet set;
+    set.beginPolygon();
+    const Point corners[] = {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
     set.addLoop(corners);
     return set;
 }
@@ -70,6 +80,48 @@ private slots:
         const PolygonSet result = model::unite(ring);
         QCOMPARE(result.polygons.size(), 2U);
         QCOMPARE(area(result), 10000 - 3600 + 400);
+    }
+
+    /// Together or a hundred at a time: what they cover is the same. Sides along the axes cross on the grid.
+    void manyAreUnitedAsFewAre() {
+        std::mt19937 random(5);
+        PolygonSet many;
+        PolygonSet atOnce;
+        for (int i = 0; i < 700; ++i) {
+            const int x = static_cast<int>(random() % 3000);
+            const int y = static_cast<int>(random() % 3000);
+            const PolygonSet one =
+                bar(x, y, 10 + static_cast<int>(random() % 300), 10 + static_cast<int>(random() % 30));
+            many.append(one);
+            atOnce.append(one);
+            if (i % 100 == 99) {  // few, with what was united before
+                atOnce = model::unite(atOnce);
+            }
+        }
+        const PolygonSet united = model::unite(many);
+        QCOMPARE(area(united), area(atOnce));
+        QCOMPARE(area(model::subtract(united, atOnce)), 0);
+        QCOMPARE(area(model::subtract(atOnce, united)), 0);
+        QCOMPARE(united.polygons.size(), atOnce.polygons.size());
+        PolygonSet whole = square(0, 0, 4000);
+        QCOMPARE(area(model::subtract(whole, many)), 16'000'000 - area(united));
+    }
+
+    /// The strokes of a hatch, slanted: their union covers each of them, and no more than all of them.
+    void hatchesBecomeWhatTheyFill() {
+        PolygonSet strokes;
+        for (int i = 0; i < 600; ++i) {
+            strokes.beginPolygon();
+            const int x = 100'000 * i;
+            const Point corners[] = {
+                {x, 0}, {x + 150'000, 0}, {x + 1'150'007, 10'000'003}, {x + 1'000'007, 10'000'003}};
+            strokes.addLoop(corners);
+        }
+        const PolygonSet united = model::unite(strokes);
+        QCOMPARE(united.polygons.size(), std::size_t{1});
+        QCOMPARE(united.polygons[0].loopCount, 1U);
+        const long long expected = (599LL * 100'000 + 150'000) * 10'000'003;
+        QVERIFY(std::abs(area(united) - expected) < 10'000'003LL * 20);  // corners are on the grid
     }
 
     void areaOfUnionAndCommonPartAddUp() {

@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <QtTest>
+#include <atomic>
 #include <cstring>
+#include <thread>
 
 #include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
@@ -542,6 +544,41 @@ private slots:
         QVERIFY(!saved);
         QVERIFY(saved.error().text.find(sessionPath(location.board).string()) != std::string::npos);
         QCOMPARE(location.file(), before);
+    }
+
+    /// As two windows do that have the same board open.
+    void partsThatAreWrittenAtOnceAreAllKept() {
+        const Location location;
+        constexpr std::size_t kTimes = 50;
+        std::atomic<int> lost = 0;
+        const auto repeat = [&](const auto& saves, const auto& countOf) {
+            return std::jthread([&, saves, countOf] {
+                for (std::size_t i = 1; i <= kTimes; ++i) {
+                    lost += saves(i).ok() && countOf(location.load().session) == i ? 0 : 1;
+                }
+            });
+        };
+        {
+            const std::jthread views =
+                repeat([&](std::size_t i) { return location.save(std::vector<SavedView>(i, viewNamed("view"))); },
+                       [](const Session& session) { return session.views.size(); });
+            const std::jthread measurements = repeat(
+                [&](std::size_t i) {
+                    return saveMeasurements(location.board, *location.document,
+                                            std::vector<Measurement>(i, measured("one")));
+                },
+                [](const Session& session) { return session.measurements.size(); });
+        }
+        QCOMPARE(lost.load(), 0);
+        const LoadedSession found = location.load();
+        QVERIFY(found.ignored.empty());
+        QCOMPARE(found.session.views.size(), kTimes);
+        QCOMPARE(found.session.measurements.size(), kTimes);
+        std::size_t files = 0;
+        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(location.folder.path())) {
+            ++files;
+        }
+        QCOMPARE(files, std::size_t{1});
     }
 
     void aFailedWriteLeavesNoPart() {

@@ -1,6 +1,7 @@
 #include "model/export/solids/step_text.h"
 
 #include <QtTest>
+#include <string>
 #include <vector>
 
 using model::StepId;
@@ -28,7 +29,7 @@ private slots:
         QFETCH(QString, text);
         StepText step;
         step.add("A(", StepText::Length{nm}, ")");
-        QCOMPARE(QString::fromStdString(step.text()), "#1=A(" + text + ");\n");
+        QCOMPARE(QString::fromStdString(std::string(step.text())), "#1=A(" + text + ");\n");
     }
 
     void entitiesAreNumberedAndReferToEachOther() {
@@ -38,7 +39,7 @@ private slots:
         const std::vector<StepId> both{point, up};
         step.add("THING(", both, ",", StepId{0}, ")");
         QCOMPARE(step.lastId(), StepId{3});
-        QCOMPARE(QString::fromStdString(step.text()),
+        QCOMPARE(QString::fromStdString(std::string(step.text())),
                  QString("#1=CARTESIAN_POINT('',(1.,-0.25,0.035));\n#2=DIRECTION('',(0.,0.,1.));\n"
                          "#3=THING((#1,#2),$);\n"));
     }

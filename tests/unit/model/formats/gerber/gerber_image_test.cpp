@@ -161,7 +161,7 @@ private slots:
             body += "X1Y1D03*X2D03*X3D03*X4D03*%AB*%";
         }
         const Image image = parse(body + "D59*X0Y0D03*");
-        QVERIFY(isReported(image, "4 million"));
+        QVERIFY(isReported(image, "more than 4000000 objects, the limit"));
         QVERIFY(image.features.size() <= 4'000'000);
         QVERIFY(isReported(parse("%ABD20*%D20*X0Y0D03*%AB*%D20*D03*"), "not defined"));
     }

@@ -335,7 +335,7 @@ private slots:
         }
         const auto job = parse(fileWith(features("<UserPrimitiveRef id='u0'/>"), dictionary + "</DictionaryUser>"));
         QVERIFY(job.ok());
-        QVERIFY(reports(*job, "nest too deep"));
+        QVERIFY(reports(*job, "more than 8 levels, the limit"));
     }
 
     void filesOpenWhateverTheyComeIn() {

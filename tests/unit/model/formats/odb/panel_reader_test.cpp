@@ -204,7 +204,7 @@ private slots:
         folder.write("steps/panel/stephdr", "UNITS=MM\n" + block("CARD", 200));
         const auto d = read(folder.path());
         QCOMPARE(d->instances.size(), std::size_t{99});  // 1 + 99 * 1000 copies; one more would be too many
-        QVERIFY(findDiagnostic(d->diagnostics, "too many copies") != nullptr);
+        QVERIFY(findDiagnostic(d->diagnostics, "more than 100000 copies, the limit") != nullptr);
         Folder deep;
         deep.copyJob("panel");
         for (int i = 0; i < 12; ++i) {
@@ -214,7 +214,7 @@ private slots:
         deep.write("steps/panel/stephdr", "UNITS=MM\n" + block("n0", 1));
         const auto nested = read(deep.path());
         QCOMPARE(model::unfoldCopies(*nested).copies.size(), std::size_t{9});
-        QVERIFY(findDiagnostic(nested->diagnostics, "nests too deep") != nullptr);
+        QVERIFY(findDiagnostic(nested->diagnostics, "more than 8 levels of steps, the limit") != nullptr);
     }
 };
 

@@ -1,0 +1,75 @@
+#include "app/common/memory_limit.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include "app/common/exit_code.h"
+#include "model/base/limits.h"
+
+namespace app {
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+std::uint64_t limitInForce() {
+    rlimit limit{};
+    const bool isSet = getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    return isSet ? limit.rlim_cur : 0;
+}
+
+[[noreturn]] void endProcess() {
+    try {
+        if (const std::exception_ptr current = std::current_exception()) {
+            std::rethrow_exception(current);
+        }
+    } catch (const std::bad_alloc&) {
+        std::_Exit(failOutOfMemory());
+    } catch (...) {
+    }
+    std::abort();
+}
+
+}  // namespace
+
+void limitMemory(std::uint64_t bytes) {
+    rlimit limit{};
+    if (kIsSanitized || bytes == 0 || getrlimit(RLIMIT_DATA, &limit) != 0) {
+        return;
+    }
+    limit.rlim_cur = limit.rlim_max == RLIM_INFINITY || bytes < limit.rlim_max ? bytes : limit.rlim_max;
+    static_cast<void>(setrlimit(RLIMIT_DATA, &limit));
+}
+
+std::uint64_t machineMemory() {
+    const long pages = sysconf(_SC_PHYS_PAGES);
+    const long size = sysconf(_SC_PAGESIZE);
+    return pages > 0 && size > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) : 0;
+}
+
+int failOutOfMemory() {
+    const std::uint64_t limit = limitInForce();
+    if (limit == 0) {
+        std::fputs("copperscope: out of memory\n", stderr);
+    } else {
+        std::fprintf(stderr,
+                     "copperscope: out of memory: this takes more than %.0f MiB, the limit that --max-memory sets\n",
+                     static_cast<double>(limit) / static_cast<double>(base::kMiB));
+    }
+    return kFailed;
+}
+
+void endWhereMemoryRunsOut() {
+    std::set_terminate(endProcess);
+}
+
+}  // namespace app

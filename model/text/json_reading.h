@@ -1,0 +1,33 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "model/base/limits.h"
+#include "model/base/result.h"
+
+namespace model {
+
+/// JSON that comes from outside as values, comments allowed. `Json` is one of nlohmann's types. Values nested deeper
+/// than base::kMostJsonDepth are refused: to copy or to write them would take as many calls within calls. Errors:
+/// BadInput, with the place.
+template <class Json>
+[[nodiscard]] base::Result<Json> readJson(std::string_view text) {
+    bool isTooDeep = false;
+    const auto keep = [&isTooDeep](int depth, typename Json::parse_event_t, const Json&) {
+        isTooDeep = isTooDeep || static_cast<std::size_t>(depth) > base::kMostJsonDepth;
+        return !isTooDeep;
+    };
+    try {
+        Json json = Json::parse(text, keep, true, true);
+        if (!isTooDeep) {
+            return json;
+        }
+    } catch (const typename Json::exception& error) {
+        return base::Error{base::ErrorCode::BadInput, std::string("this is no file of JSON: ") + error.what()};
+    }
+    return base::Error{base::ErrorCode::BadInput, "its values have " + base::moreThan(base::kMostJsonDepth, "levels")};
+}
+
+}  // namespace model

@@ -1,0 +1,217 @@
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QtTest>
+#include <array>
+#include <cstdio>
+#include <functional>
+
+#include "tests/soak/action_log.h"
+#include "tests/soak/driver.h"
+#include "tests/soak/modes.h"
+#include "tests/soak/resources.h"
+#include "ui/common/paths.h"
+#include "ui/export/export_dialog.h"
+
+namespace soak {
+
+using ui::ActionId;
+
+namespace {
+
+void search(Driver& driver, ui::ClearancePanel::What what) {
+    QWidget& panel = driver.window().panel("clearances");
+    panel.findChild<QComboBox*>("what")->setCurrentIndex(static_cast<int>(what));
+    panel.findChild<QComboBox*>("where")->setCurrentIndex(static_cast<int>(ui::ClearancePanel::Where::Board));
+    driver.trigger(ActionId::SearchClearances);
+}
+
+void exportAs(Driver& driver, const char* format, const char* name) {
+    driver.trigger(ActionId::ExportBoard);
+    auto& dialog = *driver.window().findChild<ui::ExportDialog*>();
+    auto& formats = *dialog.findChild<QComboBox*>("exportFormat");
+    formats.setCurrentIndex(formats.findText(format, Qt::MatchStartsWith));
+    auto& line = *dialog.findChild<QLineEdit*>("exportFile");
+    line.setText(ui::fromPath(driver.outputFolder() / name));
+    QTest::keyClick(&line, Qt::Key_Return);
+}
+
+/// Something that can be stopped.
+struct Work {
+    const char* name;
+    void (*begin)(Driver& driver);
+};
+// clang-format off
+constexpr Work kWorks[] = {
+    {"load", [](Driver& driver) { driver.open(1); }},
+    {"search", [](Driver& driver) { search(driver, ui::ClearancePanel::What::Smallest); }},
+    {"rules", [](Driver& driver) { search(driver, ui::ClearancePanel::What::Rules); }},
+    {"through stackup", [](Driver& driver) { search(driver, ui::ClearancePanel::What::ThroughStackup); }},
+    {"netlist check", [](Driver& driver) { driver.trigger(ActionId::CheckNets); }},
+    {"export STEP", [](Driver& driver) { exportAs(driver, "STEP", "a.step"); }},
+    {"export GLB", [](Driver& driver) { exportAs(driver, "GLB", "a.glb"); }},
+    {"export PDF", [](Driver& driver) { exportAs(driver, "PDF", "a.pdf"); }},
+};
+// clang-format on
+
+/// What a stopped work must leave as it was.
+struct State {
+    const model::Document* document = nullptr;
+    std::size_t elementsSelected = 0;
+    std::size_t netsSelected = 0;
+    int findings = 0;
+    int measurements = 0;
+    int undoSteps = 0;
+    QString title;
+    std::vector<std::string> visibleLayers;
+    std::vector<std::string> outputs;
+
+    bool operator==(const State&) const = default;
+};
+
+State stateOf(Driver& driver) {
+    TestWindow& window = driver.window();
+    return {window.document(),
+            window.selection().selected().size(),
+            window.selection().nets().size(),
+            window.find<ui::ClearanceModel>().rowCount(),
+            window.measurements().rowCount(),
+            window.workspace().history().count(),
+            window.windowTitle(),
+            window.layers().visibleNames(),
+            driver.outputs()};
+}
+
+class Cancels {
+public:
+    explicit Cancels(const Options& options) : m_options(options), m_dice(options.seed), m_driver(options.boards) {}
+
+    bool run() {
+        m_driver.open(0);
+        if (!m_driver.settle() || !m_driver.hasBoard()) {
+            return fail("the board was not opened");
+        }
+        measureAll();
+        m_threads = threadsNow();
+        while (m_cancelled < m_options.count) {
+            if (!cancelOne(m_cancelled % std::size(kWorks))) {
+                return false;
+            }
+        }
+        print();
+        return !m_hasFailed && drawSections();
+    }
+
+private:
+    struct Times {
+        int wholeMs = 0;
+        std::size_t cancelled = 0;
+        int longestEndMs = 0;  ///< from the cancel until its threads were gone
+    };
+
+    /// How long each takes, so that moments can be drawn.
+    void measureAll() {
+        for (std::size_t i = 0; i < std::size(kWorks); ++i) {
+            QElapsedTimer clock;
+            clock.start();
+            kWorks[i].begin(m_driver);
+            m_driver.settle();
+            m_times[i].wholeMs = static_cast<int>(clock.elapsed());
+        }
+        m_driver.open(0);
+        m_driver.settle();
+        m_driver.removeOutputs();
+    }
+
+    bool cancelOne(std::size_t row) {
+        ActionLog::instance().add(std::string(kWorks[row].name) + " (cancel " + std::to_string(m_cancelled) + ")");
+        const State before = stateOf(m_driver);
+        kWorks[row].begin(m_driver);
+        m_driver.rest(m_dice.between(0, m_times[row].wholeMs));
+        if (!m_driver.window().workspace().isWorking()) {
+            return afterTheEnd(row);
+        }
+        m_driver.key(Qt::Key_Escape);
+        if (m_driver.window().workspace().isWorking()) {
+            return fail("Esc did not stop it");
+        }
+        QElapsedTimer clock;
+        clock.start();
+        if (!m_driver.awaitThreads(m_threads)) {
+            return fail("its threads did not end");
+        }
+        m_times[row].longestEndMs = std::max(m_times[row].longestEndMs, static_cast<int>(clock.elapsed()));
+        ++m_times[row].cancelled;
+        ++m_cancelled;
+        return stateOf(m_driver) == before || fail("something is not as it was before");
+    }
+
+    /// It was too late to stop it.
+    bool afterTheEnd(std::size_t row) {
+        ++m_tooLate;
+        m_times[row].wholeMs = m_times[row].wholeMs * 9 / 10;
+        m_driver.settle();
+        m_driver.removeOutputs();
+        if (row == 0) {
+            m_driver.open(0);
+            m_driver.settle();
+        }
+        return m_tooLate <= m_options.count + 100 || fail("nearly all of it ends before it can be stopped");
+    }
+
+    /// The line of a section, given up while it is drawn, is what it was.
+    bool drawSections() {
+        m_driver.trigger(ActionId::ShowSideBySide);
+        for (std::size_t i = 0; i < m_options.count / std::size(kWorks) + 1; ++i) {
+            ActionLog::instance().add("section (cancel)");
+            ui::BoardView& flat = m_driver.window().views().flat();
+            const auto before = m_driver.window().find<ui::SectionLine>().line();
+            m_driver.trigger(ActionId::DrawSection);
+            for (int corner = m_dice.between(0, 3); corner > 0; --corner) {
+                m_driver.click(flat, Driver::locationIn(flat, m_dice));
+            }
+            m_driver.key(Qt::Key_Escape);
+            if (m_driver.window().find<ui::SectionLine>().isDrawing() ||
+                !(m_driver.window().find<ui::SectionLine>().line() == before)) {
+                return fail("the line of the section is not as it was");
+            }
+            ++m_sections;
+        }
+        std::printf("%-16s %6zu cancelled\n", "section", m_sections);
+        return true;
+    }
+
+    void print() const {
+        std::printf("cancels: %zu at random moments, seed %llu\n", m_cancelled,
+                    static_cast<unsigned long long>(m_options.seed));
+        for (std::size_t i = 0; i < std::size(kWorks); ++i) {
+            std::printf("%-16s %6zu cancelled, longest until its threads were gone %d ms\n", kWorks[i].name,
+                        m_times[i].cancelled, m_times[i].longestEndMs);
+        }
+    }
+
+    bool fail(const char* why) {
+        std::fprintf(stderr, "soak: %s\n", why);
+        ActionLog::instance().print();
+        m_hasFailed = true;
+        return false;
+    }
+
+    const Options& m_options;
+    Dice m_dice;
+    Driver m_driver;
+    std::array<Times, std::size(kWorks)> m_times{};
+    std::size_t m_threads = 0;
+    std::size_t m_cancelled = 0;
+    std::size_t m_tooLate = 0;
+    std::size_t m_sections = 0;
+    bool m_hasFailed = false;
+};
+
+}  // namespace
+
+bool cancelAtRandom(const Options& options) {
+    return Cancels(options).run();
+}
+
+}  // namespace soak

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "tests/soak/action_log.h"
+#include "tests/soak/driver.h"
+#include "tests/soak/modes.h"
+#include "tests/soak/resources.h"
+
+namespace soak {
+
+namespace {
+
+/// A cycle may leave this much; what is kept once (lists of fonts, of recent boards) is spread over few cycles.
+constexpr double kHeapBytesPerCycle = 16e3;
+constexpr double kResidentBytesPerCycle = 100e3;
+constexpr std::size_t kLeastCycles = 8;
+
+/// The slope of the line through the values, least squares.
+template <class Value>
+double growthPerCycle(const std::vector<Resources>& cycles, const Value& valueOf) {
+    const double count = static_cast<double>(cycles.size());
+    const double middle = (count - 1.0) / 2.0;
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < cycles.size(); ++i) {
+        const double from = static_cast<double>(i) - middle;
+        sum += from * static_cast<double>(valueOf(cycles[i]));
+        squares += from * from;
+    }
+    return sum / squares;
+}
+
+std::string deviceName(Driver& driver) {
+    return driver.context().device().caps().name;
+}
+
+class Cycles {
+public:
+    explicit Cycles(const Options& options) : m_options(options), m_driver(options.boards) {}
+
+    bool run() {
+        for (std::size_t i = 0; i < std::max(m_options.count, kLeastCycles); ++i) {
+            if (!cycle(i)) {
+                std::fprintf(stderr, "soak: a board was not opened\n");
+                return false;
+            }
+            m_all.push_back(resourcesNow(m_driver.context().device()));
+        }
+        const std::size_t warm = m_all.size() / 4;
+        m_kept.assign(m_all.begin() + static_cast<std::ptrdiff_t>(warm), m_all.end());
+        return print();
+    }
+
+private:
+    /// A window, in it every board after the other, and the window is closed.
+    bool cycle(std::size_t number) {
+        ActionLog::instance().add("cycle " + std::to_string(number));
+        for (std::size_t board = 0; board < m_driver.boards().size(); ++board) {
+            m_driver.open(board);
+            if (!m_driver.settle() || !m_driver.hasBoard()) {
+                return false;
+            }
+        }
+        m_driver.restart();
+        return m_driver.settle();
+    }
+
+    bool print() {
+        const double heap = growthPerCycle(m_kept, [](const Resources& now) { return now.heapBytes; });
+        const double resident = growthPerCycle(m_kept, [](const Resources& now) { return now.residentBytes; });
+        const double device = growthPerCycle(m_kept, [](const Resources& now) { return now.deviceBytes; });
+        const double handles = growthPerCycle(m_kept, [](const Resources& now) { return now.handles; });
+        const double threads = growthPerCycle(m_kept, [](const Resources& now) { return now.threads; });
+        std::printf("cycles: %zu of %zu boards on %s\n", m_all.size(), m_options.boards.size(),
+                    deviceName(m_driver).c_str());
+        std::printf("first: %s\nwarm: %s\nlast: %s\n", textOf(m_all.front()).c_str(), textOf(m_kept.front()).c_str(),
+                    textOf(m_all.back()).c_str());
+        std::printf("growth per cycle: %.1f kB resident, %.1f kB heap, %.1f kB device, %.3f handles, %.3f threads\n",
+                    resident / 1e3, heap / 1e3, device / 1e3, handles, threads);
+        return isAtMost("the heap grows", heap, kHeapBytesPerCycle) &&
+               isAtMost("memory grows", resident, kResidentBytesPerCycle) &&
+               isAtMost("device memory grows", device, 0.0) && isAtMost("handles are left open", handles, 0.01) &&
+               isAtMost("threads are left", threads, 0.01);
+    }
+
+    static bool isAtMost(const char* otherwise, double value, double limit) {
+        if (value > limit) {
+            std::fprintf(stderr, "soak: %s\n", otherwise);
+        }
+        return value <= limit;
+    }
+
+    const Options& m_options;
+    Driver m_driver;
+    std::vector<Resources> m_all;
+    std::vector<Resources> m_kept;  ///< after the first quarter
+};
+
+}  // namespace
+
+bool openAndClose(const Options& options) {
+    return Cycles(options).run();
+}
+
+}  // namespace soak

@@ -1,0 +1,82 @@
+#include "tests/soak/loop_watch.h"
+
+#include <unistd.h>
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+
+#include "tests/soak/action_log.h"
+
+namespace soak {
+
+namespace {
+
+constexpr std::chrono::milliseconds kEvery{5};
+
+std::int64_t nowNs() {
+    return std::chrono::steady_clock::now().time_since_epoch().count();
+}
+
+/// How long this thread of ours has waited for a core since it began; 0 where the kernel does not tell.
+std::int64_t waitedForCoreNs(int thread) {
+    std::ifstream file("/proc/self/task/" + std::to_string(thread) + "/schedstat");
+    std::int64_t ran = 0;
+    std::int64_t waited = 0;
+    return file >> ran >> waited ? waited : 0;
+}
+
+std::string firstWord(std::string_view text) {
+    return std::string(text.substr(0, text.find(' ')));
+}
+
+}  // namespace
+
+LoopWatch::LoopWatch() : m_thread(::gettid()), m_watcher([this](const std::stop_token& stop) { watch(stop); }) {}
+
+LoopWatch::~LoopWatch() {
+    m_watcher.request_stop();
+    m_watcher.join();
+    QCoreApplication::removePostedEvents(this);
+}
+
+void LoopWatch::watch(const std::stop_token& stop) {
+    for (; !stop.stop_requested(); std::this_thread::sleep_for(kEvery)) {
+        const std::int64_t sent = m_sentNs;
+        if (sent == 0) {
+            m_waitedNs = waitedForCoreNs(m_thread);
+            m_sentNs = nowNs();
+            QCoreApplication::postEvent(this, new QEvent(QEvent::User), Qt::HighEventPriority);
+        } else if (nowNs() - sent > std::int64_t{kHungMs} * 1'000'000) {
+            ActionLog::instance().add("hung: the window does not answer any more");
+            std::abort();
+        }
+    }
+}
+
+bool LoopWatch::event(QEvent* event) {
+    if (event->type() != QEvent::User) {
+        return QObject::event(event);
+    }
+    const std::int64_t withoutCore = waitedForCoreNs(m_thread) - m_waitedNs;
+    const double ms = static_cast<double>(std::max<std::int64_t>(0, nowNs() - m_sentNs - withoutCore)) / 1e6;
+    Stalls& stalls = m_stalls[firstWord(ActionLog::instance().current())];
+    stalls.longestMs = std::max(stalls.longestMs, ms);
+    stalls.overLimit += ms > m_limitMs ? 1 : 0;
+    m_sentNs = 0;
+    return true;
+}
+
+LoopWatch::Stalls LoopWatch::all() const {
+    Stalls all;
+    for (const auto& [name, stalls] : m_stalls) {
+        all.longestMs = std::max(all.longestMs, stalls.longestMs);
+        all.overLimit += stalls.overLimit;
+    }
+    return all;
+}
+
+}  // namespace soak
