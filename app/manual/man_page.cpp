@@ -89,6 +89,13 @@ std::string commandList(const ManualCommand& program) {
     return text;
 }
 
+/// Beside the man pages, wherever that is (resources/desktop/install.cmake).
+std::string files() {
+    return section("FILES") + ".TP\n" + italic("share/copperscope/guide") +
+           "\nthe guide with pictures that F1 opens in the window, as Markdown\n.TP\n" +
+           italic("share/copperscope/sample") + "\nthe board that is opened where none is named\n";
+}
+
 std::string footer(const ManualCommand& program) {
     return section("NOTES") + escaped(program.footer) + "\n";
 }
@@ -100,7 +107,8 @@ std::string manPage(const ManualCommand& program, const std::string& version) {
         header(program.name, program.summary, version) + section("SYNOPSIS") + synopsis(program.name, program) +
         ".br\n" + bold(program.name) + " " + italic("COMMAND") + " [" + italic("OPTION") + " ...] [" + italic("BOARD") +
         "]\n" + section("DESCRIPTION") + "Without a command the board is opened in a window.\n" + commandList(program) +
-        list("ARGUMENTS", program.arguments) + list("OPTIONS", program.options) + footer(program) + section("SEE ALSO");
+        list("ARGUMENTS", program.arguments) + list("OPTIONS", program.options) + files() + footer(program) +
+        section("SEE ALSO");
     for (const ManualCommand& command : program.commands) {
         text += bold(program.name + "-" + command.name) + "(1)" + (&command == &program.commands.back() ? "\n" : ",\n");
     }

@@ -1,5 +1,5 @@
-# cmake --install: the program, its sample board, what a desktop knows of it, licences. The manual is added by app/manual.cmake.
-# Places are those of GNUInstallDirs. The program finds the sample beside itself, so the whole tree may be moved.
+# cmake --install: the program, its sample board and guide, what a desktop knows of it, licences. The manual is added by app/manual.cmake.
+# Places are those of GNUInstallDirs. The program finds sample and guide beside itself, so the whole tree may be moved.
 include(GNUInstallDirs)
 set(COPPERSCOPE_RELEASE_DATE "2026-11-24" CACHE STRING "The day of this version, as AppStream shows it")
 set(COPPERSCOPE_HOMEPAGE "" CACHE STRING "Where the project is to be found, for AppStream and packages")
@@ -13,6 +13,7 @@ set(id org.copperscope.Copperscope)
 install(TARGETS copperscope RUNTIME)
 install(FILES ${PROJECT_SOURCE_DIR}/resources/sample/ocp_tap_sa45_odb.tgz ${PROJECT_SOURCE_DIR}/resources/sample/ATTRIBUTION.md
     DESTINATION ${CMAKE_INSTALL_DATADIR}/copperscope/sample)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/guide DESTINATION ${CMAKE_INSTALL_DATADIR}/copperscope)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/resources/packages/copyright
     DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -1,5 +1,5 @@
 # cmake -DROOT=<source folder> [-DPROGRAM=<copperscope>] -P vocabulary.cmake
-# Fails for words of words.txt in what users and newcomers read: string literals, --help, README.md, docs/*.md and identifiers.
+# Fails for words of words.txt in what users and newcomers read: string literals, --help, README.md, docs/*.md, the guide and identifiers.
 cmake_minimum_required(VERSION 3.25)
 
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/words.txt rows REGEX "^(text|name) *\\|")
@@ -61,7 +61,7 @@ foreach(file IN LISTS sources)
     check(name ${file} "${code}")
 endforeach()
 
-file(GLOB papers RELATIVE ${ROOT} ${ROOT}/README.md ${ROOT}/docs/*.md)
+file(GLOB papers RELATIVE ${ROOT} ${ROOT}/README.md ${ROOT}/docs/*.md ${ROOT}/docs/guide/*.md)
 foreach(file IN LISTS papers)
     read_source(${file} text)
     check(text ${file} "${text}")

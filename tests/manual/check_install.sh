@@ -13,7 +13,7 @@ failed() {
     exit 1
 }
 
-for file in bin/copperscope share/copperscope/sample/ocp_tap_sa45_odb.tgz share/doc/copperscope/{LICENSE,copyright,changelog.gz} \
+for file in bin/copperscope share/copperscope/sample/ocp_tap_sa45_odb.tgz share/copperscope/guide/{README,opening}.md share/doc/copperscope/{LICENSE,copyright,changelog.gz} \
     share/man/man1/copperscope.1.gz share/man/man1/copperscope-info.1.gz share/bash-completion/completions/copperscope; do
     [ -s "$file" ] || failed "there is no $file"
 done

@@ -19,8 +19,10 @@
 #include "model/formats/registry.h"
 #include "ui/common/paths.h"
 #include "ui/shell/change_bar.h"
+#include "ui/shell/device_notice.h"
 #include "ui/shell/features.h"
 #include "ui/shell/form_chooser.h"
+#include "ui/shell/guide_window.h"
 #include "ui/shell/help_dialogs.h"
 #include "ui/shell/icons.h"
 #include "ui/shell/keyboard.h"
@@ -82,6 +84,7 @@ QWidget* startPage(const ActionSet& actions) {
     buttons->addStretch();
     buttons->addWidget(buttonFor(actions[ActionId::OpenFile]));
     buttons->addWidget(buttonFor(actions[ActionId::OpenFolder]));
+    buttons->addWidget(buttonFor(actions[ActionId::ShowGuide]));
     buttons->addStretch();
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);
@@ -119,7 +122,7 @@ MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Wo
     setObjectName(QStringLiteral("workbench"));
     resize(1280, 800);  // before the panels take their shares of it
     setWindowTitle(QStringLiteral("Copperscope"));
-    m_statusLine->showDevice(QString::fromStdString(context.device().caps().name));
+    m_statusLine->showDevice(context.device().caps());
     createCentre();
     addFeatures(m_features);
     m_keyboard = new Keyboard(*this, m_actions, *m_views);
@@ -147,6 +150,7 @@ void MainWindow::createCentre() {
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(new DeviceNotice(m_features.device.device().caps(), m_settings));
     layout->addWidget(m_messageBar);
     layout->addWidget(m_changeBar);
     layout->addWidget(m_pages, 1);
@@ -288,6 +292,7 @@ void MainWindow::escape() {
 }
 
 void MainWindow::connectHelp() {
+    m_features.on(ActionId::ShowGuide, [this] { showGuide(*this); });
     m_features.on(ActionId::ShowKeys, [this] { showKeyList(*this, m_actions.keys()); });
     m_features.on(ActionId::About, [this] { showAbout(*this); });
     m_features.on(ActionId::ResetSettings, [this] {

@@ -71,6 +71,11 @@ void StatusLine::showSteps(const model::JobInfo& job) {
     m_steps->setVisible(hasChoice);
 }
 
+void StatusLine::showDevice(const render::gpu::Caps& caps) {
+    const QString name = QString::fromStdString(caps.name);
+    m_device = caps.isCpu ? tr("no graphics card: %1").arg(name) : name;
+}
+
 void StatusLine::showFrame(const render::FrameStats& stats) {
     const double ms = stats.gpuMs > 0.0 ? stats.gpuMs : stats.cpuMs;
     m_frame->setText(QStringLiteral("%1 · %2 · %3 ms").arg(m_device, backendText(stats.backend)).arg(ms, 0, 'f', 1));

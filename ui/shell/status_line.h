@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "model/board/document.h"
+#include "render/gpu/device.h"
 #include "render/scene/view_settings.h"
 
 class QComboBox;
@@ -26,7 +27,8 @@ public:
     void endWork() { m_work->hide(); }
     /// Offers the job's steps when there are several, with the one shown chosen.
     void showSteps(const model::JobInfo& job);
-    void showDevice(const QString& name) { m_device = name; }
+    /// Says of a software device that it is one.
+    void showDevice(const render::gpu::Caps& caps);
     void showFrame(const render::FrameStats& stats);
     /// Where the cursor is on the board; empty when it is not.
     void showPosition(const QString& text);

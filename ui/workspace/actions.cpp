@@ -165,7 +165,8 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {ShowNames, MenuId::View, QT_TR_NOOP("Net na&mes"), "W", QT_TR_NOOP("Show the names of nets on the copper in 2D, where there is room"), kCheckable},
     {ShowOutlines, MenuId::View, QT_TR_NOOP("Out&lines only"), "S", QT_TR_NOOP("Draw outlines without fill, in 2D"), kCheckable},
     {ShowPinNames, MenuId::View, QT_TR_NOOP("Pi&n names"), "Shift+W", QT_TR_NOOP("Show the names of pins on their pads in 2D, where there is room"), kCheckable},
-    {ShowKeys, MenuId::Help, QT_TR_NOOP("&Keys and mouse"), "F1 ?", QT_TR_NOOP("All keys and mouse gestures on one page")},
+    {ShowGuide, MenuId::Help, QT_TR_NOOP("&Guide"), "F1", QT_TR_NOOP("How to open boards, follow nets, measure, check clearances, cut and export, with pictures")},
+    {ShowKeys, MenuId::Help, QT_TR_NOOP("&Keys and mouse"), "?", QT_TR_NOOP("All keys and mouse gestures on one page")},
     {ResetSettings, MenuId::Help, QT_TR_NOOP("&Reset settings…"), "Ctrl+K,Delete", QT_TR_NOOP("Reset window, panels, theme and recent boards"), kNewGroup},
     {About, MenuId::Help, QT_TR_NOOP("&About Copperscope"), "Shift+F1", QT_TR_NOOP("Version and licence"), kNewGroup},
 };

@@ -44,7 +44,7 @@ enum class ActionId {
     ClearSelection, ShowSelection, SelectComponent, SelectPin, SaveSelection, HighlightNet, AddNet, DimOthers, FollowInSolid,
     FollowInFlat, FollowInTables, FollowFromTables,
     NextUnit, ShowGrid, ShowNames, ShowOutlines, ShowPinNames,
-    ShowKeys, ResetSettings, About,
+    ShowGuide, ShowKeys, ResetSettings, About,
     Count
 };
 // clang-format on

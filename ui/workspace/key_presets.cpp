@@ -21,7 +21,7 @@ constexpr PresetKeys kPresetKeys[] = {
     {KeyPreset::KiCad, ShowSelection, "Ctrl+Home"},
     {KeyPreset::KiCad, ZoomIn, "F1 Ctrl++ Ctrl+="},
     {KeyPreset::KiCad, ZoomOut, "F2 Ctrl+-"},
-    {KeyPreset::KiCad, ShowKeys, "Ctrl+F1 ?"},
+    {KeyPreset::KiCad, ShowGuide, "Ctrl+F1"},
     {KeyPreset::KiCad, NextLayer, "+ ="},
     {KeyPreset::KiCad, PreviousLayer, "-"},
     {KeyPreset::KiCad, TopCopper, "PgUp"},

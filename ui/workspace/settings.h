@@ -63,6 +63,10 @@ public:
     }
     void setExportChoice(const QString& name, const QVariant& value) { m_store.setValue("export/" + name, value); }
 
+    /// Whether the user was told that no graphics card draws.
+    [[nodiscard]] bool knowsOfSoftwareDevice() const { return m_store.value("window/knows software device").toBool(); }
+    void setKnowsOfSoftwareDevice() { m_store.setValue("window/knows software device", true); }
+
     /// Forgets everything.
     void reset() { m_store.clear(); }
 

@@ -1,0 +1,62 @@
+#include "ui/shell/device_notice.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QtTest>
+
+#include "tests/ui/window_fixture.h"
+
+class DeviceNoticeTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_fixture = std::make_unique<WindowFixture>(); }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
+
+    void aSoftwareDeviceIsSaidOnceInPlainWords() {
+        ui::Settings& settings = m_fixture->settings();
+        settings.reset();
+        QWidget parent;
+        const ui::DeviceNotice first({.name = "llvmpipe", .isCpu = true}, settings, &parent);
+        const ui::DeviceNotice second({.name = "llvmpipe", .isCpu = true}, settings, &parent);
+        parent.show();
+        QVERIFY(first.isVisible() && !second.isVisible());
+        const QString text = first.findChild<QLabel*>("softwareDevice")->text();
+        QVERIFY(text.startsWith("No graphics card is in use") && text.contains("llvmpipe") && text.contains("driver"));
+        QTest::mouseClick(first.findChild<QPushButton*>(), Qt::LeftButton);
+        QVERIFY(!first.isVisible());
+    }
+
+    void aGraphicsCardIsNot() {
+        m_fixture->settings().reset();
+        QWidget parent;
+        const ui::DeviceNotice notice({.name = "A card", .isCpu = false}, m_fixture->settings(), &parent);
+        parent.show();
+        QVERIFY(!notice.isVisible());
+        QVERIFY(!m_fixture->settings().knowsOfSoftwareDevice());
+    }
+
+    void theWindowHasItInItsFirstRun() {
+        const bool isCpu = m_fixture->context().device().caps().isCpu;
+        QVERIFY(!window().find<ui::DeviceNotice>().isVisible());
+        m_fixture->settings().reset();
+        m_fixture->restart();
+        QCOMPARE(window().find<ui::DeviceNotice>().isVisible(), isCpu);
+        m_fixture->restart();
+        QVERIFY(!window().find<ui::DeviceNotice>().isVisible());
+    }
+
+    void theStatusBarGoesOnSayingSo() {
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
+        QTRY_VERIFY(window().label("frame").endsWith(" ms"));
+        QCOMPARE(window().label("frame").contains("no graphics card"), m_fixture->context().device().caps().isCpu);
+    }
+
+private:
+    TestWindow& window() { return m_fixture->window(); }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+};
+
+QTEST_MAIN(DeviceNoticeTest)
+#include "device_notice_test.moc"
