@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/guide: scripts/guide_pictures.sh PROGRAM [FOLDER]. Drives the program on the bundled sample board with real keys and a real
 # mouse on a display of its own (1280x800), and cuts the pictures out of the screen. Look at them before they are committed.
+# On a busy machine `settle` and `first` are the seconds to wait before a picture and after a start, for example settle=8 first=40.
 # Needs Xvfb, xdotool, ImageMagick (import, convert) and the software Vulkan device.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
@@ -34,7 +35,7 @@ start() {
     printf '[window]\nknows%%20software%%20device=true\n[files]\nfolder=/tmp\n' >"$XDG_CONFIG_HOME/Copperscope/Copperscope.conf"
     timeout 900 "$program" "$@" >"$scratch/log" 2>&1 &
     program_pid=$!
-    sleep 8
+    sleep "${first:-10}"
     focus 'Copperscope$'
 }
 
@@ -124,6 +125,7 @@ views() {
     press ctrl+F9 3
     point 800 600
     press i f e
+    sleep "${settle:-3}"
     take explode 950x620+325+90
     point 800 600
     press e 4
@@ -140,7 +142,7 @@ distances() {
     point 716 320
     xdotool click --repeat 6 --delay 150 4
     take measuring 1280x736+0+30
-    press ctrl+F12 ctrl+shift+g
+    press ctrl+z ctrl+F12 ctrl+shift+g
     sleep "${settle:-3}"
     press F8
     take clearances 1280x736+0+30
@@ -161,7 +163,7 @@ cuts() {
     take section 1280x736+0+30
     press alt+x 3
     point 800 200
-    press i f c v
+    press i f
     take plane 950x400+325+54
     press ctrl+e
     take_window '^Export$' export
@@ -170,7 +172,6 @@ cuts() {
 start_display
 cp "$root/resources/sample/ocp_tap_sa45_odb.tgz" "$scratch/timecard.tgz"
 start "$scratch/timecard.tgz"
-sleep "${first:-10}"
 views
 distances
 cuts
@@ -181,4 +182,5 @@ start "$scratch/board"
 take_window '^Choose a form$' forms
 make_gerber_job "$scratch/job"
 start "$scratch/job"
+press ctrl+alt+a
 take_window '^Assign layers$' assign
