@@ -6,6 +6,17 @@
 
 #include "tests/ui/window_fixture.h"
 
+namespace {
+
+render::gpu::Caps device(const char* name, bool isCpu) {
+    render::gpu::Caps caps;
+    caps.name = name;
+    caps.isCpu = isCpu;
+    return caps;
+}
+
+}  // namespace
+
 class DeviceNoticeTest : public QObject {
     Q_OBJECT
 
@@ -17,8 +28,8 @@ private slots:
         ui::Settings& settings = m_fixture->settings();
         settings.reset();
         QWidget parent;
-        const ui::DeviceNotice first({.name = "llvmpipe", .isCpu = true}, settings, &parent);
-        const ui::DeviceNotice second({.name = "llvmpipe", .isCpu = true}, settings, &parent);
+        const ui::DeviceNotice first(device("llvmpipe", true), settings, &parent);
+        const ui::DeviceNotice second(device("llvmpipe", true), settings, &parent);
         parent.show();
         QVERIFY(first.isVisible() && !second.isVisible());
         const QString text = first.findChild<QLabel*>("softwareDevice")->text();
@@ -30,7 +41,7 @@ private slots:
     void aGraphicsCardIsNot() {
         m_fixture->settings().reset();
         QWidget parent;
-        const ui::DeviceNotice notice({.name = "A card", .isCpu = false}, m_fixture->settings(), &parent);
+        const ui::DeviceNotice notice(device("A card", false), m_fixture->settings(), &parent);
         parent.show();
         QVERIFY(!notice.isVisible());
         QVERIFY(!m_fixture->settings().knowsOfSoftwareDevice());
