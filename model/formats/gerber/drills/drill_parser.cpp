@@ -179,6 +179,9 @@ private:
             value = value * 10 + (c - '0');
         }
         m_isBad = m_isBad || digits.empty();
+        if (!m_isBad && m_format.hasFormat && m_format.isTooLong(value, static_cast<int>(digits.size()))) {
+            report(Severity::Warning, "a coordinate has more digits than the file's format; it is read as it stands");
+        }
         const double nm =
             m_isBad ? 0.0 : m_format.length(value, static_cast<int>(std::min<std::size_t>(digits.size(), 18)));
         return isNegative ? -nm : nm;
