@@ -156,6 +156,7 @@ void PartList::finish(Diagnostics& diagnostics) {
         if (!facts.isPlaced) {
             const Box box = pinBox(component);
             component.position = box.isEmpty() ? Point{} : box.middle();
+            component.isPlaced = false;
             diagnostics.report(Severity::Info, m_step.componentsFile, 0,
                                "no file places the components; each lies in the middle of its pins, not rotated");
         }
