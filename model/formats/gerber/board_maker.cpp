@@ -212,6 +212,7 @@ private:
             const ReadFile& file = m_files[row];
             if (file.isImage() && file.role.kind == FileRole::Kind::Components) {
                 PlacementFile placed;
+                placed.isOnImages = true;
                 for (const DrawnFeature& feature : file.image.features) {
                     addX3(file, feature, placed);
                 }

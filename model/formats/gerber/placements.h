@@ -25,6 +25,7 @@ struct PlacedPart {
 
 struct PlacementFile {
     std::vector<PlacedPart> parts;
+    bool isOnImages = false;  ///< counts from the origin of the images (X3), not from one of its own
 };
 
 /// PlacedPart::rotationDeg for a rotation that counts from the part flipped along the x axis, as KiCad and Gerber X3 do
