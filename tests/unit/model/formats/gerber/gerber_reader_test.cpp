@@ -83,6 +83,27 @@ private slots:
         QCOMPARE((*board)->components[0].pinCount, 3U);
     }
 
+    void aNetlistNamesPadsThatAreNotFlashedByTheirMiddle() {
+        // The first pad is 2 mm to the right of where it is flashed, and the point in its middle; the last point lies
+        // on two pads.
+        const std::string copper =
+            "%AMASIDE*21,1,2,1,2,0,0*%%ADD10ASIDE*%%ADD11C,1.5*%%ADD12R,3X3*%D10*X2000000Y2000000D03*D11*"
+            "X8000000D03*Y8000000D03*D12*X2000000D03*X1500000Y8500000D03*";
+        const std::string netlist =
+            "P  UNITS CUST 1\n"
+            "327A                J1    -1          A01X+004000Y+002000X2000Y1000R000S3\n"
+            "327B                J1    -2          A01X+008000Y+002000X1500Y0000R000S3\n"
+            "327C                J1    -3          A01X+008000Y+008000X1500Y0000R000S3\n"
+            "327D                J1    -4          A01X+001200Y+008200X0100Y0000R000S3\n999\n";
+        const Job job({{"b.GTL", image(copper)}, {"b.GKO", image(kOutline)}, {"b.ipc", netlist}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY((*board)->findNet("A").isValid());
+        QCOMPARE((*board)->components.size(), std::size_t{1});
+        QCOMPARE((*board)->components[0].pinCount, 3U);
+        QVERIFY(isReported(**board, "1 of 4 netlist points"));
+    }
+
     void drillsAreReadAsTheyFitTheCopper() {
         // Says inch, means mm.
         const std::string drills = "M48\nINCH\nT1C0.8\n%\nT1\nX2.0Y2.0\nX8.0Y2.0\nX8.0Y8.0\nM30\n";
