@@ -82,7 +82,8 @@ struct Agreement {
 /// difference of the boards' lower left corners if more of its holes then lie on those of the first. Parts without pins
 /// that only one job has are noted and no difference: some formats have no place for them. So are parts that state
 /// another rotation while all their pins lie at the same locations: it depends on how formats draw
-/// packages. Errors: Cancelled.
+/// packages. Of parts that one of the jobs does not place (Gerber without a pick-and-place file) sides and pins are
+/// compared, and a note counts them. Errors: Cancelled.
 [[nodiscard]] base::Result<Agreement> compareBoards(const Document& a, const Document& b,
                                                     const AgreementRequest& request, base::Progress& progress);
 

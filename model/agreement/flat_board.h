@@ -34,6 +34,7 @@ struct FlatBoard {
         Point position;
         double clockwiseDeg = 0.0;  ///< 0 to 360
         bool isBottom = false;
+        bool isPlaced = true;        ///< false: the job does not say where it lies
         std::uint32_t firstPin = 0;  ///< of `pins`
         std::uint32_t pinCount = 0;
     };

@@ -87,6 +87,10 @@ private:
             notes.push_back(std::to_string(m_otherwiseTurned) +
                             " parts state another rotation, but all their pins lie at the same locations");
         }
+        if (m_unplaced > 0) {
+            notes.push_back("where " + std::to_string(m_unplaced) +
+                            " parts lie is not said by both jobs: their sides and pins are compared");
+        }
         m_found.parts.note = joined(notes, "; ");
     }
 
@@ -113,15 +117,20 @@ private:
             return addMissing("A", part);
         }
         const std::string name(part.refdes);
-        m_found.parts.measure(part.position, other->position);
+        const bool arePlaced = part.isPlaced && other->isPlaced;
+        m_unplaced += arePlaced ? 0 : 1;
+        if (arePlaced) {
+            m_found.parts.measure(part.position, other->position);
+        }
         if (part.isBottom != other->isBottom) {
             add(m_found.parts, name + " is on the " + sideOf(part) + " in A, on the " + sideOf(*other) + " in B",
                 part.position);
-        } else if (!isSamePlace(part.position, other->position)) {
+        } else if (arePlaced && !isSamePlace(part.position, other->position)) {
             add(m_found.parts, name + " is moved by " + mm(distance(part.position, other->position)), part.position);
         }
         const bool arePinsEqual = comparePins(part, *other);
-        if (part.isBottom == other->isBottom && angleBetween(part.clockwiseDeg, other->clockwiseDeg) > kSameAngle) {
+        if (arePlaced && part.isBottom == other->isBottom &&
+            angleBetween(part.clockwiseDeg, other->clockwiseDeg) > kSameAngle) {
             compareRotation(part, *other, arePinsEqual);
         }
     }
@@ -204,6 +213,7 @@ private:
     std::vector<std::uint8_t> m_isTaken;
     std::size_t m_withoutPins = 0;
     std::size_t m_otherwiseTurned = 0;
+    std::size_t m_unplaced = 0;
     MatchedParts m_found;
 };
 

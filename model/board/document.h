@@ -362,7 +362,8 @@ struct Component {
     std::string refdes;
     std::string part;
     PackageId package;
-    Placement placement;  ///< from package coordinates to the board's; mirrored as the pins are found to lie
+    Placement placement;   ///< from package coordinates to the board's; mirrored as the pins are found to lie
+    bool isPlaced = true;  ///< false: the job does not say where it lies; `placement` is the middle of its pins
     LayerSide side = LayerSide::Top;
     Nm height = 0;  ///< 0 unknown
     MountType mount = MountType::Unknown;

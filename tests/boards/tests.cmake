@@ -1,7 +1,9 @@
 # On the boards that COPPERSCOPE_BOARDS names (docs/testing.md): tests of all boards once more, and what is known of single ones.
 copperscope_test(named_boards_test boards/named_boards_test.cpp LABEL boards LINK copperscope_render copperscope_model)
 copperscope_test(oracle_test boards/oracle_test.cpp LABEL boards LINK copperscope_model)
-copperscope_test(gerber_boards_test boards/gerber_boards_test.cpp LABEL boards LINK copperscope_model)
+copperscope_test(gerber_boards_test boards/gerber_boards_test.cpp LABEL boards LINK copperscope_model_formats copperscope_model_agreement)
+copperscope_test(netlist_boards_test boards/netlist_boards_test.cpp LABEL boards LINK copperscope_model_formats copperscope_model_figures)
+copperscope_test(placement_boards_test boards/placement_boards_test.cpp LABEL boards LINK copperscope_model_formats)
 copperscope_test(kicad_drc_test boards/kicad_drc_test.cpp LABEL boards LINK copperscope_model)
 copperscope_test(ipc2581_boards_test boards/ipc2581_boards_test.cpp LABEL boards LINK copperscope_model)
 copperscope_test(kicad_boards_test boards/kicad_boards_test.cpp LABEL boards LINK copperscope_model)

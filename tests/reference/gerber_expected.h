@@ -13,12 +13,11 @@ struct ExpectedPicture {
     const char* file;
     const char* paragraph;  ///< of the specification, and what the picture has instead
     std::function<void(Raster&)> paint;
+    /// Covers what the specification leaves open: what invalid objects draw.
+    std::function<void(Raster&)> paintOpen = {};
 };
 
 /// Nullptr for files whose picture is right.
 [[nodiscard]] const ExpectedPicture* expectedPicture(std::string_view file);
-
-/// Files whose picture differs from what Copperscope draws, and of which it is open who is right.
-[[nodiscard]] bool isNotJudged(std::string_view file);
 
 }  // namespace reference

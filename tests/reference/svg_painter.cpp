@@ -11,11 +11,56 @@ namespace reference {
 
 namespace {
 
-constexpr double kPixel = 25.4 / 72;  // mm
-constexpr int kChords = 64;           // of a curve: within 0.03 % of its size
+constexpr double kPixel = 25.4 / 72;         // mm
+constexpr int kChords = 64;                  // of a curve: within 0.03 % of its size
+constexpr double kRounding = 0.02 * kPixel;  // paths are written in steps of 1/256 of a pixel
 
-/// The parts of a path: each a list of points, curves as chords.
-std::vector<Contour> pathOf(const QString& data, bool& isGood) {
+/// The arc that a curve stands for. cairo writes an arc of `turn` radians as a cubic curve with handles of
+/// 4/3 tan(turn / 4) radii, and gerbv lets it be a pixel off: full circles are two curves, bulged by 1.8 % of the
+/// radius. False for curves of any other form.
+bool appendCurve(Contour& part, Point b, Point c, Point d) {
+    const Point a = part.back();
+    const Point chord{d.x - a.x, d.y - a.y};
+    const Point handle{b.x - a.x, b.y - a.y};
+    const double length = std::hypot(chord.x, chord.y);
+    const double half = std::atan2(handle.x * chord.y - handle.y * chord.x, handle.x * chord.x + handle.y * chord.y);
+    const double radius = length / 2 / std::sin(std::abs(half));
+    const double reach = 4.0 / 3.0 * std::tan(std::abs(half) / 2) * radius;
+    if (std::abs(std::hypot(handle.x, handle.y) - reach) > kRounding ||
+        std::abs(std::hypot(d.x - c.x, d.y - c.y) - reach) > kRounding) {
+        return false;
+    }
+    const double side = half > 0 ? 1 : -1;  // of the middle, as seen along the handle
+    const double scale = side * radius / std::hypot(handle.x, handle.y);
+    const Point middle{a.x - handle.y * scale, a.y + handle.x * scale};
+    for (int i = 1; i <= kChords; ++i) {
+        const double turn = 2 * half * i / kChords;
+        const Point arm{a.x - middle.x, a.y - middle.y};
+        part.push_back({middle.x + arm.x * std::cos(turn) - arm.y * std::sin(turn),
+                        middle.y + arm.x * std::sin(turn) + arm.y * std::cos(turn)});
+    }
+    return true;
+}
+
+using Matrix = std::array<double, 6>;
+
+/// matrix(a, b, c, d, e, f); unit matrix where there is none.
+Matrix matrixOf(const QString& text, bool& isGood) {
+    if (text.isEmpty()) {
+        return {1, 0, 0, 1, 0, 0};
+    }
+    static const QRegularExpression form(R"(^matrix\(([^)]*)\)$)");
+    const QStringList numbers = form.match(text).captured(1).split(',');
+    isGood = isGood && numbers.size() == 6;
+    Matrix matrix{1, 0, 0, 1, 0, 0};
+    for (std::size_t i = 0; i < 6 && isGood; ++i) {
+        matrix[i] = numbers[static_cast<qsizetype>(i)].toDouble();
+    }
+    return matrix;
+}
+
+/// The parts of a path, laid on the board: each a list of points, curves as chords of arcs.
+std::vector<Contour> pathOf(const QString& data, const Matrix& m, bool& isGood) {
     std::vector<Contour> parts;
     const QStringList words = data.split(' ', Qt::SkipEmptyParts);
     qsizetype at = 0;
@@ -23,7 +68,7 @@ std::vector<Contour> pathOf(const QString& data, bool& isGood) {
         isGood = isGood && at + 1 < words.size();
         const Point p = isGood ? Point{words[at].toDouble(), words[at + 1].toDouble()} : Point{};
         at += 2;
-        return p;
+        return Point{(m[0] * p.x + m[2] * p.y + m[4]) * kPixel, -(m[1] * p.x + m[3] * p.y + m[5]) * kPixel};
     };
     while (at < words.size() && isGood) {
         const QString command = words[at++];
@@ -35,44 +80,13 @@ std::vector<Contour> pathOf(const QString& data, bool& isGood) {
         } else if (command == "Z" && !parts.empty()) {
             parts.back().push_back(parts.back().front());
         } else if (command == "C" && isGood) {
-            const Point a = parts.back().back();
             const Point b = point();
             const Point c = point();
             const Point d = point();
-            for (int i = 1; i <= kChords; ++i) {
-                const double t = static_cast<double>(i) / kChords;
-                const double s = 1 - t;
-                const auto mix = [&](double p, double q, double r, double u) {
-                    return s * s * s * p + 3 * s * s * t * q + 3 * s * t * t * r + t * t * t * u;
-                };
-                parts.back().push_back({mix(a.x, b.x, c.x, d.x), mix(a.y, b.y, c.y, d.y)});
-            }
+            isGood = isGood && appendCurve(parts.back(), b, c, d);
         }
     }
     return parts;
-}
-
-/// matrix(a, b, c, d, e, f); unit matrix where there is none.
-std::array<double, 6> matrixOf(const QString& text, bool& isGood) {
-    if (text.isEmpty()) {
-        return {1, 0, 0, 1, 0, 0};
-    }
-    static const QRegularExpression form(R"(^matrix\(([^)]*)\)$)");
-    const QStringList numbers = form.match(text).captured(1).split(',');
-    isGood = isGood && numbers.size() == 6;
-    std::array<double, 6> matrix{1, 0, 0, 1, 0, 0};
-    for (std::size_t i = 0; i < 6 && isGood; ++i) {
-        matrix[i] = numbers[static_cast<qsizetype>(i)].toDouble();
-    }
-    return matrix;
-}
-
-void place(std::vector<Contour>& parts, const std::array<double, 6>& m) {
-    for (Contour& part : parts) {
-        for (Point& p : part) {
-            p = {(m[0] * p.x + m[2] * p.y + m[4]) * kPixel, -(m[1] * p.x + m[3] * p.y + m[5]) * kPixel};
-        }
-    }
 }
 
 /// The rectangle along a line, without ends.
@@ -142,7 +156,7 @@ private:
     /// Groups lie where they are drawn; their matrices are rounding.
     void use() {
         bool isGood = true;
-        const std::array<double, 6> m = matrixOf(value("transform"), isGood);
+        const Matrix m = matrixOf(value("transform"), isGood);
         const bool isPlain = isGood && m[0] == 1 && m[1] == 0 && m[2] == 0 && m[3] == 1 && std::abs(m[4]) < 1e-9 &&
                              std::abs(m[5]) < 1e-9;
         const auto group =
@@ -161,9 +175,8 @@ private:
         const QString colour = value(isFilled ? "fill" : "stroke");
         const bool isWhite = colour == "rgb(100%, 100%, 100%)";
         bool isGood = isWhite || colour == "rgb(78.431373%, 45.882353%, 20%)";
-        std::vector<Contour> parts = pathOf(value("d"), isGood);
-        const std::array<double, 6> matrix = matrixOf(value("transform"), isGood);
-        place(parts, matrix);
+        const Matrix matrix = matrixOf(value("transform"), isGood);
+        std::vector<Contour> parts = pathOf(value("d"), matrix, isGood);
         if (!isFilled) {
             const double width = value("stroke-width").toDouble() * std::hypot(matrix[0], matrix[1]) * kPixel;
             parts = strokeOf(parts, width, value("stroke-linecap") == "round");

@@ -106,6 +106,7 @@ struct DrawnComponent {
     Point position;
     double clockwiseDeg = 0.0;       ///< as Placement: first rotated, then mirrored x to -x
     std::optional<bool> isMirrored;  ///< not said: whichever puts more pins of its side where they are
+    bool isPlaced = true;            ///< false: position and rotation are made up from its pins
     LayerSide side = LayerSide::Top;
     Nm height = 0;  ///< 0 unknown
     MountType mount = MountType::Unknown;

@@ -104,6 +104,7 @@ private:
         component.part = from.part;
         component.package = package != nullptr ? PackageId{static_cast<std::size_t>(from.package)} : PackageId{};
         component.placement = {from.position, from.clockwiseDeg, isMirrored};
+        component.isPlaced = from.isPlaced;
         component.side = from.side;
         component.height = from.height;
         component.mount = from.mount;

@@ -6,8 +6,10 @@
 #include "model/formats/gerber/board_outline.h"
 #include "model/formats/gerber/drill_fitting.h"
 #include "model/formats/gerber/layer_order.h"
+#include "model/formats/gerber/missing_layers.h"
 #include "model/formats/gerber/pad_nets.h"
 #include "model/formats/gerber/parts.h"
+#include "model/formats/gerber/region_middle.h"
 #include "model/formats/gerber/text/words.h"
 #include "model/geometry/outlines.h"
 
@@ -29,6 +31,7 @@ public:
         indexCopper();
         readDrillsAgain();
         m_layers = orderedLayers(m_files, m_board, m_job, m_result.job.diagnostics);
+        reportMissingLayers(m_files, m_board, diagnostics());
         findBoardOutline();
         m_step.features.resize(m_layers.layers.size());
         for (std::size_t layer = 0; layer < m_layers.layers.size(); ++layer) {
@@ -191,17 +194,14 @@ private:
         feature.component = kNoRow;
         if (isCopperLayer && feature.pin >= 0) {
             const ImagePin& pin = image.pins[static_cast<std::size_t>(feature.pin)];
-            const Point at = feature.kind == DrawnKind::Region ? middleOf(feature) : feature.a;
+            const Point at = feature.kind == DrawnKind::Region
+                                 ? middleOfPad(m_step.regions[static_cast<std::size_t>(feature.region)])
+                                 : feature.a;
             feature.component = component;
             feature.pin = m_parts.pin(component, pin.name, at, feature.net);
         } else {
             feature.pin = kNoRow;
         }
-    }
-
-    [[nodiscard]] Point middleOf(const DrawnFeature& region) const {
-        const Box box = boxOf(m_step.regions[static_cast<std::size_t>(region.region)]);
-        return box.isEmpty() ? Point{} : box.middle();
     }
 
     // ---- components ----
@@ -212,6 +212,7 @@ private:
             const ReadFile& file = m_files[row];
             if (file.isImage() && file.role.kind == FileRole::Kind::Components) {
                 PlacementFile placed;
+                placed.isOnImages = true;
                 for (const DrawnFeature& feature : file.image.features) {
                     addX3(file, feature, placed);
                 }
@@ -248,7 +249,7 @@ private:
             feature.attributes < 0 ? none : file.image.attributes[static_cast<std::size_t>(feature.attributes)];
         for (const auto& [name, value] : words) {
             if (name == ".CRot") {
-                part.rotationDeg = parseReal(value).value_or(0.0);
+                part.rotationDeg = fromFlipAlongX(parseReal(value).value_or(0.0), part.side);
             } else if (name == ".CVal") {
                 part.value = value;
             } else if (name == ".CFtp") {

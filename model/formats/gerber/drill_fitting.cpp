@@ -11,6 +11,7 @@ namespace {
 constexpr Nm kReach = 30'000;
 constexpr Nm kMargin = 2'000'000;
 constexpr std::size_t kMostHits = 2'000;
+constexpr double kProven = 0.6;  ///< share of the holes that lie in the middle of pads: the format is right
 
 struct Fit {
     double onPads = 0.0;
@@ -58,40 +59,56 @@ std::vector<std::tuple<Nm, Nm>> placesOf(const Image& image) {
     return places;
 }
 
-}  // namespace
-
-void fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper) {
-    if (drills.kind != ReadFile::Kind::Drills || drills.image.features.empty() || copper.isEmpty()) {
-        return;
-    }
-    Fit best = fitOf(drills.image, pads, copper);
+/// Reads the file in all other ways; false if none is better than `best`.
+bool readOtherwise(ReadFile& drills, const PadIndex& pads, const Box& copper, Fit& best) {
     const bool isUnitTold = drills.head.isInch.has_value();
-    if (best.onPads > 0.6 || (best.inside > 0.5 && isUnitTold)) {
-        return;
-    }
-    const std::vector<CoordinateFormat> formats = likelyFormats(drills.head);
-    std::optional<std::size_t> chosen;
-    Image image;
-    for (std::size_t i = 1; i < formats.size(); ++i) {
-        Image other = parseDrills(drills.bytes.view(), drills.path, formats[i]);
+    bool isFound = false;
+    for (const CoordinateFormat& format : likelyFormats(drills.head)) {
+        Image other = parseDrills(drills.bytes.view(), drills.path, format);
         const Fit fit = fitOf(other, pads, copper);
         if (other.features.size() >= drills.image.features.size() && isBetter(fit, best, isUnitTold)) {
             best = fit;
-            best.isFound = true;
-            chosen = i;
-            image = std::move(other);
+            best.isFound = isFound = true;
+            drills.image = std::move(other);
+            drills.format = format;
         }
     }
-    if (chosen) {
+    return isFound;
+}
+
+void reportUnit(ReadFile& drills, bool isProven) {
+    if (!drills.head.isInch) {
+        drills.diagnostics.report(isProven ? Severity::Info : Severity::Warning, drills.path, 0,
+                                  "the drill file does not say its unit; taken as " + describe(drills.format));
+    }
+}
+
+}  // namespace
+
+void fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper) {
+    if (drills.kind != ReadFile::Kind::Drills || drills.image.features.empty()) {
+        return;
+    }
+    if (copper.isEmpty()) {
+        return reportUnit(drills, false);
+    }
+    Fit best = fitOf(drills.image, pads, copper);
+    const bool isOnPads = best.onPads > kProven;
+    if (isOnPads || (best.inside > 0.5 && drills.head.isInch)) {
+        return reportUnit(drills, isOnPads);
+    }
+    const CoordinateFormat stated = drills.format;
+    if (readOtherwise(drills, pads, copper, best)) {
         const bool isTold = drills.head.isInch &&
                             (drills.head.areAllWithPoint || (drills.head.isTrailingOmitted && drills.head.decimals));
         drills.diagnostics.report(isTold ? Severity::Warning : Severity::Info, drills.path, 0,
-                                  "read as " + describe(formats[*chosen]) +
-                                      ", which puts the holes on the copper, not as " + describe(formats[0]) +
+                                  "read as " + describe(drills.format) +
+                                      ", which puts the holes on the copper, not as " + describe(stated) +
                                       (isTold ? ", as the file says" : ""));
-        drills.image = std::move(image);
-        drills.format = formats[*chosen];
-    } else if (best.inside < 0.5) {
+        return;
+    }
+    reportUnit(drills, false);
+    if (best.inside < 0.5) {
         drills.diagnostics.report(Severity::Warning, drills.path, 0,
                                   "most holes lie beside the copper, in whatever format their coordinates are read");
     }

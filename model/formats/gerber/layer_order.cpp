@@ -78,6 +78,7 @@ public:
         }
         std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return rankOf(m_files[row].role); });
         sortCopper(rows);
+        reportRivals(rows);
         readStack();
         for (const std::size_t row : rows) {
             add(row);
@@ -103,6 +104,18 @@ private:
             } else if (!isNew) {
                 m_diagnostics.report(Severity::Warning, m_files[*row].path, 0,
                                      "another file claims the same copper layer; both are shown");
+            }
+        }
+    }
+
+    void reportRivals(const std::vector<std::size_t>& rows) {
+        std::set<std::pair<Kind, LayerSide>> seen;
+        for (const std::size_t row : rows) {
+            const FileRole& role = m_files[row].role;
+            const bool isOne = role.kind == Kind::SolderMask || role.kind == Kind::Paste || role.kind == Kind::Legend;
+            if (isOne && !seen.emplace(role.kind, role.side).second) {
+                m_diagnostics.report(Severity::Warning, m_files[row].path, 0,
+                                     "another file claims the same " + describe(role) + "; both are shown");
             }
         }
     }

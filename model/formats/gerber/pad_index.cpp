@@ -20,6 +20,12 @@ Point moved(Point p, Point shift) {
     return {add(p.x, shift.x), add(p.y, shift.y)};
 }
 
+Nm median(std::vector<Nm>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
 /// Every n-th, so that there are at most `most`.
 template <class T>
 std::vector<T> thinned(std::span<const T> items, std::size_t most) {
@@ -90,19 +96,16 @@ std::optional<Point> PadIndex::shiftOf(std::span<const Point> points, Nm reach) 
     if (best == nullptr || share(voters, best->first, reach) < kEnough) {
         return std::nullopt;
     }
-    // The first pair is off by the netlist's rounding; the mean over all is not.
-    double sx = 0.0;
-    double sy = 0.0;
-    int count = 0;
+    // The first pair is off by rounding, or a part whose place is not the middle of its pins: most are not.
+    std::vector<Nm> xs;
+    std::vector<Nm> ys;
     for (const Point p : voters) {
-        const Point at = moved(p, best->first);
-        visit(at, reach, [&](const IndexedPad& pad) {
-            sx += static_cast<double>(pad.position.x) - p.x;
-            sy += static_cast<double>(pad.position.y) - p.y;
-            ++count;
+        visit(moved(p, best->first), reach, [&](const IndexedPad& pad) {
+            xs.push_back(pad.position.x - p.x);
+            ys.push_back(pad.position.y - p.y);
         });
     }
-    return count == 0 ? best->first : Point{static_cast<Nm>(sx / count), static_cast<Nm>(sy / count)};
+    return xs.empty() ? best->first : Point{median(xs), median(ys)};
 }
 
 }  // namespace model::gerber

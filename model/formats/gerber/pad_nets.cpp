@@ -7,6 +7,8 @@
 
 #include "model/formats/gerber/netlist_join.h"
 #include "model/formats/gerber/text/words.h"
+#include "model/geometry/edges.h"
+#include "model/geometry/outlines.h"
 
 namespace model::gerber {
 
@@ -18,6 +20,7 @@ namespace {
 
 constexpr Nm kHoleReach = 2'000;
 constexpr Nm kPointReach = 15'000;
+constexpr Nm kWidestPad = 10'000'000;  ///< from where it is flashed to any of its points
 /// Tools without a size are drawn no wider than this (drill_parser.cpp).
 constexpr Nm kSizeless = 10;
 
@@ -99,24 +102,62 @@ void PadNets::giveNet(const D356Point& point, const std::vector<std::string>& na
     const LayerSide side = point.access == 0   ? LayerSide::Through
                            : point.access == 1 ? LayerSide::Top
                                                : LayerSide::Bottom;
-    m_pads.visit(at, kPointReach, [&](const IndexedPad& pad) {
-        const LayerSide padSide = m_layers.layers[static_cast<std::size_t>(pad.layer)].side;
-        if (side != LayerSide::Through && side != padSide) {
-            return;
-        }
-        DrawnFeature& feature =
-            m_step.features[static_cast<std::size_t>(pad.layer)][static_cast<std::size_t>(pad.feature)];
+    for (const IndexedPad& pad : padsAt(at, side)) {
+        DrawnFeature& feature = featureOf(pad);
         if (feature.net < 0) {
             feature.net = net;
         }
         if (isPin && feature.component < 0) {
+            const LayerSide seen = side == LayerSide::Through ? LayerSide::None : sideOf(pad);
             feature.component = component;
             feature.pin = m_parts.pin(component, point.pin, feature.a, net);
-            m_parts.isSeenOn(component, side == LayerSide::Through ? LayerSide::None : padSide, true, point.hole > 0);
+            m_parts.isSeenOn(component, seen, true, point.hole > 0);
         } else if (point.isVia) {
             feature.subnet = SubnetKind::Via;
         }
-    });
+    }
+}
+
+/// Those that lie there or, where there is none, the pad around the point if it is only one on its layer: pads of odd
+/// shapes are not always flashed by their middle.
+std::vector<IndexedPad> PadNets::padsAt(Point at, LayerSide side) {
+    std::vector<IndexedPad> pads;
+    const auto take = [&](Nm reach, auto isMeant) {
+        m_pads.visit(at, reach, [&](const IndexedPad& pad) {
+            if ((side == LayerSide::Through || side == sideOf(pad)) && isMeant(pad)) {
+                pads.push_back(pad);
+            }
+        });
+    };
+    take(kPointReach, [](const IndexedPad&) { return true; });
+    if (!pads.empty()) {
+        return pads;
+    }
+    take(kWidestPad, [&](const IndexedPad& pad) { return isWithin(at, featureOf(pad)); });
+    const std::vector<IndexedPad> all = pads;
+    std::erase_if(pads,
+                  [&](const IndexedPad& pad) { return std::ranges::count(all, pad.layer, &IndexedPad::layer) > 1; });
+    return pads;
+}
+
+bool PadNets::isWithin(Point at, const DrawnFeature& pad) {
+    if (pad.symbol < 0) {
+        return false;
+    }
+    const auto [found, isNew] = m_symbolBoxes.try_emplace(pad.symbol);
+    if (isNew) {
+        found->second = boxOf(outlineOf(m_step.symbols[static_cast<std::size_t>(pad.symbol)].shape));
+    }
+    return found->second.holds(
+        rounded(unplaced(base::toDouble(at), Placement{pad.a, pad.clockwiseDeg, pad.isMirrored})));
+}
+
+DrawnFeature& PadNets::featureOf(const IndexedPad& pad) {
+    return m_step.features[static_cast<std::size_t>(pad.layer)][static_cast<std::size_t>(pad.feature)];
+}
+
+LayerSide PadNets::sideOf(const IndexedPad& pad) const {
+    return m_layers.layers[static_cast<std::size_t>(pad.layer)].side;
 }
 
 bool PadNets::holdsHoles(std::size_t layer) const {
@@ -199,8 +240,7 @@ void PadNets::nameHoles() {
             }
             bool isVia = false;
             m_pads.visit(middleOf(hole), kHoleReach, [&](const IndexedPad& pad) {
-                const DrawnFeature& flash =
-                    m_step.features[static_cast<std::size_t>(pad.layer)][static_cast<std::size_t>(pad.feature)];
+                const DrawnFeature& flash = featureOf(pad);
                 hole.net = hole.net < 0 ? flash.net : hole.net;
                 isVia = isVia || flash.subnet == SubnetKind::Via;
             });

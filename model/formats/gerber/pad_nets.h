@@ -38,6 +38,10 @@ private:
     void indexPads();
     void add(const ReadFile& file, bool hasNets);
     void giveNet(const D356Point& point, const std::vector<std::string>& names, Point shift);
+    [[nodiscard]] std::vector<IndexedPad> padsAt(Point at, LayerSide side);
+    [[nodiscard]] bool isWithin(Point at, const formats::DrawnFeature& pad);
+    [[nodiscard]] formats::DrawnFeature& featureOf(const IndexedPad& pad);
+    [[nodiscard]] LayerSide sideOf(const IndexedPad& pad) const;
     void giveSizes(const ReadFile& file, Point shift);
     [[nodiscard]] bool giveSize(std::size_t layer, std::int32_t symbol, const std::vector<const D356Point*>& holes,
                                 Point shift);
@@ -50,6 +54,7 @@ private:
     NetNames& m_nets;
     Diagnostics& m_diagnostics;
     PadIndex m_pads;  ///< by layer and feature of the step
+    std::unordered_map<std::int32_t, Box> m_symbolBoxes;
 };
 
 }  // namespace model::gerber

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "model/formats/gerber/placement_shift.h"
+#include "model/formats/gerber/text/words.h"
 #include "model/geometry/edges.h"
 #include "model/geometry/outlines.h"
 
@@ -15,8 +17,6 @@ using formats::DrawnPackage;
 using formats::kNoRow;
 
 namespace {
-
-constexpr Nm kReach = 200'000;  ///< of the middle of a component's pins to where it is placed
 
 Box pinBox(const DrawnComponent& component) {
     Box box;
@@ -65,19 +65,24 @@ void PartList::isSeenOn(std::int32_t component, LayerSide side, bool isPad, bool
     }
 }
 
-void PartList::place(const PlacementFile& file, std::string_view path, const PadIndex& pads, const Box& board,
-                     Diagnostics& diagnostics) {
-    // The middle of a component's pins is near its place; without pins, places must lie on the board.
-    std::vector<IndexedPad> middles;
-    std::vector<Point> places;
+/// Of the places to their pins; without pins, places must lie on the board.
+std::optional<Point> PartList::shiftOf(const PlacementFile& file) const {
+    std::vector<PlacedPins> placed;
     for (const PlacedPart& part : file.parts) {
         const std::int32_t row = find(part.refdes);
         if (row != kNoRow && !m_step.components[static_cast<std::size_t>(row)].pins.empty()) {
-            middles.push_back({pinBox(m_step.components[static_cast<std::size_t>(row)]).middle()});
-            places.push_back(part.position);
+            placed.push_back({part.position, {}});
+            for (const formats::DrawnPin& pin : m_step.components[static_cast<std::size_t>(row)].pins) {
+                placed.back().pins.push_back(pin.position);
+            }
         }
     }
-    std::optional<Point> shift = middles.empty() ? std::nullopt : PadIndex(middles).shiftOf(places, kReach);
+    return placementShift(placed);
+}
+
+void PartList::place(const PlacementFile& file, std::string_view path, const PadIndex& pads, const Box& board,
+                     Diagnostics& diagnostics) {
+    std::optional<Point> shift = file.isOnImages ? Point{} : shiftOf(file);
     if (!shift) {
         const auto inside =
             std::ranges::count_if(file.parts, [&](const PlacedPart& p) { return board.holds(p.position); });
@@ -95,10 +100,17 @@ void PartList::place(const PlacementFile& file, std::string_view path, const Pad
                            "places of components count from another origin, found by their pins");
     }
     for (const PlacedPart& part : file.parts) {
+        const auto x = toNm(static_cast<double>(part.position.x) + shift->x);
+        const auto y = toNm(static_cast<double>(part.position.y) + shift->y);
+        if (!x || !y) {
+            diagnostics.report(Severity::Warning, path, part.line,
+                               "a component is placed beyond any board (1.07 m); its place was left out");
+            continue;
+        }
         const std::int32_t row = component(part.refdes);
         DrawnComponent& target = m_step.components[static_cast<std::size_t>(row)];
         Facts& facts = m_facts[static_cast<std::size_t>(row)];
-        target.position = {part.position.x + shift->x, part.position.y + shift->y};
+        target.position = {*x, *y};
         target.part = part.value;
         target.side = part.side == LayerSide::Bottom ? LayerSide::Bottom : LayerSide::Top;
         // As Placement: rotated clockwise, then mirrored; programs count counter-clockwise as seen from the top.
@@ -156,6 +168,7 @@ void PartList::finish(Diagnostics& diagnostics) {
         if (!facts.isPlaced) {
             const Box box = pinBox(component);
             component.position = box.isEmpty() ? Point{} : box.middle();
+            component.isPlaced = false;
             diagnostics.report(Severity::Info, m_step.componentsFile, 0,
                                "no file places the components; each lies in the middle of its pins, not rotated");
         }

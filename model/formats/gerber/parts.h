@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "model/formats/drawing/drawn_job.h"
@@ -42,6 +43,7 @@ private:
         std::map<std::string, std::int32_t> pins;
     };
 
+    [[nodiscard]] std::optional<Point> shiftOf(const PlacementFile& file) const;
     void addPackage(formats::DrawnComponent& component, const Facts& facts);
 
     formats::DrawnStep& m_step;

@@ -63,6 +63,7 @@ struct Head {
     std::array<std::optional<std::size_t>, kColumns> columns;
     double nmPerUnit = base::kNmPerMm;
     bool hasUnit = false;
+    bool isKicad = false;
 
     [[nodiscard]] bool isGood() const {
         return columns[0].has_value() && columns[static_cast<std::size_t>(Column::X)].has_value() &&
@@ -135,6 +136,7 @@ Head readHead(std::string_view line) {
                 ranks[column] = rank;
                 head.columns[column] = i;
             }
+            head.isKicad = head.isKicad || row->name == "POSX";  // nobody else calls it so
             if (row->column == Column::X && unitIn(names[i])) {
                 head.nmPerUnit = *unitIn(names[i]);
                 head.hasUnit = true;
@@ -205,13 +207,20 @@ PlacementFile parsePlacements(std::string_view text, std::string_view path, Diag
                                "a row that places no component; it was left out");
             continue;
         }
+        if (!head.hasUnit && !unit && !unitIn(cell(Column::X))) {
+            unit = base::kNmPerMm;
+            diagnostics.report(Severity::Info, path, lines.number(),
+                               "the table of places does not say its unit; taken as mm");
+        }
         std::string_view rotation = cell(Column::Rotation);
+        const double degrees = takeReal(rotation).value_or(0.0);
+        const LayerSide side = sideOf(cell(Column::Side));
         file.parts.push_back({std::string(cell(Column::Refdes)),
                               std::string(cell(Column::Value)),
                               std::string(cell(Column::Package)),
                               {*x, *y},
-                              takeReal(rotation).value_or(0.0),
-                              sideOf(cell(Column::Side)),
+                              head.isKicad ? fromFlipAlongX(degrees, side) : degrees,
+                              side,
                               lines.number()});
     }
     return file;

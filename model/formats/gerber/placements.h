@@ -16,14 +16,23 @@ struct PlacedPart {
     std::string value;
     std::string package;
     Point position;
-    double rotationDeg = 0.0;  ///< counter-clockwise
+    /// Counter-clockwise, seen from the top. A part on the bottom lies at 0 as it would on the top, flipped along the y
+    /// axis: x becomes -x.
+    double rotationDeg = 0.0;
     LayerSide side = LayerSide::None;
     std::uint32_t line = 0;
 };
 
 struct PlacementFile {
     std::vector<PlacedPart> parts;
+    bool isOnImages = false;  ///< counts from the origin of the images (X3), not from one of its own
 };
+
+/// PlacedPart::rotationDeg for a rotation that counts from the part flipped along the x axis, as KiCad and Gerber X3 do
+/// (paragraph 5.6.16 of the Gerber Layer Format Specification): half a turn more on the bottom.
+[[nodiscard]] constexpr double fromFlipAlongX(double degrees, LayerSide side) {
+    return side == LayerSide::Bottom ? degrees + 180.0 : degrees;
+}
 
 [[nodiscard]] bool looksLikePlacements(std::string_view head);
 /// Comma, semicolon, tab or blank separated, with a line that names the columns. Rows that cannot be read are reported.

@@ -90,7 +90,6 @@ CoordinateFormat formatOf(bool isInch, bool isTrailingOmitted, int integers, int
     format.isTrailingOmitted = isTrailingOmitted;
     format.integers = integers;
     format.decimals = decimals;
-    format.hasFormat = true;
     return format;
 }
 
@@ -127,6 +126,7 @@ std::vector<CoordinateFormat> likelyFormats(const DrillHead& head) {
     const bool isTrailingOmitted = head.isTrailingOmitted.value_or(false);
     std::vector<CoordinateFormat> formats = {formatOf(isInch, isTrailingOmitted, head.integers.value_or(isInch ? 2 : 3),
                                                       head.decimals.value_or(isInch ? 4 : 3))};
+    formats[0].hasFormat = head.integers.has_value();
     struct Digits {
         bool isInch;
         int integers;

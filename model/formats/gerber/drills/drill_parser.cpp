@@ -179,6 +179,9 @@ private:
             value = value * 10 + (c - '0');
         }
         m_isBad = m_isBad || digits.empty();
+        if (!m_isBad && m_format.hasFormat && m_format.isTooLong(value, static_cast<int>(digits.size()))) {
+            report(Severity::Warning, "a coordinate has more digits than the file's format; it is read as it stands");
+        }
         const double nm =
             m_isBad ? 0.0 : m_format.length(value, static_cast<int>(std::min<std::size_t>(digits.size(), 18)));
         return isNegative ? -nm : nm;
@@ -237,7 +240,17 @@ private:
         std::optional<double> j;
         m_isBad = false;
         bool isSlot = false;
+        const auto beginSlot = [&] {
+            isSlot = true;
+            moveTo(x, y);
+            m_slotStart = m_position;
+            x.reset();
+            y.reset();
+        };
         for (const Value& part : parts) {
+            if (isSlot && ((part.letter == 'X' && x) || (part.letter == 'Y' && y))) {
+                beginSlot();  // G85X1Y1X2Y2: both ends are behind it
+            }
             switch (part.letter) {
                 case 'X': x = length(part.digits); break;
                 case 'Y': y = length(part.digits); break;
@@ -246,11 +259,7 @@ private:
                 case 'J': j = length(part.digits); break;
                 case 'G':
                     if (part.digits == "85") {
-                        isSlot = true;
-                        moveTo(x, y);
-                        m_slotStart = m_position;
-                        x.reset();
-                        y.reset();
+                        beginSlot();
                     } else {
                         code(part.digits, parts);
                     }

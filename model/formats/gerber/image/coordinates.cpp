@@ -48,6 +48,11 @@ double CoordinateFormat::length(std::int64_t value, int digits) const {
     return scaled * nmPerUnit / kPowers[static_cast<std::size_t>(decimals)];
 }
 
+bool CoordinateFormat::isTooLong(std::int64_t value, int digits) const {
+    const int room = integers + decimals;
+    return isTrailingOmitted ? digits > room : static_cast<double>(value) >= kPowers[static_cast<std::size_t>(room)];
+}
+
 CoordinateFormat findFormat(std::string_view text) {
     CoordinateFormat format;
     const std::string_view head = text.substr(0, kHead);

@@ -14,7 +14,7 @@ struct CoordinateFormat {
     bool isIncremental = false;
     int integers = 2;  ///< digits before the point
     int decimals = 5;
-    bool hasFormat = false;
+    bool hasFormat = false;  ///< the file says its digits
     bool hasUnit = false;
     double nmPerUnit = base::kNmPerInch;
 
@@ -26,6 +26,8 @@ struct CoordinateFormat {
     }
     /// Digits without a point as a length in nanometres.
     [[nodiscard]] double length(std::int64_t value, int digits) const;
+    /// Are these more digits than the format has room for? Zeros in front do not count where they may be left out.
+    [[nodiscard]] bool isTooLong(std::int64_t value, int digits) const;
 };
 
 /// What a file says of its coordinates anywhere in its head: apertures may come before the unit.

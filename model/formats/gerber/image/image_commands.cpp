@@ -103,6 +103,7 @@ void ImageParser::command(std::string_view raw) {
 }
 
 bool ImageParser::parameter(std::string_view code, std::string_view rest) {
+    bool isGood = true;
     if (code == "AD") {
         define(rest);
     } else if (code == "AB") {
@@ -111,16 +112,22 @@ bool ImageParser::parameter(std::string_view code, std::string_view rest) {
         repeat(rest);
     } else if (code == "LP") {
         m_isClear = rest.starts_with('C');
+        isGood = m_isClear || rest.starts_with('D');
     } else if (code == "LM") {
         m_isMirroredX = rest.find('X') != std::string_view::npos;
         m_isMirroredY = rest.find('Y') != std::string_view::npos;
     } else if (code == "LR") {
+        isGood = parseReal(rest).has_value();
         m_rotation = parseReal(rest).value_or(0.0);
     } else if (code == "LS") {
         const double scale = parseReal(rest).value_or(1.0);
-        m_scale = scale > 0.0 && scale < 1e6 ? scale : 1.0;
+        isGood = parseReal(rest) && scale > 0.0 && scale < 1e6;
+        m_scale = isGood ? scale : 1.0;
     } else {
         return false;
+    }
+    if (!isGood) {
+        report(Severity::Warning, "a polarity, rotation or scale (LP, LR, LS) that cannot be read; none applies");
     }
     if (code.front() == 'L') {
         m_flashed.placement = placementOf(m_isMirroredX, m_isMirroredY, m_rotation);

@@ -264,7 +264,13 @@ void ImageParser::endFrame() {
         m_blocks.push_back(std::move(frame.features));
         return;
     }
-    std::vector<DrawnFeature>& target = sink();
+    repeatFrame(frame);
+}
+
+void ImageParser::repeatFrame(const Frame& frame) {
+    if (frame.features.empty()) {
+        return;
+    }
     for (int x = 0; x < frame.nx; ++x) {
         for (int y = 0; y < frame.ny; ++y) {
             if ((x > 0 || y > 0) && !mayExpand(frame.features.size())) {
@@ -273,15 +279,24 @@ void ImageParser::endFrame() {
             const auto ox = toNm(x * frame.dx);
             const auto oy = toNm(y * frame.dy);
             if (!ox || !oy) {
-                return report(Severity::Warning, "a repeated step lies beyond any board (1.07 m); it is left out");
+                report(Severity::Warning, "a repeated step lies beyond any board (1.07 m); it is left out");
+                break;  // those above lie farther yet
             }
-            Transform transform;
-            transform.placement.origin = {*ox, *oy};
-            for (DrawnFeature feature : frame.features) {
-                if (m_mover.move(feature, transform)) {
-                    target.push_back(feature);
-                }
-            }
+            addMoved(frame.features, {*ox, *oy});
+        }
+    }
+}
+
+void ImageParser::addMoved(const std::vector<DrawnFeature>& features, Point by) {
+    Transform transform;
+    transform.placement.origin = by;
+    std::vector<DrawnFeature>& target = sink();
+    for (DrawnFeature feature : features) {
+        if (m_mover.move(feature, transform)) {
+            target.push_back(feature);
+        } else {
+            report(Severity::Warning,
+                   "a coordinate is larger than any board (1.07 m); what is drawn there is left out");
         }
     }
 }

@@ -105,6 +105,11 @@ double ImageParser::readLength() {
             break;
         }
     }
+    if (digits == 0) {
+        report(Severity::Warning, "a coordinate without digits; it is taken as 0");
+    } else if (behindPoint < 0 && m_format.hasFormat && m_format.isTooLong(value, digits)) {
+        report(Severity::Warning, "a coordinate has more digits than the file's format (FS); it is read as it stands");
+    }
     const auto magnitude = behindPoint >= 0
                                ? static_cast<double>(value) * m_format.nmPerUnit / std::pow(10.0, behindPoint)
                                : m_format.length(value, digits);

@@ -78,6 +78,8 @@ private:
     [[nodiscard]] std::vector<formats::DrawnFeature>& sink();
     [[nodiscard]] bool mayExpand(std::size_t count);
     void endFrame();
+    void repeatFrame(const Frame& frame);
+    void addMoved(const std::vector<formats::DrawnFeature>& features, Point by);
     void finish();
 
     // commands between %: image_commands.cpp

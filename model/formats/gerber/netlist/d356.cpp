@@ -60,6 +60,7 @@ private:
 
     void parameter(std::string_view line) {
         if (holds(line, "UNITS")) {
+            m_hasUnit = true;
             const bool isMetric = holds(line, "CUST 1") || line.find("SI") != std::string_view::npos;
             m_unit = isMetric ? kMetricUnit : kInchUnit;
         }
@@ -99,6 +100,10 @@ private:
     }
 
     void point(std::string_view line) {
+        if (!m_hasUnit) {
+            m_hasUnit = true;
+            report("the netlist does not say its unit (P UNITS); taken as 0.0001 inch");
+        }
         D356Point point;
         point.line = m_line;
         const bool isContinued = line[0] == '0';
@@ -153,6 +158,7 @@ private:
     std::unordered_map<std::string, std::int32_t> m_rows;
     std::uint32_t m_line = 0;
     double m_unit = kInchUnit;
+    bool m_hasUnit = false;
     bool m_isDone = false;
 };
 

@@ -182,6 +182,22 @@ private slots:
         QCOMPARE(firstOf(compared(board(), other), Aspect::Parts), std::string("only A has R1"));
     }
 
+    void partsThatAJobDoesNotPlaceAreComparedByTheirPins() {
+        DrawnJob other = board();
+        DrawnComponent& part = other.steps[0].components[0];
+        part.position.x += 50'000;
+        part.clockwiseDeg = 90.0;
+        part.isPlaced = false;
+        const Agreement agreement = compared(board(), other);
+        QVERIFY(agreement.isAgreed());
+        QVERIFY(find(agreement, Aspect::Parts)->note.find("where 1 parts lie is not said by both jobs") == 0);
+        part.pins[0].position.x += 50'000;
+        QCOMPARE(firstOf(compared(board(), other), Aspect::Pins), std::string("R1.1 is moved by 0.0500 mm"));
+        part.side = model::LayerSide::Bottom;
+        QCOMPARE(firstOf(compared(board(), other), Aspect::Parts),
+                 std::string("R1 is on the top in A, on the bottom in B"));
+    }
+
     void aRotationIsANoteWhereThePinsSayTheSame() {
         DrawnJob other = board();
         other.steps[0].components[1].clockwiseDeg = 180.0;

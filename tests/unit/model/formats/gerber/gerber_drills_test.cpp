@@ -74,6 +74,19 @@ private slots:
         QCOMPARE(image.features[3].kind, DrawnKind::Pad);
     }
 
+    void bothEndsOfASlotMayStandBehindItsCode() {
+        const Image image = parse(
+            "M48\nMETRIC,TZ\nT1C0.8\n%\nT1\nX9000Y9000\nG85X2000Y5000X6000Y4000\nG85X2000Y5000Y7000\n"
+            "X1000Y1000G85X3000\nM30\n");
+        QCOMPARE(image.features.size(), std::size_t{4});
+        QCOMPARE(image.features[1].kind, DrawnKind::Line);
+        QCOMPARE(image.features[1].a, (Point{2'000'000, 5'000'000}));
+        QCOMPARE(image.features[1].b, (Point{6'000'000, 4'000'000}));
+        QCOMPARE(image.features[2].b, (Point{2'000'000, 7'000'000}));
+        QCOMPARE(image.features[3].a, (Point{1'000'000, 1'000'000}));
+        QCOMPARE(image.features[3].b, (Point{3'000'000, 1'000'000}));
+    }
+
     void platingFollowsAttributesSectionsAndComments() {
         const Image kicad = parse(
             "M48\nMETRIC\n; #@! TA.AperFunction,Plated,PTH,ViaDrill\nT1C0.3\n"

@@ -173,6 +173,15 @@ private slots:
         QCOMPARE(image.features[3].a, (model::Point{5'000'000, 0}));
     }
 
+    void stepsBeyondAnyBoardAreLeftOut() {
+        const std::string square = "%ADD10R,1X1*%D10*%SRX3Y2I5J5000000*%X0Y0D03*%SR*%";
+        const Image image = parse(square);
+        QCOMPARE(image.features.size(), std::size_t{3});
+        QCOMPARE(image.features[2].a, (model::Point{10'000'000, 0}));
+        QVERIFY(isReported(image, "repeated step lies beyond any board"));
+        QVERIFY(parse("%SRX100000Y100000I1J1*%%SR*%").features.empty());  // at once
+    }
+
     void contoursOfARegionAreRegionsOfTheirOwn() {
         const Image image = parse(
             "G36*X0Y0D02*G01X1000000D01*Y1000000D01*X0Y0D01*X5000000Y0D02*G75*"

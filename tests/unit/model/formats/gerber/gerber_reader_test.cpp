@@ -2,68 +2,14 @@
 
 #include "model/formats/gerber/gerber_reader.h"
 
-#include <QDir>
-#include <QFile>
-#include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
-#include <fstream>
-#include <map>
 
-#include "model/formats/registry.h"
+#include "tests/unit/model/formats/gerber/gerber_testing.h"
+
+using namespace gerber_testing;
 
 namespace {
-
-using Files = std::map<std::string, std::string>;
-using Board = base::Result<std::shared_ptr<const model::Document>>;
-
-constexpr const char* kHead = "%FSLAX46Y46*%\n%MOMM*%\n";
-
-std::string image(const std::string& body, const std::string& function = "") {
-    return (function.empty() ? "" : "%TF.FileFunction," + function + "*%\n") + kHead + body + "M02*\n";
-}
-
-/// Two pads joined by a track, and a third one.
-const std::string kCopper =
-    "%ADD10C,1.5*%%ADD11C,0.3*%D10*X2000000Y2000000D03*X8000000D03*Y8000000D03*D11*"
-    "X2000000Y2000000D02*X8000000D01*\n";
-/// Pads near the corners of a square of 10 mm.
-const std::string kWideCopper =
-    "%ADD10C,1.5*%%ADD11C,0.3*%D10*X1000000Y1000000D03*X9000000D03*Y9000000D03*X1000000D03*D11*"
-    "X1000000Y1000000D02*X9000000D01*\n";
-const std::string kNamedCopper =
-    "%TA.AperFunction,ComponentPad*%%ADD10C,1.5*%%TD*%%TO.N,A*%%TO.P,J1,1*%D10*X2000000Y2000000D03*"
-    "%TO.P,J1,2*%X8000000D03*%TO.N,B*%%TO.P,J1,3*%Y8000000D03*%TD*%\n";
-/// A square of 10 mm, its sides in any order.
-const std::string kOutline =
-    "%ADD10C,0.1*%D10*X0Y0D02*X10000000D01*X0Y10000000D02*Y0D01*X10000000D02*"
-    "Y10000000D01*X0D01*\n";
-constexpr const char* kDrills = "M48\nMETRIC\nT1C0.8\n%\nT1\nX2.0Y2.0\nX8.0Y2.0\nX8.0Y8.0\nM30\n";
-
-class Job {
-public:
-    explicit Job(const Files& files) {
-        for (const auto& [name, text] : files) {
-            QDir(m_folder.path()).mkpath(QFileInfo(QString::fromStdString(name)).path());
-            std::ofstream(path(name), std::ios::binary) << text;
-        }
-    }
-    [[nodiscard]] std::string path(const std::string& name = "") const {
-        return (m_folder.path() + "/").toStdString() + name;
-    }
-    [[nodiscard]] Board open(const std::string& name = "", const model::ReadOptions& options = {}) const {
-        base::Progress progress;
-        return model::readBoard(path(name), options, progress);
-    }
-
-private:
-    QTemporaryDir m_folder;
-};
-
-bool isReported(const model::Document& board, const std::string& words) {
-    return std::ranges::any_of(board.diagnostics.entries(),
-                               [&](const auto& entry) { return entry.text.find(words) != std::string::npos; });
-}
 
 std::size_t holesOf(const model::Document& board) {
     return static_cast<std::size_t>(
@@ -135,6 +81,27 @@ private slots:
         QCOMPARE(namesOf(**board), (std::vector<std::string>{"OTHER", "SUPPLY"}));
         QCOMPARE((*board)->components.size(), std::size_t{1});
         QCOMPARE((*board)->components[0].pinCount, 3U);
+    }
+
+    void aNetlistNamesPadsThatAreNotFlashedByTheirMiddle() {
+        // The first pad is 2 mm to the right of where it is flashed, and the point in its middle; the last point lies
+        // on two pads.
+        const std::string copper =
+            "%AMASIDE*21,1,2,1,2,0,0*%%ADD10ASIDE*%%ADD11C,1.5*%%ADD12R,3X3*%D10*X2000000Y2000000D03*D11*"
+            "X8000000D03*Y8000000D03*D12*X2000000D03*X1500000Y8500000D03*";
+        const std::string netlist =
+            "P  UNITS CUST 1\n"
+            "327A                J1    -1          A01X+004000Y+002000X2000Y1000R000S3\n"
+            "327B                J1    -2          A01X+008000Y+002000X1500Y0000R000S3\n"
+            "327C                J1    -3          A01X+008000Y+008000X1500Y0000R000S3\n"
+            "327D                J1    -4          A01X+001200Y+008200X0100Y0000R000S3\n999\n";
+        const Job job({{"b.GTL", image(copper)}, {"b.GKO", image(kOutline)}, {"b.ipc", netlist}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY((*board)->findNet("A").isValid());
+        QCOMPARE((*board)->components.size(), std::size_t{1});
+        QCOMPARE((*board)->components[0].pinCount, 3U);
+        QVERIFY(isReported(**board, "1 of 4 netlist points"));
     }
 
     void drillsAreReadAsTheyFitTheCopper() {
@@ -247,6 +214,76 @@ private slots:
         QCOMPARE((*board)->components[0].placement.origin, (model::Point{5'000'000, 5'000'000}));
         QCOMPARE((*board)->components[0].placement.clockwiseDeg, 270.0);
         QCOMPARE((*board)->packages[0].name, std::string("HDR"));
+    }
+
+    /// Rotated by 30° on the bottom: KiCad and X3 flip a part along the x axis, other programs along the y axis, which
+    /// is half a turn more or less.
+    void partsOnTheBottomAreRotatedAsTheirFileMeansIt_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("clockwiseDeg");
+        QTest::newRow("KiCad, CSV") << "b-pos.csv"
+                                    << "Ref,Val,Package,PosX,PosY,Rot,Side\nJ1,CON,HDR,5.0,5.0,30.0,bottom\n"
+                                    << 210.0;
+        QTest::newRow("KiCad, text") << "b-bottom.pos"
+                                     << "## Unit = mm, Angle = deg.\n# Ref Val Package PosX PosY Rot Side\n"
+                                        "J1 CON HDR 5.0 5.0 30.0 bottom\n"
+                                     << 210.0;
+        QTest::newRow("X3") << "b-pnp_bottom.gbr"
+                            << "%TF.FileFunction,Component,L2,Bot*%%FSLAX46Y46*%%MOMM*%%TA.AperFunction,"
+                               "ComponentMain*%%ADD10C,0.3*%%TO.C,J1*%%TO.CRot,30*%D10*X5000000Y5000000D03*M02*"
+                            << 210.0;
+        QTest::newRow("Eagle") << "b.csv"
+                               << "Designator,Mid X,Mid Y,Rotation,Layer\nJ1,5.0,5.0,30.0,Bottom\n"
+                               << 30.0;
+    }
+    void partsOnTheBottomAreRotatedAsTheirFileMeansIt() {
+        QFETCH(QString, name);
+        QFETCH(QString, text);
+        QFETCH(double, clockwiseDeg);
+        const Job job({{"b-F_Cu.gtl", image(kCopper, "Copper,L1,Top")},
+                       {"b-B_Cu.gbl", image(kNamedCopper, "Copper,L2,Bot")},
+                       {name.toStdString(), text.toStdString()}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        const model::Component& part = (*board)->components[0];
+        QVERIFY(part.side == model::LayerSide::Bottom && part.placement.isMirrored);
+        QCOMPARE(part.placement.origin, (model::Point{5'000'000, 5'000'000}));
+        QCOMPARE(part.placement.clockwiseDeg, clockwiseDeg);
+    }
+
+    /// The place of J1 is 0.1 mm off the middle of its pins, which does not move the others.
+    void placesFromAnotherOriginAreExact() {
+        std::string copper = "%TA.AperFunction,SMDPad,CuDef*%%ADD10C,0.5*%%TD*%D10*";
+        std::string table = "Ref,Val,Package,PosX,PosY,Rot,Side\n";
+        for (const int part : {1, 2, 3}) {
+            const std::string name = "J" + std::to_string(part);
+            for (const int pin : {1, 2}) {
+                copper += "%TO.P," + name + "," + std::to_string(pin) + "*%X" +
+                          std::to_string(part * part * 2'000'000 + pin * 1'000'000) + "Y" +
+                          std::to_string(part * 3'000'000) + "D03*";
+            }
+            const double x = part * part * 2.0 + 1.5 + (part == 1 ? 0.1 : 0.0);
+            table += name + ",,," + std::to_string(x + 100.0) + "," + std::to_string(part * 3.0 - 50.0) + ",0,top\n";
+        }
+        const Job job({{"b-F_Cu.gtl", image(copper, "Copper,L1,Top")},
+                       {"b-B_Cu.gbl", image(kCopper, "Copper,L2,Bot")},
+                       {"b-pos.csv", table}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "places of components count from another origin") ||
+                isReported(**board, "Places of components count from another origin"));
+        QCOMPARE((*board)->components[0].placement.origin, (model::Point{3'600'000, 3'000'000}));
+        QCOMPARE((*board)->components[1].placement.origin, (model::Point{9'500'000, 6'000'000}));
+        QCOMPARE((*board)->components[2].placement.origin, (model::Point{19'500'000, 9'000'000}));
+    }
+
+    void partsThatNoFilePlacesLieInTheMiddleOfTheirPins() {
+        const Job job(
+            {{"b-F_Cu.gtl", image(kNamedCopper, "Copper,L1,Top")}, {"b-B_Cu.gbl", image(kCopper, "Copper,L2,Bot")}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->components[0].placement.origin, (model::Point{5'000'000, 5'000'000}));
     }
 
     void aSingleImageIsABoard() {

@@ -1,0 +1,74 @@
+#include "model/formats/gerber/missing_layers.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "model/base/ascii.h"
+
+namespace model::gerber {
+
+namespace {
+
+constexpr std::size_t kListed = 5;  ///< names in a message
+constexpr int kMostCopper = 200;    ///< numbers above say nothing
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string list;
+    for (std::size_t i = 0; i < std::min(names.size(), kListed); ++i) {
+        list += (i == 0 ? "" : ", ") + names[i];
+    }
+    return list + (names.size() > kListed ? ", …" : "");
+}
+
+void reportCopper(const std::vector<ReadFile>& files, const BoardFiles& board, Diagnostics& diagnostics) {
+    std::set<int> numbers;
+    const ReadFile* last = nullptr;
+    for (const std::size_t row : board.files) {
+        const FileRole& role = files[row].role;
+        const bool isCounted = files[row].isImage() && role.kind == FileRole::Kind::Copper && role.isCountedFromTop;
+        if (isCounted && role.order > 0 && role.order <= kMostCopper) {
+            last = numbers.empty() || role.order > *numbers.rbegin() ? &files[row] : last;
+            numbers.insert(role.order);
+        }
+    }
+    std::vector<std::string> missing;
+    for (int i = 1; last != nullptr && i < last->role.order; ++i) {
+        if (!numbers.contains(i)) {
+            missing.push_back(std::to_string(i));
+        }
+    }
+    if (!missing.empty()) {
+        diagnostics.report(Severity::Warning, last->path, 0,
+                           "the file draws copper layer " + std::to_string(last->role.order) +
+                               ", but no file draws copper layer " + listed(missing));
+    }
+}
+
+void reportListed(const ReadFile& jobFile, const std::vector<ReadFile>& files, Diagnostics& diagnostics) {
+    std::vector<std::string> missing;
+    for (const auto& [name, function] : jobFile.job.functions) {
+        const bool isThere = std::ranges::any_of(
+            files, [&, &name = name](const ReadFile& file) { return base::equalsIgnoringCase(file.name(), name); });
+        if (!isThere) {
+            missing.push_back(name);
+        }
+    }
+    if (!missing.empty()) {
+        diagnostics.report(Severity::Warning, jobFile.path, 0,
+                           "the job file lists images that the job does not hold: " + listed(missing));
+    }
+}
+
+}  // namespace
+
+void reportMissingLayers(const std::vector<ReadFile>& files, const BoardFiles& board, Diagnostics& diagnostics) {
+    reportCopper(files, board, diagnostics);
+    for (const std::size_t row : board.files) {
+        if (files[row].kind == ReadFile::Kind::Job) {
+            reportListed(files[row], files, diagnostics);
+        }
+    }
+}
+
+}  // namespace model::gerber
