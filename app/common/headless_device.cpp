@@ -2,9 +2,12 @@
 
 #include <utility>
 
+#include "app/common/memory_limit.h"
+
 namespace app {
 
 base::Result<HeadlessDevice> HeadlessDevice::open() {
+    RETURN_IF_ERROR(checkRoomForDevice());
     ASSIGN_OR_RETURN(render::gpu::Instance instance, render::gpu::Instance::create({}));
     ASSIGN_OR_RETURN(render::gpu::Device device, render::gpu::Device::create(instance));
     return HeadlessDevice{std::make_unique<render::gpu::Instance>(std::move(instance)),

@@ -6,8 +6,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <new>
+#include <sstream>
+#include <string>
 #include <system_error>
+#include <thread>
 
 #include "app/common/exit_code.h"
 #include "model/base/limits.h"
@@ -21,6 +25,26 @@ constexpr bool kIsSanitized = true;
 #else
 constexpr bool kIsSanitized = false;
 #endif
+
+constexpr std::uint64_t kDeviceBytes = 256 * base::kMiB;
+constexpr std::uint64_t kDeviceBytesPerCore = 16 * base::kMiB;  // stacks of its threads, 8 MiB each, in two pools
+
+/// What counts against the limit so far: VmData of proc(5), in bytes; 0 where the system does not tell.
+std::uint64_t bytesTaken() {
+    std::ifstream file("/proc/self/status");
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("VmData:")) {
+            std::uint64_t kib = 0;
+            std::istringstream(line.substr(7)) >> kib;
+            return kib * 1024;
+        }
+    }
+    return 0;
+}
+
+std::string mib(std::uint64_t bytes) {
+    return std::to_string(bytes / base::kMiB) + " MiB";
+}
 
 std::uint64_t limitInForce() {
     rlimit limit{};
@@ -59,6 +83,19 @@ std::uint64_t machineMemory() {
     const long pages = sysconf(_SC_PHYS_PAGES);
     const long size = sysconf(_SC_PAGESIZE);
     return pages > 0 && size > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) : 0;
+}
+
+base::Status checkRoomForDevice() {
+    const std::uint64_t limit = limitInForce();
+    const std::uint64_t taken = bytesTaken();
+    const std::uint64_t left = limit > taken ? limit - taken : 0;
+    const std::uint64_t needed = kDeviceBytes + std::thread::hardware_concurrency() * kDeviceBytesPerCore;
+    if (limit == 0 || left >= needed) {
+        return base::Done{};
+    }
+    return base::Error{base::ErrorCode::DeviceFailed, "out of memory: a Vulkan device may take " + mib(needed) +
+                                                          ", and " + mib(left) + " are left of the " + mib(limit) +
+                                                          " that --max-memory sets"};
 }
 
 int failOutOfMemory() {

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "model/base/result.h"
+
 namespace app {
 
 /// Bounds what the process may allocate (its private data; memory that a graphics driver maps is not among it): beyond,
@@ -11,6 +13,11 @@ void limitMemory(std::uint64_t bytes);
 
 /// All that the machine has, in bytes.
 [[nodiscard]] std::uint64_t machineMemory();
+
+/// To be asked before a Vulkan device is opened: a software device compiles its programs while it draws, and that
+/// compiler ends the process where it finds no memory, without a word.
+/// Errors: DeviceFailed where the limit leaves less than such a device was seen to take, with a margin.
+[[nodiscard]] base::Status checkRoomForDevice();
 
 /// Says on stderr that memory ran out, and what sets the limit; returns kFailed.
 int failOutOfMemory();

@@ -3,6 +3,10 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include <atomic>
+#include <new>
+#include <stdexcept>
+
 #ifdef COPPERSCOPE_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif
@@ -43,14 +47,28 @@ private:
 
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& task) {
     ForkJoin order;
-    // Grain 1: our tasks are whole layers or whole areas, far above the cost of a steal.
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const tbb::blocked_range<std::size_t>& range) {
+    std::atomic<bool> hasTaskThrown = false;
+    const auto run = [&](const tbb::blocked_range<std::size_t>& range) {
         order.beginTask();
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            task(i);
+        try {
+            for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                task(i);
+            }
+        } catch (...) {
+            hasTaskThrown = true;
+            throw;
         }
         order.endTask();
-    });
+    };
+    try {
+        // Grain 1: our tasks are whole layers or whole areas, far above the cost of a steal.
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), run);
+    } catch (const std::runtime_error&) {
+        if (hasTaskThrown) {
+            throw;
+        }
+        throw std::bad_alloc();  // TBB found no room for the stack of a thread
+    }
 }
 
 ThreadLimit::ThreadLimit(int threads)

@@ -111,7 +111,8 @@ void addClearances(std::vector<ClassOfNets> classes, Nm least, bool isOn, RuleTa
 
 /// As many as a table may have; those with a clearance of their own come first.
 void addClasses(std::vector<ClassOfNets>& classes, RuleFile& file) {
-    std::ranges::stable_partition(classes, [](const ClassOfNets& one) { return one.clearance.has_value(); });
+    const auto hasClearance = [](const ClassOfNets& one) { return one.clearance.has_value(); };
+    std::stable_partition(classes.begin(), classes.end(), hasClearance);
     std::size_t kept = 0;
     for (ClassOfNets& one : classes) {
         if (one.name == kDefaultClass) {

@@ -69,6 +69,23 @@ struct State {
     bool operator==(const State&) const = default;
 };
 
+std::string textOf(const State& state) {
+    std::string text = state.title.toStdString() + (state.document != nullptr ? ", a board" : ", no board");
+    const auto add = [&text](std::size_t count, const char* what) {
+        text += ", " + std::to_string(count) + " " + what;
+    };
+    add(state.elementsSelected, "elements selected");
+    add(state.netsSelected, "nets selected");
+    add(static_cast<std::size_t>(state.findings), "findings");
+    add(static_cast<std::size_t>(state.measurements), "measurements");
+    add(static_cast<std::size_t>(state.undoSteps), "steps to undo");
+    add(state.visibleLayers.size(), "visible layers");
+    for (const std::string& name : state.outputs) {
+        text += ", " + name;
+    }
+    return text;
+}
+
 State stateOf(Driver& driver) {
     TestWindow& window = driver.window();
     return {window.document(),
@@ -128,10 +145,9 @@ private:
         const State before = stateOf(m_driver);
         kWorks[row].begin(m_driver);
         m_driver.rest(m_dice.between(0, m_times[row].wholeMs));
-        if (!m_driver.window().workspace().isWorking()) {
+        if (!m_driver.stopWork()) {
             return afterTheEnd(row);
         }
-        m_driver.key(Qt::Key_Escape);
         if (m_driver.window().workspace().isWorking()) {
             return fail("Esc did not stop it");
         }
@@ -143,7 +159,17 @@ private:
         m_times[row].longestEndMs = std::max(m_times[row].longestEndMs, static_cast<int>(clock.elapsed()));
         ++m_times[row].cancelled;
         ++m_cancelled;
-        return stateOf(m_driver) == before || fail("something is not as it was before");
+        return isAsBefore(before);
+    }
+
+    bool isAsBefore(const State& before) {
+        const State now = stateOf(m_driver);
+        if (now == before) {
+            return true;
+        }
+        std::fprintf(stderr, "soak: before: %s\nsoak: now:    %s%s\n", textOf(before).c_str(), textOf(now).c_str(),
+                     now.document != before.document ? ", another board" : "");
+        return fail("something is not as it was before");
     }
 
     /// It was too late to stop it.

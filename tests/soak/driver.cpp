@@ -160,12 +160,25 @@ void Driver::wheel(BoardView& view, QPointF at, int notches) {
 }
 
 void Driver::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    activate();
+    m_fixture.key(key, modifiers);
+    rest(kStepMs);
+}
+
+bool Driver::stopWork() {
+    activate();
+    if (!window().workspace().isWorking()) {
+        return false;
+    }
+    m_fixture.key(Qt::Key_Escape);  // no event comes in between, so the work cannot end by itself
+    return true;
+}
+
+void Driver::activate() {
     if (!window().isActiveWindow()) {
         window().activateWindow();  // a dialog had the keyboard, and not every display gives it back
         (void)QTest::qWaitForWindowActive(&window(), kActivationMs);
     }
-    m_fixture.key(key, modifiers);
-    rest(kStepMs);
 }
 
 void Driver::trigger(ui::ActionId id) {

@@ -55,6 +55,8 @@ public:
     void wheel(ui::BoardView& view, QPointF at, int notches);
     /// Types on the view in use.
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
+    /// Types Esc while something is worked out; false if that had ended before.
+    [[nodiscard]] bool stopWork();
     /// As its menu does: not while it is disabled.
     void trigger(ui::ActionId id);
     /// A row of the table in a panel, by a click.
@@ -63,6 +65,7 @@ public:
     void answerAll(Dice& dice);
 
 private:
+    void activate();
     void send(ui::BoardView& view, QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held,
               Qt::KeyboardModifiers modifiers);
     void answerMenu(Dice& dice);
