@@ -80,6 +80,10 @@ struct ClassOfNets {
     std::vector<std::string> nets;
 };
 
+bool isThere(const std::vector<ClassOfNets>& classes, const std::string& name) {
+    return std::ranges::find(classes, name, &ClassOfNets::name) != classes.end();
+}
+
 /// Clearances between classes, so that the last rule that fits is the one that holds: of two classes the larger one.
 /// Classes without nets ask for nothing.
 void addClearances(std::vector<ClassOfNets> classes, Nm least, bool isOn, RuleTable& table) {
@@ -175,7 +179,7 @@ private:
             const std::string path = "/net_settings/classes/" + std::to_string(row++);
             const std::string name = textOf(member(one, "name"));
             const json& clearance = member(one, "clearance");
-            if (name.empty() || isThere(name)) {
+            if (name.empty() || isThere(m_classes, name)) {
                 leaveOut(path, "a net class without a name of its own");
                 continue;
             }
@@ -187,10 +191,6 @@ private:
                 addNet(name, textOf(net));
             }
         }
-    }
-
-    [[nodiscard]] bool isThere(const std::string& name) const {
-        return std::ranges::find(m_classes, name, &ClassOfNets::name) != m_classes.end();
     }
 
     void addNet(const std::string& name, const std::string& net) {
@@ -310,6 +310,17 @@ void append(RuleFile& file, RuleFile others) {
     }
 }
 
+/// Of boards of KiCad 4 and 5: `(net_class NAME "" (clearance 0.2) … (add_net GND))`.
+ClassOfNets classFrom(const SExpression& list) {
+    ClassOfNets one{list.at(1), lengthIn(list, "clearance"), {}};
+    for (const SExpression& item : list.items) {
+        if (item.head() == "add_net") {
+            one.nets.push_back(item.at(1));
+        }
+    }
+    return one;
+}
+
 }  // namespace
 
 base::Result<RuleFile> parseKicadProjectRules(std::string_view text) {
@@ -331,14 +342,13 @@ base::Result<RuleFile> parseKicadBoardRules(std::string_view board) {
             continue;
         }
         const SExpression& list = all->items.front();
-        classes.push_back({list.at(1), lengthIn(list, "clearance"), {}});
+        if (list.at(1).empty() || isThere(classes, list.at(1))) {
+            file.leftOut.push_back(inLine(line, "a net class without a name of its own"));
+            continue;
+        }
+        classes.push_back(classFrom(list));
         if (!classes.back().clearance) {
             file.leftOut.push_back(inLine(line, "the clearance of net class " + list.at(1) + ", which is no length,"));
-        }
-        for (const SExpression& item : list.items) {
-            if (item.head() == "add_net") {
-                classes.back().nets.push_back(item.at(1));
-            }
         }
     }
     addClasses(classes, file);
