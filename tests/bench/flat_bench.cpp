@@ -14,7 +14,7 @@ using namespace render::test;
 
 namespace {
 
-Image imageOf(const std::vector<std::uint32_t>& pixels, int width, int height) {
+Image imageOf(std::span<const std::uint32_t> pixels, int width, int height) {
     Image image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
     for (const std::uint32_t pixel : pixels) {
         for (const std::uint32_t shift : {16U, 8U, 0U, 24U}) {
@@ -35,19 +35,18 @@ struct Bench {
     Camera camera;
     ViewSettings settings;
     std::vector<std::vector<ElementState>> states;
-    std::vector<std::uint32_t> pixels;
 
     void time(const char* what, double budgetMs, bool isCompared) {
         const base::Stopwatch watch;
         const FlatPicture::Quality quality =
-            flat.draw({&scene.impl().layers, states, camera, settings, width, height}, budgetMs, pixels.data());
+            flat.draw({&scene.impl().layers, states, camera, settings, width, height}, budgetMs);
         const double ms = watch.milliseconds();
         std::printf("%-22s %7.1f ms  quality %d  %5.1f MB", what, ms, static_cast<int>(quality),
                     static_cast<double>(flat.bytes()) / 1e6);
         if (isCompared) {
             const Image device = *Gpu::get().presenter.render(
                 scene, camera, settings, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
-            const Image own = imageOf(pixels, width, height);
+            const Image own = imageOf(flat.pixels(), width, height);
             std::printf("  differ by more than 1: %zu, 8: %zu (device %.1f ms)", differingPixels(device, own, 1),
                         differingPixels(device, own, 8), Gpu::get().presenter.stats().gpuMs);
         }
@@ -70,10 +69,8 @@ int main(int argc, char** argv) {
     const int width = argc > 3 ? std::stoi(argv[2]) : 1920;
     const int height = argc > 3 ? std::stoi(argv[3]) : 1080;
     const base::Stopwatch watch;
-    Bench bench{width, height, document, board, BoardScene(Gpu::get().device, *board), FlatPicture(board),
-                {},    {},     {},       {}};
+    Bench bench{width, height, document, board, BoardScene(Gpu::get().device, *board), FlatPicture(board), {}, {}, {}};
     std::printf("made in %.1f ms\n", watch.milliseconds());
-    bench.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     bench.settings.is2d = true;
     std::vector<LayerStyle> styles = defaultStyles(*document, Appearance::Flat);
     bench.scene.setStyles(styles);

@@ -37,20 +37,19 @@ BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
         m_picture.settings.isBoardCached = std::exchange(m_isBoardDrawn, true);
         paintOverlay(m_picture, pixels, Shown::OnCanvas);
     };
-    m_picture.paintOver = [this](QImage& image) {
-        QPainter painter(&image);
-        scaleToLogical(painter, image.size());
+    m_picture.isBoardSame = [this] { return std::exchange(m_isBoardDrawn, true); };
+    m_picture.preparePlane = [this](QSize pixels) { paintPlane(m_picture, pixels); };
+    m_picture.paintOver = [this](QPainter& painter) {
+        painter.setRenderHint(QPainter::Antialiasing);
         paintAll(painter, Shown::OnCanvas);
-        return std::exchange(m_isBoardDrawn, true);
     };
     if (kind == Kind::Flat) {
         m_picture.settings.is2d = true;
         m_controller.setPlan();
     }
     m_picture.settings.isFabricated = kind == Kind::Solid;
-    // Where the device is software, flat pictures come from tiles (render/tiles), and need no surface.
-    const bool isPainted = kind == Kind::Flat && context.device().caps().isCpu;
-    if (context.surfaceInstance() != nullptr && !isPainted) {
+    // Where the device is software, what is seen while the view moves comes from memory (render/tiles).
+    if (context.surfaceInstance() != nullptr && !context.device().caps().isCpu) {
         showVulkanCanvas();
     } else {
         showImageCanvas();
@@ -77,6 +76,9 @@ void BoardView::showImageCanvas() {
     connect(m_image, &ImageCanvas::timed, this, &BoardView::onTimed);
     connect(m_image, &ImageCanvas::deviceLost, this, &BoardView::deviceLost, Qt::QueuedConnection);
     replaceCanvas(m_image);
+    if (m_kind == Kind::Solid) {
+        m_image->makeReady();
+    }
 }
 
 void BoardView::replaceCanvas(QWidget* canvas) {
@@ -91,11 +93,17 @@ void BoardView::setScene(render::BoardScene* scene, std::vector<render::LayerSty
     m_picture.scene = scene;
     m_picture.styles = std::move(styles);
     m_isSlow = false;
+    if (m_image != nullptr) {
+        m_image->forget();
+    }
     requestRestingFrame();
 }
 
 void BoardView::setModel(std::shared_ptr<const render::BoardModel> model) {
     const bool isDrawnHere = m_kind == Kind::Flat && model != nullptr && m_context.device().caps().isCpu;
+    if (m_image != nullptr) {
+        m_image->forget();
+    }
     m_picture.flat = isDrawnHere ? std::make_shared<render::FlatPicture>(std::move(model)) : nullptr;
 }
 
@@ -216,6 +224,7 @@ void BoardView::setCut(std::shared_ptr<const render::SectionCut> cut) {
 
 void BoardView::updateBox() {
     const render::Box3 box = render::explodedBox({m_boxMin, m_boxMax}, m_picture.settings.explode);
+    m_picture.faces = {box.min.z, box.max.z};
     m_controller.setBox(box.min, box.max);
 }
 
