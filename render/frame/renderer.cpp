@@ -116,7 +116,8 @@ SceneDrawer& Renderer::sceneDrawer(const TargetFormat& format, Backend backend) 
 
 void Renderer::makeReady(VkFormat colour, Backend backend, bool isSmoothed) {
     const bool hasSamples = isSmoothed && m_device->caps().canSmooth;
-    sceneDrawer({colour, hasSamples ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT}, backend);
+    sceneDrawer({colour, hasSamples ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT},
+                backend == Backend::Auto ? tiltedBackend(m_device->caps()) : backend);
 }
 
 void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {

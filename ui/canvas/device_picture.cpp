@@ -3,8 +3,6 @@
 #include <chrono>
 #include <utility>
 
-#include "render/backends/backend_choice.h"
-
 namespace ui {
 
 namespace {
@@ -41,9 +39,9 @@ void DevicePicture::makeReady() {
         return;
     }
     m_presenter.emplace(m_context.device());
-    m_pipelines = std::async(std::launch::async, [this, backend = render::tiltedBackend(m_context.device().caps())] {
-        m_presenter->makeReady(backend, true);
-        m_presenter->makeReady(backend, false);
+    m_pipelines = std::async(std::launch::async, [this] {
+        m_presenter->makeReady(render::Backend::Auto, true);
+        m_presenter->makeReady(render::Backend::Auto, false);
     });
 }
 
