@@ -1,6 +1,8 @@
 // How long the flat picture of a board takes from tiles: flat_bench BOARD [WIDTH HEIGHT]. Milliseconds, and how many
 // pixels differ from the picture that the device draws.
+#include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <string>
 
 #include "model/base/stopwatch.h"
@@ -97,6 +99,18 @@ int main(int argc, char** argv) {
     for (std::size_t net = 0; net < std::min<std::size_t>(4, document->nets.size()); ++net) {
         bench.highlight(model::NetId{net * 37 % document->nets.size()});
         bench.time("highlight", 0.0, true);
+    }
+    std::vector<model::NetId> nets;
+    for (std::size_t row = 0; row < document->nets.size(); ++row) {
+        nets.emplace_back(row);
+    }
+    std::ranges::stable_sort(nets, std::greater(), [&](model::NetId net) { return document->elementsOf(net).size(); });
+    nets.resize(std::min<std::size_t>(8, nets.size()));
+    for (const model::NetId net : nets) {
+        bench.highlight(net);
+        bench.time("large net", 0.0, true);
+        bench.settings.dim = 0.0F;
+        bench.time("the same, not dimmed", 0.0, true);
     }
     for (std::size_t i = 0; i < 3 && i < styles.size(); ++i) {
         styles[i].isVisible = !styles[i].isVisible;

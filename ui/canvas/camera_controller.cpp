@@ -219,6 +219,24 @@ std::optional<QPointF> CameraController::screenOf(const glm::vec3& point) const 
                    (clip.y / clip.w + 1.0) / 2.0 * m_viewport.height());
 }
 
+bool CameraController::seesAll(const render::Camera& camera) const {
+    const glm::mat4 clipFromBoard = camera.projection(aspect()) * camera.view();
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto pick = [&](int axis) { return (corner >> axis & 1) != 0 ? m_boxMax[axis] : m_boxMin[axis]; };
+        const glm::vec4 clip = clipFromBoard * glm::vec4(pick(0), pick(1), pick(2), 1.0F);
+        if (std::max(std::abs(clip.x), std::abs(clip.y)) > clip.w) {
+            return false;
+        }
+    }
+    return true;
+}
+
+render::Camera CameraController::cameraForAll() const {
+    render::Camera camera = m_camera;
+    camera.fit(m_boxMin, m_boxMax, aspect());
+    return camera;
+}
+
 std::optional<glm::vec3> CameraController::boardPointAt(QPointF position) const {
     const auto [from, along] = rayAt(position);
     const float face = m_camera.direction().z < 0.0F ? m_boxMax.z : m_boxMin.z;

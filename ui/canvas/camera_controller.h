@@ -88,6 +88,10 @@ public:
     bool handle(QEvent& event);
 
     [[nodiscard]] const render::Camera& camera() const { return m_camera; }
+    /// Does such a camera see all of the board?
+    [[nodiscard]] bool seesAll(const render::Camera& camera) const;
+    /// Looks in the same direction, from where all of the board is seen.
+    [[nodiscard]] render::Camera cameraForAll() const;
     /// Where the line of sight through `position` meets the face of the board turned to the viewer; none if it misses
     /// the board.
     [[nodiscard]] std::optional<glm::vec3> boardPointAt(QPointF position) const;

@@ -48,6 +48,7 @@ void DevicePicture::makeReady() {
 void DevicePicture::forget() {
     m_wanted.reset();
     m_shot = {};
+    m_whole = {};
     m_isOfBefore = m_isDrawing;
     if (!m_isDrawing) {
         stop();
@@ -71,8 +72,32 @@ void DevicePicture::stop() {
 }
 
 bool DevicePicture::request(const render::Camera& camera, QSize pixels, bool isBoardSame) {
-    m_wanted = Wanted{camera, pixels, isBoardSame && (!m_wanted || m_wanted->isBoardSame)};
+    // The device keeps the board of the last picture only.
+    const bool isKept = m_wanted ? m_wanted->isBoardSame : !m_drawn.isWhole;
+    m_wanted = Wanted{camera, pixels, isBoardSame && isKept};
     return !m_look.isActive() && m_context.turns().begin(*this) && begin();
+}
+
+void DevicePicture::requestWhole(const render::Camera& camera, QSize pixels) {
+    if (isUnderWay()) {
+        return;
+    }
+    m_wanted = Wanted{camera, pixels, false, true};
+    if (m_context.turns().begin(*this)) {
+        (void)begin();
+    }
+}
+
+render::ViewSettings DevicePicture::settingsOf(const Wanted& wanted) const {
+    render::ViewSettings settings = m_picture.frameSettings();
+    settings.overlay = {};
+    if (wanted.isWhole) {
+        settings.inPlane = {};  // is painted for the camera of the view
+        settings.levels = render::LevelOfDetail::Coarse;
+    }
+    settings.cachesBoard = settings.inPlane.pixels.rgba != nullptr;
+    settings.isBoardCached = wanted.isBoardSame;
+    return settings;
 }
 
 /// True: it is done already.
@@ -87,11 +112,7 @@ bool DevicePicture::begin() {
         return false;
     }
     m_drawn = *std::exchange(m_wanted, std::nullopt);
-    render::ViewSettings settings = m_picture.frameSettings();
-    settings.overlay = {};
-    settings.cachesBoard = settings.inPlane.pixels.rgba != nullptr;
-    settings.isBoardCached = m_drawn.isBoardSame;
-    const base::Status status = m_presenter->begin(*m_picture.scene, m_drawn.camera, settings,
+    const base::Status status = m_presenter->begin(*m_picture.scene, m_drawn.camera, settingsOf(m_drawn),
                                                    static_cast<std::uint32_t>(m_drawn.pixels.width()),
                                                    static_cast<std::uint32_t>(m_drawn.pixels.height()));
     if (status) {
@@ -117,22 +138,25 @@ bool DevicePicture::takeIfDone(std::uint64_t patienceNs) {
     }
     const bool isOfBefore = m_isOfBefore;
     stop();
-    if (isOfBefore) {
-        return m_wanted && m_context.turns().begin(*this) && begin();
+    if (!isOfBefore) {
+        keep();
     }
-    if (m_shot.image.size() != m_drawn.pixels) {
-        m_shot.image = QImage(m_drawn.pixels, QImage::Format_RGB32);
+    const bool isShown = !isOfBefore && !m_drawn.isWhole;
+    const bool isNextThere = m_wanted && m_context.turns().begin(*this) && begin();
+    return isShown || isNextThere;
+}
+
+void DevicePicture::keep() {
+    Shot& shot = m_drawn.isWhole ? m_whole : m_shot;
+    if (shot.image.size() != m_drawn.pixels || !shot.image.isDetached()) {
+        shot.image = QImage(m_drawn.pixels, QImage::Format_RGB32);  // others may go on with the one of before
     }
     // Rows of 32-bit pixels lie one after the other.
     m_presenter->take(
-        {reinterpret_cast<std::uint32_t*>(m_shot.image.bits()),
+        {reinterpret_cast<std::uint32_t*>(shot.image.bits()),
          static_cast<std::size_t>(m_drawn.pixels.width()) * static_cast<std::size_t>(m_drawn.pixels.height())});
-    m_shot.camera = m_drawn.camera;
-    m_shot.stats = m_presenter->stats();
-    if (m_wanted && m_context.turns().begin(*this)) {
-        (void)begin();
-    }
-    return true;
+    shot.camera = m_drawn.camera;
+    shot.stats = m_presenter->stats();
 }
 
 }  // namespace ui

@@ -16,6 +16,8 @@ constexpr double kTilesMs = 5.0;
 constexpr double kPieceMs = 8.0;
 constexpr int kRestMs = 40;
 constexpr int kLongRestMs = 200;
+constexpr int kWholeShare = 2;       // a picture of all of the board is so many times smaller
+constexpr double kMuchDrawnOut = 1.6;
 
 /// No copy: while the pixels are there.
 QImage imageOf(std::span<const std::uint32_t> pixels, QSize size) {
@@ -52,11 +54,15 @@ void ImageCanvas::forget() {
     m_image = {};
     m_isDue = true;
     m_isShotNew = false;
+    m_isWholeDue = true;
     requestFrame();
 }
 
-/// With the tiles.
 void ImageCanvas::goOn() {
+    if (!m_isByTiles) {
+        prepareWhole();
+        return;
+    }
     if (m_picture.flat == nullptr) {
         return;
     }
@@ -146,23 +152,55 @@ void ImageCanvas::drawByDevice(QSize pixels) {
         announce({});
         return;
     }
-    const std::optional<render::WarpedPicture> warped = warpedShot(pixels);
+    m_isByTiles = false;
+    const Warped before = warped(pixels);
     m_picture.preparePlane(pixels);
     bool isNew = std::exchange(m_isShotNew, false);
     // What the pointer moves over a map asks for no frame of the board, but for one of the map.
     const bool isPlaneDue = !isNew && !m_picture.inPlane.isNull();
-    const bool isCoarse = m_picture.settings.levels == render::LevelOfDetail::Coarse;
-    const bool isPostponed = isCoarse && warped && warped->isNear();
+    const bool isPostponed = isCoarse() && before.isNear;
     if ((m_isDue && !isPostponed) || isPlaneDue) {
+        m_goOn.stop();
+        m_isWholeDue = m_isWholeDue || m_isDue;
         const bool isBoardSame = !std::exchange(m_isDue, false);
         isNew = m_device.request(m_controller.camera(), pixels, isBoardSame) || isNew;
     }
-    showShot(pixels, isNew);
+    if (isNew) {
+        keepFirstWhole(pixels);
+    }
+    showShot(isNew ? warped(pixels) : before, pixels, isNew);
+    if (!isCoarse() && !m_device.isUnderWay() && m_isWholeDue) {
+        m_goOn.start(kLongRestMs);
+    }
 }
 
-/// As from where the camera is now; none: it cannot be seen from there.
-std::optional<render::WarpedPicture> ImageCanvas::warpedShot(QSize pixels) const {
+/// While the view moves.
+bool ImageCanvas::isCoarse() const {
+    return m_picture.settings.levels == render::LevelOfDetail::Coarse;
+}
+
+/// Once the view rests: for what comes into sight when it moves.
+void ImageCanvas::prepareWhole() {
+    if (m_picture.scene == nullptr || m_device.isUnderWay() || !std::exchange(m_isWholeDue, false)) {
+        return;
+    }
+    if (m_controller.seesAll(m_device.shot().camera)) {
+        m_device.keepAsWhole();
+    } else {
+        m_device.requestWhole(m_controller.cameraForAll(), m_image.size() / kWholeShare);
+    }
+}
+
+/// While the view moves a picture of all of the board stays, unless it is of the other face: it may be seen less from
+/// the side than what comes next.
+void ImageCanvas::keepFirstWhole(QSize pixels) {
     const DevicePicture::Shot& shot = m_device.shot();
+    if (!shot.image.isNull() && !warpedShot(m_device.whole(), pixels) && m_controller.seesAll(shot.camera)) {
+        m_device.keepAsWhole();
+    }
+}
+
+std::optional<render::WarpedPicture> ImageCanvas::warpedShot(const DevicePicture::Shot& shot, QSize pixels) const {
     const render::Camera& camera = m_controller.camera();
     const float face = camera.direction().z < 0.0F ? m_picture.faces.y : m_picture.faces.x;
     const auto seenBy = [face](const render::Camera& by, QSize size) {
@@ -177,24 +215,32 @@ std::optional<render::WarpedPicture> ImageCanvas::warpedShot(QSize pixels) const
     return render::WarpedPicture::make(source, seenBy(camera, pixels), vectorOf(pixels));
 }
 
+/// A picture along the board makes walls of its edges when it is seen from above: then one of all of it is better.
+ImageCanvas::Warped ImageCanvas::warped(QSize pixels) const {
+    const std::optional<render::WarpedPicture> shot = warpedShot(m_device.shot(), pixels);
+    const std::optional<render::WarpedPicture> whole = warpedShot(m_device.whole(), pixels);
+    const bool isDrawnOut = shot && whole && shot->stretch() > kMuchDrawnOut && whole->stretch() < shot->stretch();
+    if (!shot || isDrawnOut) {
+        return {whole, std::nullopt, false};
+    }
+    return {shot, whole, shot->isNear()};
+}
+
 /// Shows the last picture of the device, as it is or warped, and says whether it is another one than before.
-void ImageCanvas::showShot(QSize pixels, bool isNew) {
+void ImageCanvas::showShot(const Warped& warped, QSize pixels, bool isNew) {
     const DevicePicture::Shot& shot = m_device.shot();
     const render::CameraPose& pose = m_controller.camera().pose();
-    const bool isMoved = m_shown != pose;
     render::FrameStats stats;
-    stats.isOverlayAlone = !isMoved;
+    stats.isOverlayAlone = m_shown == pose;
     if (shot.image.size() == pixels && shot.camera.pose() == pose) {
-        m_image = imageOf({reinterpret_cast<const std::uint32_t*>(shot.image.constBits()),
-                           static_cast<std::size_t>(shot.image.sizeInBytes()) / sizeof(std::uint32_t)},
-                          pixels);
+        m_image = shot.image;
         if (isNew && !m_device.isUnderWay()) {
             stats = shot.stats;
         }
         m_shown = pose;
-    } else if (const auto warped = warpedShot(pixels)) {
+    } else if (warped.best) {
         m_warped.resize(static_cast<std::size_t>(pixels.width()) * static_cast<std::size_t>(pixels.height()));
-        warped->paint(ground(), m_warped.data());
+        warped.best->paint(ground(), warped.rest ? &*warped.rest : nullptr, m_warped.data());
         m_image = imageOf(m_warped, pixels);
         m_shown = pose;
     } else {

@@ -47,8 +47,18 @@ private:
     bool drawTiles(QSize pixels);
     void drawByDevice(QSize pixels);
     void goOn();
-    [[nodiscard]] std::optional<render::WarpedPicture> warpedShot(QSize pixels) const;
-    void showShot(QSize pixels, bool isNew);
+    /// What the device drew, as it is seen from where the camera is now; neither: it cannot be seen from there.
+    struct Warped {
+        std::optional<render::WarpedPicture> best;
+        std::optional<render::WarpedPicture> rest;  ///< for what the best one does not reach
+        bool isNear = false;                        ///< the last picture is as good as another one
+    };
+    [[nodiscard]] Warped warped(QSize pixels) const;
+    [[nodiscard]] std::optional<render::WarpedPicture> warpedShot(const DevicePicture::Shot& shot, QSize pixels) const;
+    [[nodiscard]] bool isCoarse() const;
+    void prepareWhole();
+    void keepFirstWhole(QSize pixels);
+    void showShot(const Warped& warped, QSize pixels, bool isNew);
     void fill(QSize pixels);
     [[nodiscard]] std::uint32_t ground() const;
     void announce(const render::FrameStats& stats);
@@ -57,15 +67,16 @@ private:
     CameraController& m_controller;
     const Picture& m_picture;
     DevicePicture m_device;
-    QImage m_image;  ///< the board; over the pixels of `m_picture.flat`, `m_device` or `m_warped`
+    QImage m_image;  ///< the board; over the pixels of `m_picture.flat` or `m_warped`, or those of `m_device`
     std::vector<std::uint32_t> m_warped;
     render::CameraPose m_shown;  ///< where the image is seen from
     bool m_isStale = true;
     bool m_isDue = true;       ///< the board is another one than the image has, or was asked for
     bool m_isShotNew = false;  ///< the device has drawn one that was not shown yet
     bool m_isByTiles = false;  ///< the image is
-    QTimer m_goOn;             ///< runs while there is more to do about the tiles
-    bool m_isExact = false;    ///< what there is to do is for frames to come
+    QTimer m_goOn;             ///< runs while there is more to do
+    bool m_isExact = false;    ///< what there is to do about the tiles is for frames to come
+    bool m_isWholeDue = true;  ///< the device has drawn the board since it drew all of it
 };
 
 }  // namespace ui

@@ -48,19 +48,24 @@ BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
         m_controller.setPlan();
     }
     m_picture.settings.isFabricated = kind == Kind::Solid;
-    // Where the device is software, what is seen while the view moves comes from memory (render/tiles).
-    if (context.surfaceInstance() != nullptr && !context.device().caps().isCpu) {
-        showVulkanCanvas();
-    } else {
-        showImageCanvas();
-    }
+    takeCanvas();
 }
 
 BoardView::~BoardView() {
     delete m_container;  // as a child it would go after the members that its canvas works on
 }
 
+void BoardView::takeCanvas() {
+    const bool isPresented = m_context.surfaceInstance() != nullptr && !m_context.device().caps().isCpu;
+    if (isPresented && m_window == nullptr) {
+        showVulkanCanvas();
+    } else if (!isPresented && m_image == nullptr) {
+        showImageCanvas();
+    }
+}
+
 void BoardView::showVulkanCanvas() {
+    m_image = nullptr;
     m_window = new VulkanCanvas(m_context, m_controller, m_picture);
     connect(m_window, &VulkanCanvas::drawn, this, &BoardView::drawn);
     connect(m_window, &VulkanCanvas::timed, this, &BoardView::onTimed);

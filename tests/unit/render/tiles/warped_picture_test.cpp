@@ -67,7 +67,7 @@ std::vector<std::uint32_t> warped(const Camera& from, const Camera& to) {
     const auto picture = WarpedPicture::make({source.data(), kSize, seenBy(from)}, seenBy(to), kSize);
     std::vector<std::uint32_t> pixels(source.size());
     if (picture) {
-        picture->paint(kGround, pixels.data());
+        picture->paint(kGround, nullptr, pixels.data());
     }
     return pixels;
 }
@@ -109,6 +109,80 @@ private slots:
         }
         QVERIFY(onBoard > kSize.x * kSize.y / 8);
         QVERIFY2(wrong < kSize.x * kSize.y / 50, qPrintable(QString::number(wrong)));  // its rim is smooth or not
+    }
+
+    void whatItDoesNotReachLiesBehind() {
+        const Camera to = wholeBoard(NamedView::Iso, false);
+        Camera from = to;
+        from.zoom(3.0F, {0.4F, 0.1F}, kAspect);
+        Camera all = to;
+        all.orbit(0.5F, -0.2F);
+        all.fit({0.0F, 0.0F, 0.0F}, {100.0F, 60.0F, kFace}, kAspect);
+        const std::vector<std::uint32_t> source = pictureBy(from);
+        const std::vector<std::uint32_t> wholeSource = pictureBy(all);
+        const auto picture = WarpedPicture::make({source.data(), kSize, seenBy(from)}, seenBy(to), kSize);
+        const auto behind = WarpedPicture::make({wholeSource.data(), kSize, seenBy(all)}, seenBy(to), kSize);
+        std::vector<std::uint32_t> pixels(source.size());
+        const std::vector<std::uint32_t> wanted = pictureBy(to);
+        const auto wrong = [&] {
+            int count = 0;
+            for (std::size_t i = 0; i < pixels.size(); ++i) {
+                count += difference(pixels[i], wanted[i]) > 6 ? 1 : 0;
+            }
+            return count;
+        };
+        picture->paint(kGround, nullptr, pixels.data());
+        QVERIFY(wrong() > kSize.x * kSize.y / 8);
+        picture->paint(kGround, &*behind, pixels.data());
+        QVERIFY2(wrong() < kSize.x * kSize.y / 50, qPrintable(QString::number(wrong())));
+        // What it reaches itself is sharper than what lies behind.
+        std::vector<std::uint32_t> alone(source.size());
+        behind->paint(kGround, nullptr, alone.data());
+        QVERIFY(alone != pixels);
+    }
+
+    /// Rows of pixels that cross the horizon have no streaks.
+    void endsAtTheHorizon() {
+        const Camera from = wholeBoard(NamedView::Iso, false);
+        Camera to = from;
+        CameraPose pose = to.pose();
+        pose.target = {50.0F, 30.0F, kFace};
+        pose.pitch = -0.1F;
+        to.setPose(pose);
+        const std::vector<std::uint32_t> source = pictureBy(from);
+        const auto picture = WarpedPicture::make({source.data(), kSize, seenBy(from)}, seenBy(to), kSize);
+        QVERIFY(picture);
+        std::vector<std::uint32_t> pixels(source.size());
+        picture->paint(kGround, nullptr, pixels.data());
+        int missed = 0;
+        for (int y = 0; y < kSize.y; ++y) {
+            for (int x = 0; x < kSize.x; ++x) {
+                const glm::dvec3 clip(2.0 * (x + 0.5) / kSize.x - 1.0, 2.0 * (y + 0.5) / kSize.y - 1.0, 1.0);
+                if ((glm::inverse(seenBy(to)) * clip).z <= 0.0) {
+                    ++missed;
+                    QCOMPARE(pixels[static_cast<std::size_t>(y) * kSize.x + x], kGround);
+                }
+            }
+        }
+        QVERIFY(missed > 0);
+    }
+
+    void saysHowFarItsPixelsAreDrawnOut() {
+        const Camera from = wholeBoard(NamedView::Iso, true);
+        const std::vector<std::uint32_t> source = pictureBy(from);
+        const auto stretch = [&](auto&& move) {
+            Camera to = from;
+            move(to);
+            return WarpedPicture::make({source.data(), kSize, seenBy(from)}, seenBy(to), kSize)->stretch();
+        };
+        const auto isAbout = [](double value, double wanted) { return std::abs(value / wanted - 1.0) < 0.02; };
+        QVERIFY(isAbout(stretch([](Camera&) {}), 1.0));
+        QVERIFY(isAbout(stretch([](Camera& to) { to.zoom(2.0F, {0.0F, 0.0F}, kAspect); }), 2.0));
+        QVERIFY(isAbout(stretch([](Camera& to) { to.orbit(0.7F, 0.0F); }), 1.0) == false);
+        // Depth across the board grows as the sine of the pitch.
+        const float pitch = from.pose().pitch;
+        const double steeper = std::sin(pitch - 0.3F) / std::sin(pitch);
+        QVERIFY(isAbout(stretch([](Camera& to) { to.orbit(0.0F, -0.3F); }), steeper));
     }
 
     void doesNotShowOneFaceForTheOther() {
