@@ -451,6 +451,10 @@ void addInteractionBench(CLI::App& command, bool& isWanted, InteractionArguments
             "--size", [&arguments](const std::string& text) { parseSize(text, arguments.request); },
             "WIDTHxHEIGHT of the canvas in pixels [1920x1080]")
         ->needs(wanted);
+    command
+        .add_option("--pictures", arguments.request.pictures,
+                    "a folder that gets a PNG of every frame, and of views at rest also what the device draws")
+        ->needs(wanted);
 }
 
 void addBench(CLI::App& parent, Command& chosen) {

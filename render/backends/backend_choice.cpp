@@ -48,7 +48,7 @@ constexpr Row kRows[] = {
     {Backend::Raster, [](const gpu::Caps&, const FramePlan&) { return false; }, canRasterise,
      "needs 64-bit atomics, an eye outside all layers and eight bytes per pixel"},
     // Software devices run mesh shaders on one thread, compute and vertex shaders on all (docs/driver-notes.md).
-    {Backend::Mesh, [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader && !caps.isCpu; },
+    {Backend::Mesh, [](const gpu::Caps& caps, const FramePlan&) { return tiltedBackend(caps) == Backend::Mesh; },
      [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader; },
      "needs mesh shaders, which this device does not have"},
     {Backend::Pull, [](const gpu::Caps&, const FramePlan&) { return true; },
@@ -59,6 +59,10 @@ constexpr Row kRows[] = {
 const char* nameOf(Backend backend) {
     constexpr const char* kNames[] = {"auto", "mesh", "pull", "impostor", "raster", "standard"};
     return kNames[static_cast<std::size_t>(backend)];
+}
+
+Backend tiltedBackend(const gpu::Caps& caps) {
+    return caps.hasMeshShader && !caps.isCpu ? Backend::Mesh : Backend::Pull;
 }
 
 BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePlan& plan) {

@@ -14,6 +14,8 @@ struct BackendChoice {
     const char* needs = nullptr;  ///< where the one requested cannot: what it needs, to go on after its name
 };
 
+/// What Auto takes for tilted views.
+[[nodiscard]] Backend tiltedBackend(const gpu::Caps& caps);
 /// The one requested, where it can draw this frame on this device; else, and for Auto, the one that suits best.
 [[nodiscard]] BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePlan& plan);
 

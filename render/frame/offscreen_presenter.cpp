@@ -1,5 +1,6 @@
 #include "render/frame/offscreen_presenter.h"
 
+#include <bit>
 #include <cstring>
 
 #include "model/base/stopwatch.h"
@@ -41,8 +42,8 @@ base::Status checkSize(std::uint32_t width, std::uint32_t height, const gpu::Cap
 OffscreenPresenter::OffscreenPresenter(gpu::Device& device)
     : m_device(&device), m_ring(device, 1, "offscreen frames"), m_renderer(device), m_target(device) {}
 
-void OffscreenPresenter::makeReady(Backend backend) {
-    m_renderer.makeReady(gpu::kColourFormat, backend);
+void OffscreenPresenter::makeReady(Backend backend, bool isSmoothed) {
+    m_renderer.makeReady(gpu::kColourFormat, backend, isSmoothed);
 }
 
 void OffscreenPresenter::copyPicture(VkCommandBuffer commands) {
@@ -59,42 +60,61 @@ void OffscreenPresenter::copyPicture(VkCommandBuffer commands) {
     gpu::memoryBarrier(commands, gpu::kCopyWrite, gpu::kHostRead);
 }
 
-base::Result<Image> OffscreenPresenter::draw(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
-                                             VkExtent2D extent) {
+/// False: the device is lost.
+bool OffscreenPresenter::submit(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
+                                VkExtent2D extent) {
     const base::Stopwatch watch;
     gpu::Frame* frame = m_ring.begin();
     if (frame == nullptr) {
-        return lostDevice();
+        return false;
     }
     m_stats.backend = m_renderer.record(*frame, m_target, extent, gpu::kColourFormat, &scene, camera, settings);
     m_stats.isOverlayAlone = m_renderer.drewOverlayAlone();
     copyPicture(frame->commands());
     const bool isSubmitted = m_ring.end();
     m_stats.cpuMs = watch.milliseconds();
-    if (!isSubmitted || !m_ring.wait()) {
-        return lostDevice();
-    }
-    m_stats.gpuMs = m_ring.gpuMs();
-    return takePicture();
+    return isSubmitted;
 }
 
-Image OffscreenPresenter::takePicture() const {
-    Image image{m_target.extent().width, m_target.extent().height, {}};
-    image.rgba.resize(std::size_t{image.width} * image.height * kBytesPerPixel);
-    std::memcpy(image.rgba.data(), m_readback.mapped().data(), image.rgba.size());
-    return image;
+FrameStats OffscreenPresenter::stats() const {
+    FrameStats stats = m_stats;
+    stats.gpuMs = m_ring.gpuMs();
+    return stats;
 }
 
-base::Result<Image> OffscreenPresenter::render(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
-                                               std::uint32_t width, std::uint32_t height) {
+base::Status OffscreenPresenter::begin(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
+                                       std::uint32_t width, std::uint32_t height) {
     RETURN_IF_ERROR(checkSize(width, height, m_device->caps()));
     try {
-        return draw(scene, camera, settings, {width, height});
+        return submit(scene, camera, settings, {width, height}) ? base::Status(base::Done{}) : lostDevice();
     } catch (const gpu::OutOfMemory& shortage) {
         m_device->waitIdle();  // what was begun is freed
         scene.impl().resendStates();
         return noMemory(*m_device, shortage);
     }
+}
+
+void OffscreenPresenter::take(std::span<std::uint32_t> pixels) const {
+    const VkExtent2D extent = m_target.extent();
+    ASSERT(pixels.size() == std::size_t{extent.width} * extent.height);
+    const auto* source = reinterpret_cast<const std::uint32_t*>(m_readback.mapped().data());
+    static_assert(std::endian::native == std::endian::little);  // bytes are red, green, blue, alpha
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const std::uint32_t own = source[i];
+        pixels[i] = 0xff000000U | (own & 0xffU) << 16U | (own & 0xff00U) | (own >> 16U & 0xffU);
+    }
+}
+
+base::Result<Image> OffscreenPresenter::render(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
+                                               std::uint32_t width, std::uint32_t height) {
+    RETURN_IF_ERROR(begin(scene, camera, settings, width, height));
+    if (!m_ring.wait()) {
+        return lostDevice();
+    }
+    Image image{width, height, {}};
+    image.rgba.resize(std::size_t{width} * height * kBytesPerPixel);
+    std::memcpy(image.rgba.data(), m_readback.mapped().data(), image.rgba.size());
+    return image;
 }
 
 }  // namespace render

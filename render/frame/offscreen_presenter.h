@@ -1,11 +1,14 @@
 #pragma once
 
+#include <span>
+
 #include "render/frame/renderer.h"
 #include "render/scene/board_scene.h"
 
 namespace render {
 
-/// Draws to memory: command line, tests, screenshots, and windows on platforms without a Vulkan surface.
+/// Draws to memory: command line, tests, screenshots, and windows whose device is software or has no surface. A frame
+/// may be drawn in two halves, so that nobody waits for it: once what `begin` began `isDone`, it can be taken.
 class OffscreenPresenter {
 public:
     explicit OffscreenPresenter(gpu::Device& device);
@@ -14,14 +17,21 @@ public:
     /// Errors: BadUsage (size), DeviceFailed.
     [[nodiscard]] base::Result<Image> render(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
                                              std::uint32_t width, std::uint32_t height);
-    [[nodiscard]] FrameStats stats() const { return m_stats; }
+    /// The first half of `render`: has the device begin a frame; the one before must be done.
+    [[nodiscard]] base::Status begin(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
+                                     std::uint32_t width, std::uint32_t height);
+    /// Is it done? Waits so many nanoseconds for it at most. Never, once the device is lost.
+    [[nodiscard]] bool isDone(std::uint64_t patienceNs = 0) { return m_ring.poll(patienceNs); }
+    /// Copies the frame that is done to as many pixels, 0xffRRGGBB, rows from the top.
+    void take(std::span<std::uint32_t> pixels) const;
+    /// Of the frame that is done.
+    [[nodiscard]] FrameStats stats() const;
     /// As Renderer::makeReady.
-    void makeReady(Backend backend);
+    void makeReady(Backend backend, bool isSmoothed);
 
 private:
-    base::Result<Image> draw(BoardScene& scene, const Camera& camera, const ViewSettings& settings, VkExtent2D extent);
+    [[nodiscard]] bool submit(BoardScene& scene, const Camera& camera, const ViewSettings& settings, VkExtent2D extent);
     void copyPicture(VkCommandBuffer commands);
-    [[nodiscard]] Image takePicture() const;
 
     gpu::Device* m_device;
     gpu::FrameRing m_ring;

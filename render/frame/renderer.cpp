@@ -114,8 +114,10 @@ SceneDrawer& Renderer::sceneDrawer(const TargetFormat& format, Backend backend) 
     return *drawer;
 }
 
-void Renderer::makeReady(VkFormat colour, Backend backend) {
-    sceneDrawer({colour, m_device->caps().canSmooth ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT}, backend);
+void Renderer::makeReady(VkFormat colour, Backend backend, bool isSmoothed) {
+    const bool hasSamples = isSmoothed && m_device->caps().canSmooth;
+    sceneDrawer({colour, hasSamples ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT},
+                backend == Backend::Auto ? tiltedBackend(m_device->caps()) : backend);
 }
 
 void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {

@@ -6,7 +6,6 @@
 
 #include "model/base/parallel.h"
 #include "render/culling/frame_plan.h"
-#include "render/tiles/rough_picture.h"
 
 namespace render {
 
@@ -17,9 +16,9 @@ constexpr int kOverviewPixels = 1000;  // along the longer side of the board
 constexpr float kOverviewRoom = 1.1F;
 /// Tilings that meet the pixels of a frame to this much of a pixel are those of its picture.
 constexpr double kExactPx = 0.002;
-/// Sums of many moves stray by rounding: within this it is the same view until it rests.
-constexpr double kMovingPx = 0.1;
-constexpr std::size_t kMostTilings = 64;
+/// While a view moves, its picture may lie this far beside it.
+constexpr double kMovingPx = 0.51;
+constexpr std::size_t kMostTilings = 32;
 
 // As in highlight_pass.cpp.
 constexpr double kOutlinePx[] = {1.4, 1.8};
@@ -88,6 +87,8 @@ void FlatPicture::clearTiles() {
     m_tiles.clear();
     m_settled = 0;
     m_last = {};
+    m_rough.clear();
+    m_isLastShown = false;
     m_overview = {};
 }
 
@@ -182,12 +183,15 @@ FlatPicture::Window FlatPicture::windowOf(const FramePlan& plan, const FlatReque
     const glm::dvec2 size(request.width, request.height);
     const glm::dvec2 scale(plan.data.clipFromBoard[0][0] * size.x / 2.0, plan.data.clipFromBoard[1][1] * size.y / 2.0);
     const glm::dvec2 origin = scale * glm::dvec2(plan.data.centre) - size / 2.0;
+    // As far as sums of many moves, and zooms there and back, stray by rounding it is the same scale.
+    const glm::dvec2 extent = glm::abs(origin) + size;
     const Tiling* best = nullptr;
     double least = kMovingPx;
     for (const Tiling& tiling : m_tilings) {
         const glm::dvec2 off = origin - tiling.phase;
         const glm::dvec2 away = glm::abs(off - glm::round(off));
-        if (tiling.scale == scale && std::max(away.x, away.y) < least) {
+        const glm::dvec2 stretch = glm::abs(tiling.scale / scale - 1.0) * extent;
+        if (std::max(stretch.x, stretch.y) < kExactPx / 2.0 && std::max(away.x, away.y) < least) {
             best = &tiling;
             least = std::max(away.x, away.y);
         }
@@ -199,7 +203,9 @@ FlatPicture::Window FlatPicture::windowOf(const FramePlan& plan, const FlatReque
         least = 0.0;
     }
     if (m_tilings.size() > kMostTilings) {
+        const std::uint32_t oldest = m_tilings.front().id;
         m_tilings.pop_front();
+        std::erase_if(m_tiles, [&](const auto& entry) { return std::get<0>(entry.first) == oldest; });
     }
     m_isExact = least < kExactPx;
     return {*best, glm::ivec2(glm::round(origin - best->phase)), {request.width, request.height}};
@@ -224,6 +230,15 @@ void FlatPicture::fillLayer(Tile& tile, const PlaneMap& map, std::uint32_t layer
                             std::ranges::any_of(*mask, [](std::uint8_t bits) { return bits != 0; });
     tile.masks[layer] = isAnything ? std::move(mask) : nullptr;
     tile.isDrawn[layer] = 1;
+}
+
+bool FlatPicture::isFilled(const Window& window) {
+    bool isAll = true;
+    forTiles(window, [&](Tile& tile, glm::ivec2, const TilePart&) {
+        isAll =
+            isAll && std::ranges::all_of(m_paints, [&](const Paint& paint) { return tile.isDrawn[paint.layer] != 0; });
+    });
+    return isAll;
 }
 
 /// The first piece is drawn however little time there is.
@@ -357,7 +372,8 @@ void FlatPicture::outlineOver(Tile& tile, const PlaneMap& map) const {
     }
 }
 
-void FlatPicture::paint(const Window& window, std::uint32_t* pixels) {
+/// Where a tile is missing, what lies `behind`, if anything does.
+void FlatPicture::paint(const Window& window, const RoughPicture* behind, std::uint32_t* pixels) {
     struct Task {
         Tile* tile;
         glm::ivec2 at;
@@ -372,39 +388,50 @@ void FlatPicture::paint(const Window& window, std::uint32_t* pixels) {
     });
     base::parallelFor(tasks.size(), [&](std::size_t i) {
         const auto& [tile, at, part, isReady] = tasks[i];
-        if (!isReady) {
-            return;
-        }
-        if (tile->overLook != m_overLook && tile->over != nullptr) {  // of what stood out before
-            tile->over.reset();
-            tile->pictureLook = 0;
-        }
-        if (tile->pictureLook != m_look || !tile->painted.holds(part)) {
-            const bool isNew = tile->picture == nullptr || tile->pictureLook != m_look;
-            if (tile->picture == nullptr) {
-                tile->picture = std::make_unique<PixelTile>();
-            }
-            tile->painted = isNew ? part : TilePart{};
-            tile->pictureLook = m_look;
-            paintTile(m_paints, *m_colours, tile->masks, tile->over.get(), tile->painted, *tile->picture);
-        }
         const glm::ivec2 corner = at * kTilePixels - window.origin;
-        for (int y = part.from.y; y < part.to.y; ++y) {
-            const std::uint32_t* row = tile->picture->data() + y * kTilePixels;
-            std::copy(row + part.from.x, row + part.to.x,
-                      pixels + static_cast<std::ptrdiff_t>(corner.y + y) * window.size.x + corner.x + part.from.x);
+        if (isReady) {
+            bringUpToDate(*tile, part);
+            for (int y = part.from.y; y < part.to.y; ++y) {
+                const std::uint32_t* row = tile->picture->data() + y * kTilePixels;
+                std::copy(row + part.from.x, row + part.to.x,
+                          pixels + static_cast<std::ptrdiff_t>(corner.y + y) * window.size.x + corner.x + part.from.x);
+            }
+        } else if (behind != nullptr) {
+            behind->paint(corner + part.from, corner + part.to, pixels);
         }
     });
 }
 
-/// True: the small picture of the whole board is there, as it looks now.
+/// The picture of a tile whose layers are drawn.
+void FlatPicture::bringUpToDate(Tile& tile, const TilePart& part) const {
+    if (tile.overLook != m_overLook && tile.over != nullptr) {  // of what stood out before
+        tile.over.reset();
+        tile.pictureLook = 0;
+    }
+    if (tile.pictureLook == m_look && tile.painted.holds(part)) {
+        return;
+    }
+    const bool isNew = tile.picture == nullptr || tile.pictureLook != m_look;
+    if (tile.picture == nullptr) {
+        tile.picture = std::make_unique<PixelTile>();
+    }
+    tile.painted = isNew ? part : TilePart{};
+    tile.pictureLook = m_look;
+    paintTile(m_paints, *m_colours, tile.masks, tile.over.get(), tile.painted, *tile.picture);
+}
+
+/// Is the small picture of the whole board there, as it looks now?
+bool FlatPicture::isOverviewThere() const {
+    return m_overview.look == m_look && m_overview.overLook == m_overLook &&
+           glm::sign(m_overview.map.scale) == glm::sign(m_window->tiling.scale);
+}
+
 bool FlatPicture::fillOverview(const Budget& budget) {
-    const bool isTurned = glm::sign(m_overview.map.scale) != glm::sign(m_window->tiling.scale);
-    if (m_overview.look == m_look && m_overview.overLook == m_overLook && !isTurned) {
+    if (isOverviewThere()) {
         return true;
     }
     const Window all = overviewWindow();
-    if (isTurned) {
+    if (glm::sign(m_overview.map.scale) != glm::sign(m_window->tiling.scale)) {
         std::erase_if(m_tiles, [](const auto& entry) { return std::get<0>(entry.first) == kOverviewTiling; });
         m_overview = {{all.tiling.scale, -glm::dvec2(all.origin)}, {}, {}, 0, 0};
     }
@@ -413,22 +440,69 @@ bool FlatPicture::fillOverview(const Budget& budget) {
     }
     m_overview = {{all.tiling.scale, -glm::dvec2(all.origin)}, all.size, {}, m_look, m_overLook};
     m_overview.pixels.resize(static_cast<std::size_t>(all.size.x) * static_cast<std::size_t>(all.size.y));
-    paint(all, m_overview.pixels.data());
+    paint(all, nullptr, m_overview.pixels.data());
     return true;
 }
 
-void FlatPicture::paintRough(const Window& window, const Budget& budget, std::uint32_t* pixels) {
-    const bool isOverview = fillOverview(budget);
-    const PlaneMap map{window.tiling.scale, -window.tiling.phase - glm::dvec2(window.origin)};
-    const bool isLastUsable =
-        m_last.look == m_look && m_last.overLook == m_overLook && glm::sign(m_last.map.scale) == glm::sign(map.scale);
-    m_isBare = !isOverview;
-    const RoughSource overview{isOverview ? m_overview.pixels.data() : nullptr, m_overview.size, m_overview.map};
-    const RoughSource last{isLastUsable ? m_last.pixels.data() : nullptr, m_last.size, m_last.map};
-    paintScaled(last, overview, m_colours->pixel(0), map, window.size, pixels);
-    if (window.tiling.id == m_settled || m_isBare) {
-        paint(window, pixels);
+bool FlatPicture::prepare(double budgetMs) {
+    if (!m_window || !m_isLastShown) {
+        return true;
     }
+    const Budget budget(budgetMs);
+    if (!fillOverview(budget)) {
+        return false;
+    }
+    const Window around{m_window->tiling, m_window->origin - kTilePixels, m_window->size + 2 * kTilePixels};
+    std::vector<glm::ivec2> places;
+    forTiles(around, [&](Tile& tile, glm::ivec2 at, const TilePart&) {
+        if (tile.pictureLook != m_look || tile.overLook != m_overLook || !tile.painted.holds(TilePart{})) {
+            places.push_back(at);
+        }
+    });
+    for (const glm::ivec2& at : places) {
+        if (bytes() + m_board.model().layers.size() * sizeof(MaskTile) + 2 * sizeof(PixelTile) > m_maxBytes) {
+            return true;
+        }
+        const Window one{m_window->tiling, at * kTilePixels, glm::ivec2(kTilePixels)};
+        if (!fill(one, budget) || !fillOver(one, budget, true)) {
+            return false;
+        }
+        forTiles(one, [&](Tile& tile, glm::ivec2, const TilePart& part) { bringUpToDate(tile, part); });
+        if (budget.isSpent()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool FlatPicture::isLastUsable() const {
+    return m_last.look == m_look && m_last.overLook == m_overLook &&
+           glm::sign(m_last.map.scale) == glm::sign(m_window->tiling.scale);
+}
+
+void FlatPicture::paintWhole() {
+    const Window& window = *m_window;
+    m_settled = window.tiling.id;
+    m_last.map = {window.tiling.scale, -window.tiling.phase - glm::dvec2(window.origin)};
+    m_last.size = window.size;
+    m_last.look = m_look;
+    m_last.overLook = m_overLook;
+    m_last.pixels.resize(static_cast<std::size_t>(window.size.x) * static_cast<std::size_t>(window.size.y));
+    paint(window, nullptr, m_last.pixels.data());
+    m_isLastShown = true;
+}
+
+void FlatPicture::paintRough(const Budget& budget) {
+    const Window& window = *m_window;
+    const bool isOverview = isLastUsable() ? isOverviewThere() : fillOverview(budget);
+    const PlaneMap map{window.tiling.scale, -window.tiling.phase - glm::dvec2(window.origin)};
+    m_isBare = !isOverview && !isLastUsable();
+    const RoughSource overview{isOverview ? m_overview.pixels.data() : nullptr, m_overview.size, m_overview.map};
+    const RoughSource last{isLastUsable() ? m_last.pixels.data() : nullptr, m_last.size, m_last.map};
+    const RoughPicture behind(last, overview, m_colours->pixel(0), map, window.size);
+    m_rough.resize(static_cast<std::size_t>(window.size.x) * static_cast<std::size_t>(window.size.y));
+    paint(window, &behind, m_rough.data());
+    m_isLastShown = false;
 }
 
 void FlatPicture::evict() {
@@ -452,7 +526,7 @@ std::uint64_t FlatPicture::bytesOf(const Tile& tile) {
 }
 
 std::uint64_t FlatPicture::bytes() const {
-    std::uint64_t all = (m_last.pixels.size() + m_overview.pixels.size()) * sizeof(std::uint32_t);
+    std::uint64_t all = (m_last.pixels.size() + m_overview.pixels.size() + m_rough.size()) * sizeof(std::uint32_t);
     for (const auto& [key, tile] : m_tiles) {
         all += bytesOf(tile);
     }
@@ -478,16 +552,7 @@ bool FlatPicture::refine(double budgetMs) {
     return !m_isOverShown || fillOver(*m_window, budget, true);
 }
 
-void FlatPicture::keep(const FlatRequest& request, const std::uint32_t* pixels) {
-    m_settled = m_window->tiling.id;
-    m_last.map = {m_window->tiling.scale, -m_window->tiling.phase - glm::dvec2(m_window->origin)};
-    m_last.size = {request.width, request.height};
-    m_last.look = m_look;
-    m_last.overLook = m_overLook;
-    m_last.pixels.assign(pixels, pixels + static_cast<std::ptrdiff_t>(request.width) * request.height);
-}
-
-FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budgetMs, std::uint32_t* pixels) {
+FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budgetMs) {
     const FramePlan plan =
         planFrame(*request.layers, request.camera, request.settings, static_cast<std::uint32_t>(request.width),
                   static_cast<std::uint32_t>(request.height));
@@ -499,17 +564,18 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
     }
     ++m_use;
     m_window = windowOf(plan, request);
+    // A hand that zooms goes on to the next scale: tiles of this one would be drawn for nothing.
+    const bool isPassing = budgetMs > 0.0 && !m_isResting && m_window->tiling.id != m_settled && isLastUsable();
     m_isResting = false;
     const Budget budget(budgetMs);
     m_isBare = false;
-    const bool isWhole = fill(*m_window, budget);
+    const bool isWhole = isPassing ? isFilled(*m_window) : fill(*m_window, budget);
     m_isOverShown = isWhole && fillOver(*m_window, budget, false);
     const bool isOutlined = m_isOverShown && fillOver(*m_window, budget, true);
     if (isWhole) {
-        paint(*m_window, pixels);
-        keep(request, pixels);
+        paintWhole();
     } else {
-        paintRough(*m_window, budget, pixels);
+        paintRough(budget);
     }
     evict();
     if (bytes() > m_maxBytes) {

@@ -12,6 +12,7 @@
 #include "render/scene/scene_layers.h"
 #include "render/tiles/budget.h"
 #include "render/tiles/flat_board.h"
+#include "render/tiles/rough_picture.h"
 #include "render/tiles/tile_painter.h"
 
 namespace render {
@@ -43,11 +44,16 @@ public:
         Rough,  ///< what was there already, scaled, or what stands out without its dark edge; `refine` goes on
         Exact
     };
-    /// Draws into width * height pixels, 0xffRRGGBB, rows from the top. Takes `budgetMs` or a little longer for tiles
-    /// that are missing (0: as long as it takes).
-    [[nodiscard]] Quality draw(const FlatRequest& request, double budgetMs, std::uint32_t* pixels);
+    /// Draws `pixels`. Takes `budgetMs` or a little longer for tiles that are missing (0: as long as it takes), and no
+    /// time for those of a scale that may be gone with the next frame.
+    [[nodiscard]] Quality draw(const FlatRequest& request, double budgetMs);
+    /// The last frame, width * height of 0xffRRGGBB, rows from the top; until the next `draw`.
+    [[nodiscard]] std::span<const std::uint32_t> pixels() const { return m_isLastShown ? m_last.pixels : m_rough; }
     /// Goes on with the last frame for about `budgetMs`. True: another `draw` would show more than the last one did.
     [[nodiscard]] bool refine(double budgetMs);
+    /// After a frame that was exact: for about `budgetMs` what the next ones may need, tiles around what is seen and
+    /// the whole board in small. True: there is nothing left to do.
+    [[nodiscard]] bool prepare(double budgetMs);
     [[nodiscard]] std::uint64_t bytes() const;
 
     static constexpr std::uint64_t kMaxBytes = 256ULL << 20U;
@@ -85,7 +91,7 @@ private:
         glm::ivec2 origin{0};
         glm::ivec2 size{0};
     };
-    /// A whole picture, and where it lies.
+    /// A picture, and where it lies.
     struct Sheet {
         PlaneMap map;
         glm::ivec2 size{0};
@@ -110,15 +116,19 @@ private:
     template <class Visit>
     void forTiles(const Window& window, const Visit& visit);
     [[nodiscard]] PlaneMap mapOf(const Tiling& tiling, glm::ivec2 tile) const;
+    [[nodiscard]] bool isFilled(const Window& window);
     bool fill(const Window& window, const Budget& budget);
     bool fillOver(const Window& window, const Budget& budget, bool isOutlined);
+    [[nodiscard]] bool isOverviewThere() const;
     bool fillOverview(const Budget& budget);
     void fillLayer(Tile& tile, const PlaneMap& map, std::uint32_t layer) const;
     void drawOver(Tile& tile, const PlaneMap& map) const;
     void outlineOver(Tile& tile, const PlaneMap& map) const;
-    void paint(const Window& window, std::uint32_t* pixels);
-    void paintRough(const Window& window, const Budget& budget, std::uint32_t* pixels);
-    void keep(const FlatRequest& request, const std::uint32_t* pixels);
+    void paint(const Window& window, const RoughPicture* behind, std::uint32_t* pixels);
+    void bringUpToDate(Tile& tile, const TilePart& part) const;
+    [[nodiscard]] bool isLastUsable() const;
+    void paintWhole();
+    void paintRough(const Budget& budget);
     void evict();
     [[nodiscard]] static std::uint64_t bytesOf(const Tile& tile);
     void clearTiles();
@@ -146,7 +156,9 @@ private:
     bool m_isResting = false;        ///< `refine` was called since
     bool m_isOverShown = false;      ///< the last frame showed all that stands out
     bool m_isBare = false;           ///< the last frame had nothing to stretch
-    Sheet m_last;
+    Sheet m_last;                    ///< the last frame that its tiles drew
+    std::vector<std::uint32_t> m_rough;
+    bool m_isLastShown = false;
     Sheet m_overview;
 };
 

@@ -2,24 +2,67 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
-#include "model/base/parallel.h"
+#include "render/tiles/pixel_between.h"
 
 namespace render {
 
 namespace {
 
-constexpr int kBand = 16;  // rows per task
 constexpr std::int32_t kFraction = 256;
+constexpr std::size_t kChannels = 4;
 
-/// Where each column or row of the picture lies in a source; pixel -1: beside it.
-struct Place {
-    std::int32_t pixel = -1;
-    std::uint32_t part = 0;  ///< of the next one, of 256
+/// The same for a row, which the compiler does many bytes at a time.
+void betweenRows(const std::uint32_t* a, const std::uint32_t* b, std::uint32_t part, int count, std::uint32_t* out) {
+    const auto* upper = reinterpret_cast<const std::uint8_t*>(a);
+    const auto* lower = reinterpret_cast<const std::uint8_t*>(b);
+    auto* bytes = reinterpret_cast<std::uint8_t*>(out);
+    const auto other = static_cast<std::uint16_t>(kFraction - static_cast<std::int32_t>(part));
+    const auto own = static_cast<std::uint16_t>(part);
+    for (std::size_t i = 0; i < kChannels * static_cast<std::size_t>(count); ++i) {
+        bytes[i] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(upper[i] * other + lower[i] * own) >> 8U);
+    }
+    for (int i = 0; i < count; ++i) {
+        out[i] |= 0xff000000U;
+    }
+}
+
+}  // namespace
+
+/// Rows of a source with some of the picture's columns, the last two that were asked for.
+class RoughPicture::StretchedRows {
+public:
+    StretchedRows(const Placed& placed, int from, int to) : m_placed(placed), m_from(from), m_to(to) {}
+
+    /// Of a row and the next one neither takes the place of the other.
+    const std::uint32_t* row(int y) {
+        Row& row = m_rows[static_cast<std::size_t>(y) % m_rows.size()];
+        if (row.y != y) {
+            row.y = y;
+            row.pixels.resize(static_cast<std::size_t>(m_to - m_from));
+            const std::uint32_t* source = m_placed.source.pixels + std::ptrdiff_t{y} * m_placed.source.size.x;
+            for (int x = m_from; x < m_to; ++x) {
+                const Place& at = m_placed.columns[static_cast<std::size_t>(x)];
+                row.pixels[static_cast<std::size_t>(x - m_from)] =
+                    pixelBetween(source[at.pixel], source[at.pixel + 1], at.part);
+            }
+        }
+        return row.pixels.data();
+    }
+
+private:
+    struct Row {
+        int y = -1;
+        std::vector<std::uint32_t> pixels;
+    };
+
+    const Placed& m_placed;
+    int m_from;
+    int m_to;
+    std::array<Row, 2> m_rows;
 };
 
-std::vector<Place> places(int count, double scale, double offset, int size) {
+std::vector<RoughPicture::Place> RoughPicture::places(int count, double scale, double offset, int size) {
     std::vector<Place> all(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         const double at = std::clamp((i + 0.5) * scale + offset - 0.5, -4.0, size + 4.0);
@@ -31,79 +74,50 @@ std::vector<Place> places(int count, double scale, double offset, int size) {
     return all;
 }
 
-/// Two channels at a time.
-std::uint32_t between(std::uint32_t a, std::uint32_t b, std::uint32_t part) {
-    constexpr std::uint32_t kEven = 0x00ff00ffU;
-    const std::uint32_t even = ((a & kEven) * (256 - part) + (b & kEven) * part) >> 8U & kEven;
-    const std::uint32_t odd = ((a >> 8U & kEven) * (256 - part) + (b >> 8U & kEven) * part) & ~kEven;
-    return even | odd;
+glm::ivec2 RoughPicture::reach(const std::vector<Place>& places) {
+    const auto isIn = [](const Place& place) { return place.pixel >= 0; };
+    const auto first = std::ranges::find_if(places, isIn);
+    const auto end = std::find_if_not(first, places.end(), isIn);
+    return {first - places.begin(), end - places.begin()};
 }
 
-/// A source as the picture sees it.
-struct Placed {
-    RoughSource source;
-    std::vector<Place> columns;
-    std::vector<Place> rows;
+RoughPicture::Placed RoughPicture::placed(const RoughSource& source, const PlaneMap& map, glm::ivec2 size) {
+    Placed placed{source, {}, {}, glm::ivec2(0), glm::ivec2(0)};
+    if (source.pixels != nullptr) {
+        const glm::dvec2 scale = source.map.scale / map.scale;
+        const glm::dvec2 offset = source.map.offset - map.offset * scale;
+        placed.columns = places(size.x, scale.x, offset.x, source.size.x);
+        placed.rows = places(size.y, scale.y, offset.y, source.size.y);
+        placed.across = reach(placed.columns);
+        placed.down = reach(placed.rows);
+    }
+    return placed;
+}
 
-    Placed(const RoughSource& own, const PlaneMap& map, glm::ivec2 size) : source(own) {
-        if (source.pixels != nullptr) {
-            const glm::dvec2 scale = source.map.scale / map.scale;
-            const glm::dvec2 offset = source.map.offset - map.offset * scale;
-            columns = places(size.x, scale.x, offset.x, source.size.x);
-            rows = places(size.y, scale.y, offset.y, source.size.y);
-        } else {
-            columns.resize(static_cast<std::size_t>(size.x));
-            rows.resize(static_cast<std::size_t>(size.y));
+RoughPicture::RoughPicture(const RoughSource& best, const RoughSource& rest, std::uint32_t ground, const PlaneMap& map,
+                           glm::ivec2 size)
+    : m_sources{placed(rest, map, size), placed(best, map, size)}, m_ground(ground), m_size(size) {}
+
+void RoughPicture::paint(glm::ivec2 from, glm::ivec2 to, std::uint32_t* pixels) const {
+    const auto rowAt = [&](int y) { return pixels + std::ptrdiff_t{y} * m_size.x; };
+    const auto covers = [&](const Placed& own) {
+        return own.across.x <= from.x && own.across.y >= to.x && own.down.x <= from.y && own.down.y >= to.y;
+    };
+    const bool isCovered = covers(m_sources[1]);
+    for (int y = from.y; !isCovered && y < to.y; ++y) {
+        std::fill(rowAt(y) + from.x, rowAt(y) + to.x, m_ground);
+    }
+    for (std::size_t i = isCovered ? 1 : 0; i < m_sources.size(); ++i) {
+        const Placed& own = m_sources[i];
+        const int left = std::max(from.x, own.across.x);
+        const int right = std::min(to.x, own.across.y);
+        StretchedRows rows(own, left, std::max(left, right));
+        for (int y = std::max(from.y, own.down.x); left < right && y < std::min(to.y, own.down.y); ++y) {
+            const Place& at = own.rows[static_cast<std::size_t>(y)];
+            const std::uint32_t* upper = rows.row(at.pixel);
+            betweenRows(upper, rows.row(at.pixel + 1), at.part, right - left, rowAt(y) + left);
         }
     }
-
-    /// The run of columns that it reaches, as [first, end).
-    [[nodiscard]] glm::ivec2 reach(int row) const {
-        if (rows[static_cast<std::size_t>(row)].pixel < 0) {
-            return glm::ivec2(0);
-        }
-        const auto isIn = [](const Place& place) { return place.pixel >= 0; };
-        const auto first = std::ranges::find_if(columns, isIn);
-        const auto end = std::find_if_not(first, columns.end(), isIn);
-        return {first - columns.begin(), end - columns.begin()};
-    }
-
-    void paint(int row, int from, int to, std::uint32_t* pixels) const {
-        const Place& y = rows[static_cast<std::size_t>(row)];
-        const std::uint32_t* upper = source.pixels + static_cast<std::ptrdiff_t>(y.pixel) * source.size.x;
-        const std::uint32_t* lower = upper + source.size.x;
-        for (int x = from; x < to; ++x) {
-            const Place& at = columns[static_cast<std::size_t>(x)];
-            const std::uint32_t above = between(upper[at.pixel], upper[at.pixel + 1], at.part);
-            const std::uint32_t below = between(lower[at.pixel], lower[at.pixel + 1], at.part);
-            pixels[x] = between(above, below, y.part) | 0xff000000U;
-        }
-    }
-};
-
-}  // namespace
-
-void paintScaled(const RoughSource& best, const RoughSource& rest, std::uint32_t ground, const PlaneMap& map,
-                 glm::ivec2 size, std::uint32_t* pixels) {
-    const Placed first(best, map, size);
-    const Placed second(rest, map, size);
-    base::parallelFor(static_cast<std::size_t>((size.y + kBand - 1) / kBand), [&](std::size_t band) {
-        const int from = static_cast<int>(band) * kBand;
-        for (int row = from; row < std::min(from + kBand, size.y); ++row) {
-            std::uint32_t* out = pixels + static_cast<std::ptrdiff_t>(row) * size.x;
-            const glm::ivec2 own = first.reach(row);
-            const glm::ivec2 other = second.reach(row);
-            if (own.x > 0 || own.y < size.x) {
-                std::fill_n(out, size.x, ground);
-                if (other.y > other.x) {
-                    second.paint(row, other.x, other.y, out);
-                }
-            }
-            if (own.y > own.x) {
-                first.paint(row, own.x, own.y, out);
-            }
-        }
-    });
 }
 
 }  // namespace render

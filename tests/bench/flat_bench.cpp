@@ -1,6 +1,8 @@
 // How long the flat picture of a board takes from tiles: flat_bench BOARD [WIDTH HEIGHT]. Milliseconds, and how many
 // pixels differ from the picture that the device draws.
+#include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <string>
 
 #include "model/base/stopwatch.h"
@@ -14,7 +16,7 @@ using namespace render::test;
 
 namespace {
 
-Image imageOf(const std::vector<std::uint32_t>& pixels, int width, int height) {
+Image imageOf(std::span<const std::uint32_t> pixels, int width, int height) {
     Image image{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), {}};
     for (const std::uint32_t pixel : pixels) {
         for (const std::uint32_t shift : {16U, 8U, 0U, 24U}) {
@@ -35,19 +37,18 @@ struct Bench {
     Camera camera;
     ViewSettings settings;
     std::vector<std::vector<ElementState>> states;
-    std::vector<std::uint32_t> pixels;
 
     void time(const char* what, double budgetMs, bool isCompared) {
         const base::Stopwatch watch;
         const FlatPicture::Quality quality =
-            flat.draw({&scene.impl().layers, states, camera, settings, width, height}, budgetMs, pixels.data());
+            flat.draw({&scene.impl().layers, states, camera, settings, width, height}, budgetMs);
         const double ms = watch.milliseconds();
         std::printf("%-22s %7.1f ms  quality %d  %5.1f MB", what, ms, static_cast<int>(quality),
                     static_cast<double>(flat.bytes()) / 1e6);
         if (isCompared) {
             const Image device = *Gpu::get().presenter.render(
                 scene, camera, settings, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
-            const Image own = imageOf(pixels, width, height);
+            const Image own = imageOf(flat.pixels(), width, height);
             std::printf("  differ by more than 1: %zu, 8: %zu (device %.1f ms)", differingPixels(device, own, 1),
                         differingPixels(device, own, 8), Gpu::get().presenter.stats().gpuMs);
         }
@@ -70,10 +71,8 @@ int main(int argc, char** argv) {
     const int width = argc > 3 ? std::stoi(argv[2]) : 1920;
     const int height = argc > 3 ? std::stoi(argv[3]) : 1080;
     const base::Stopwatch watch;
-    Bench bench{width, height, document, board, BoardScene(Gpu::get().device, *board), FlatPicture(board),
-                {},    {},     {},       {}};
+    Bench bench{width, height, document, board, BoardScene(Gpu::get().device, *board), FlatPicture(board), {}, {}, {}};
     std::printf("made in %.1f ms\n", watch.milliseconds());
-    bench.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     bench.settings.is2d = true;
     std::vector<LayerStyle> styles = defaultStyles(*document, Appearance::Flat);
     bench.scene.setStyles(styles);
@@ -100,6 +99,18 @@ int main(int argc, char** argv) {
     for (std::size_t net = 0; net < std::min<std::size_t>(4, document->nets.size()); ++net) {
         bench.highlight(model::NetId{net * 37 % document->nets.size()});
         bench.time("highlight", 0.0, true);
+    }
+    std::vector<model::NetId> nets;
+    for (std::size_t row = 0; row < document->nets.size(); ++row) {
+        nets.emplace_back(row);
+    }
+    std::ranges::stable_sort(nets, std::greater(), [&](model::NetId net) { return document->elementsOf(net).size(); });
+    nets.resize(std::min<std::size_t>(8, nets.size()));
+    for (const model::NetId net : nets) {
+        bench.highlight(net);
+        bench.time("large net", 0.0, true);
+        bench.settings.dim = 0.0F;
+        bench.time("the same, not dimmed", 0.0, true);
     }
     for (std::size_t i = 0; i < 3 && i < styles.size(); ++i) {
         styles[i].isVisible = !styles[i].isVisible;

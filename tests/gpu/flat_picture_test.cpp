@@ -37,11 +37,10 @@ struct Both {
     }
 
     FlatPicture::Quality drawFlat(Image& image, double budgetMs = 0.0) {
-        std::vector<std::uint32_t> pixels(static_cast<std::size_t>(kWidth) * kHeight);
-        const FlatPicture::Quality quality = flat.draw(
-            {&scene.scene.impl().layers, states, scene.camera, settings, kWidth, kHeight}, budgetMs, pixels.data());
+        const FlatPicture::Quality quality =
+            flat.draw({&scene.scene.impl().layers, states, scene.camera, settings, kWidth, kHeight}, budgetMs);
         image = {kWidth, kHeight, {}};
-        for (const std::uint32_t pixel : pixels) {
+        for (const std::uint32_t pixel : flat.pixels()) {
             for (const std::uint32_t shift : {16U, 8U, 0U, 24U}) {
                 image.rgba.push_back(static_cast<std::uint8_t>(pixel >> shift));
             }
@@ -142,6 +141,44 @@ private slots:
             ++steps;
         }
         QVERIFY(steps > 1);
+        both.compare();
+    }
+
+    void drawsAheadWhatIsAround() {
+        Both both(randomTraces(400, 5));
+        both.scene.camera.zoom(4.0F, {0.0F, 0.0F}, kAspect);
+        both.compare();
+        int steps = 1;
+        while (!both.flat.prepare(1e-6)) {
+            ++steps;
+        }
+        QVERIFY(steps > 1);
+        both.scene.camera.pan({200.0F, -150.0F}, kHeight);
+        Image image;
+        QCOMPARE(both.drawFlat(image, 1e-6), FlatPicture::Quality::Exact);
+        both.compare();
+    }
+
+    void zoomsBackToWhatItKept() {
+        Both both(randomTraces(400, 5));
+        both.compare();
+        Image image;
+        both.scene.camera.zoom(1.2F, {0.3F, -0.2F}, kAspect);
+        QCOMPARE(both.drawFlat(image, 1e-6), FlatPicture::Quality::Rough);
+        both.scene.camera.zoom(1.0F / 1.2F, {0.3F, -0.2F}, kAspect);
+        QCOMPARE(both.drawFlat(image, 1e-6), FlatPicture::Quality::Exact);
+        both.compare();
+    }
+
+    void movesByPartsOfAPixelOnlyAtRest() {
+        Both both(everything());
+        both.compare();
+        both.scene.camera.pan({10.4F, 0.3F}, kHeight);
+        Image moving;
+        QCOMPARE(both.drawFlat(moving, 1e-6), FlatPicture::Quality::Rough);
+        const Image device = both.scene.draw(both.settings, kWidth, kHeight);
+        QVERIFY(differingPixels(device, moving, 100) < kWidth * kHeight / 20);
+        QVERIFY(both.flat.refine(1e-6));
         both.compare();
     }
 

@@ -26,8 +26,9 @@ constexpr int kSeenRows = 24;             // of places where the board is looked
 
 }  // namespace
 
-void CameraController::setViewport(QSizeF size) {
+void CameraController::setViewport(QSizeF size, double pixelRatio) {
     m_viewport = size.expandedTo({1.0, 1.0});
+    m_pixelRatio = pixelRatio;
     if (m_isFitted) {
         fit();
     } else {
@@ -218,6 +219,24 @@ std::optional<QPointF> CameraController::screenOf(const glm::vec3& point) const 
                    (clip.y / clip.w + 1.0) / 2.0 * m_viewport.height());
 }
 
+bool CameraController::seesAll(const render::Camera& camera) const {
+    const glm::mat4 clipFromBoard = camera.projection(aspect()) * camera.view();
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto pick = [&](int axis) { return (corner >> axis & 1) != 0 ? m_boxMax[axis] : m_boxMin[axis]; };
+        const glm::vec4 clip = clipFromBoard * glm::vec4(pick(0), pick(1), pick(2), 1.0F);
+        if (std::max(std::abs(clip.x), std::abs(clip.y)) > clip.w) {
+            return false;
+        }
+    }
+    return true;
+}
+
+render::Camera CameraController::cameraForAll() const {
+    render::Camera camera = m_camera;
+    camera.fit(m_boxMin, m_boxMax, aspect());
+    return camera;
+}
+
 std::optional<glm::vec3> CameraController::boardPointAt(QPointF position) const {
     const auto [from, along] = rayAt(position);
     const float face = m_camera.direction().z < 0.0F ? m_boxMax.z : m_boxMin.z;
@@ -312,10 +331,13 @@ bool CameraController::move(const QMouseEvent& event) {
         m_drag = m_dragKind;
     }
     const QPointF step = event.position() - m_last;
+    if (m_drag == Drag::Pan) {
+        m_last += panBy(step);  // the rest comes with the next move
+        return true;
+    }
     m_last = event.position();
     switch (m_drag) {
         case Drag::Orbit: orbitBy(step); break;
-        case Drag::Pan: panBy(step); break;
         default: emit boxDrawn(m_pressed, m_last); break;
     }
     return true;
@@ -363,7 +385,11 @@ bool CameraController::key(const QKeyEvent& event) {
         default: return false;
     }
     // The arrow says where the viewer goes, a drag where the board goes.
-    m_isPlan || event.modifiers().testFlag(Qt::ShiftModifier) ? panBy(-way) : orbitBy(-way);
+    if (m_isPlan || event.modifiers().testFlag(Qt::ShiftModifier)) {
+        panBy(-way);
+    } else {
+        orbitBy(-way);
+    }
     return true;
 }
 
@@ -374,9 +400,13 @@ void CameraController::orbitBy(QPointF pixels) {
     announceUserMove();
 }
 
-void CameraController::panBy(QPointF pixels) {
-    m_camera.pan({static_cast<float>(pixels.x()), static_cast<float>(pixels.y())}, height());
+/// By how far the board moved.
+QPointF CameraController::panBy(QPointF pixels) {
+    const auto whole = [this](double x) { return m_isPlan ? std::round(x * m_pixelRatio) / m_pixelRatio : x; };
+    const QPointF way(whole(pixels.x()), whole(pixels.y()));
+    m_camera.pan({static_cast<float>(way.x()), static_cast<float>(way.y())}, height());
     announceUserMove();
+    return way;
 }
 
 void CameraController::announceUserMove() {

@@ -30,7 +30,8 @@ struct MouseHabits {
 /// Left drag orbits; middle drag, right drag or Shift with left drag pans; the wheel zooms to the cursor; arrows orbit
 /// and with Shift pan. A press that moves less than kClickPixels before its release is a click and leaves the camera
 /// alone; a click of the right button asks for a menu. The second press of a double click is no click. In a plan
-/// nothing orbits: left drag draws a box and arrows pan.
+/// nothing orbits: left drag draws a box and arrows pan, and the board moves by whole pixels of the screen, so that its
+/// picture stays as it is.
 class CameraController : public QObject {
     Q_OBJECT
 
@@ -47,7 +48,8 @@ public:
     /// A button is held down.
     [[nodiscard]] bool isDragging() const { return m_button != Qt::NoButton; }
     /// Until the user moves the camera, the board is fitted again whenever viewport or box change.
-    void setViewport(QSizeF size);
+    /// `pixelRatio`: pixels of the screen per logical one.
+    void setViewport(QSizeF size, double pixelRatio = 1.0);
     /// Pixels along the edges that something else covers: what is fitted or shown stays clear of them. In a plan.
     void setMargins(const QMarginsF& margins);
     /// The box `fit` shows, in board model millimetres.
@@ -86,6 +88,10 @@ public:
     bool handle(QEvent& event);
 
     [[nodiscard]] const render::Camera& camera() const { return m_camera; }
+    /// Does such a camera see all of the board?
+    [[nodiscard]] bool seesAll(const render::Camera& camera) const;
+    /// Looks in the same direction, from where all of the board is seen.
+    [[nodiscard]] render::Camera cameraForAll() const;
     /// Where the line of sight through `position` meets the face of the board turned to the viewer; none if it misses
     /// the board.
     [[nodiscard]] std::optional<glm::vec3> boardPointAt(QPointF position) const;
@@ -135,7 +141,7 @@ private:
     bool key(const QKeyEvent& event);
     bool dispatch(QEvent& event);
     void orbitBy(QPointF pixels);
-    void panBy(QPointF pixels);
+    QPointF panBy(QPointF pixels);
     void announceUserMove();
     void focusAt(QPointF position);
     template <class Place>
@@ -151,6 +157,7 @@ private:
     glm::vec3 m_boxMin{-1.0F};
     glm::vec3 m_boxMax{1.0F};
     QSizeF m_viewport{1.0, 1.0};
+    double m_pixelRatio = 1.0;
     QMarginsF m_margins;
     bool m_isFitted = true;
     bool m_isPlan = false;

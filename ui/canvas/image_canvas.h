@@ -4,16 +4,20 @@
 #include <QTimer>
 #include <QWidget>
 #include <optional>
+#include <vector>
 
+#include "render/tiles/warped_picture.h"
 #include "ui/canvas/camera_controller.h"
+#include "ui/canvas/device_picture.h"
 #include "ui/canvas/gpu_context.h"
 #include "ui/canvas/picture.h"
 
 namespace ui {
 
-/// A widget that shows the picture by drawing it to memory first: for platforms without Vulkan surfaces. Draws anew
-/// only after `requestFrame` or a change of size; other paints reuse the last image. A flat picture that was drawn
-/// roughly is refined in pieces once the view rests.
+/// A widget that shows pictures from memory: where the device is software, or the platform has no Vulkan surfaces.
+/// Never waits for the device. A flat picture comes from tiles, and is refined in pieces once the view rests; any other
+/// from the device, and until that has drawn it the last one is shown as it would be seen from where the camera is.
+/// Paints that ask for no frame show the last image.
 class ImageCanvas : public QWidget {
     Q_OBJECT
 
@@ -21,8 +25,12 @@ public:
     ImageCanvas(GpuContext& context, CameraController& controller, const Picture& picture, QWidget* parent = nullptr);
 
     void requestFrame();
-    /// Gives up everything made from the device; the next frame makes it anew.
-    void releaseDevice() { m_presenter.reset(); }
+    /// Begins to make what pictures of the device need, in the background.
+    void makeReady() { m_device.makeReady(); }
+    /// Gives up everything made from the device, and what it drew; the next frame makes it anew.
+    void releaseDevice();
+    /// Another board is to be seen from now on: nothing that was drawn is.
+    void forget();
 
 signals:
     void drawn();
@@ -36,16 +44,39 @@ protected:
 
 private:
     void draw(QSize pixels);
-    bool drawWithoutDevice(QSize pixels);
-    void refine();
+    bool drawTiles(QSize pixels);
+    void drawByDevice(QSize pixels);
+    void goOn();
+    /// What the device drew, as it is seen from where the camera is now; neither: it cannot be seen from there.
+    struct Warped {
+        std::optional<render::WarpedPicture> best;
+        std::optional<render::WarpedPicture> rest;  ///< for what the best one does not reach
+        bool isNear = false;                        ///< the last picture is as good as another one
+    };
+    [[nodiscard]] Warped warped(QSize pixels) const;
+    [[nodiscard]] std::optional<render::WarpedPicture> warpedShot(const DevicePicture::Shot& shot, QSize pixels) const;
+    [[nodiscard]] bool isCoarse() const;
+    void prepareWhole();
+    void keepFirstWhole(QSize pixels);
+    void showShot(const Warped& warped, QSize pixels, bool isNew);
+    void fill(QSize pixels);
+    [[nodiscard]] std::uint32_t ground() const;
+    void announce(const render::FrameStats& stats);
 
     GpuContext& m_context;
     CameraController& m_controller;
     const Picture& m_picture;
-    std::optional<render::OffscreenPresenter> m_presenter;
-    QImage m_image;
+    DevicePicture m_device;
+    QImage m_image;  ///< the board; over the pixels of `m_picture.flat` or `m_warped`, or those of `m_device`
+    std::vector<std::uint32_t> m_warped;
+    render::CameraPose m_shown;  ///< where the image is seen from
     bool m_isStale = true;
-    QTimer m_refine;  ///< runs while the picture is rough
+    bool m_isDue = true;       ///< the board is another one than the image has, or was asked for
+    bool m_isShotNew = false;  ///< the device has drawn one that was not shown yet
+    bool m_isByTiles = false;  ///< the image is
+    QTimer m_goOn;             ///< runs while there is more to do
+    bool m_isExact = false;    ///< what there is to do about the tiles is for frames to come
+    bool m_isWholeDue = true;  ///< the device has drawn the board since it drew all of it
 };
 
 }  // namespace ui

@@ -54,9 +54,9 @@ base::Result<QImage> drawPicture(render::OffscreenPresenter& presenter, const Pi
     return adopt(std::move(pixels));
 }
 
-render::FlatPicture::Quality drawFlat(const Picture& picture, const render::Camera& camera, double budgetMs,
-                                      QImage& image) {
-    if (picture.flat == nullptr || picture.scene == nullptr || image.isNull()) {
+render::FlatPicture::Quality drawFlat(const Picture& picture, const render::Camera& camera, QSize pixels,
+                                      double budgetMs) {
+    if (picture.flat == nullptr || picture.scene == nullptr || pixels.isEmpty()) {
         return render::FlatPicture::Quality::None;
     }
     picture.scene->setStyles(picture.styles);
@@ -65,9 +65,8 @@ render::FlatPicture::Quality drawFlat(const Picture& picture, const render::Came
     for (const render::SceneStep& step : scene.steps) {
         states.push_back(step.states);
     }
-    // Rows of 32-bit pixels lie one after the other.
-    return picture.flat->draw({&scene.layers, states, camera, picture.settings, image.width(), image.height()},
-                              budgetMs, reinterpret_cast<std::uint32_t*>(image.bits()));
+    return picture.flat->draw({&scene.layers, states, camera, picture.settings, pixels.width(), pixels.height()},
+                              budgetMs);
 }
 
 }  // namespace ui

@@ -10,6 +10,8 @@
 #include "render/frame/offscreen_presenter.h"
 #include "render/tiles/flat_picture.h"
 
+class QPainter;
+
 namespace ui {
 
 /// What a canvas draws; the board view owns it, its canvas reads it.
@@ -21,10 +23,16 @@ struct Picture {
     QImage inPlane;                             ///< the same in a plane of the board; null for none
     float planeZ = 0.0F;                        ///< of that plane, mm
     std::shared_ptr<render::FlatPicture> flat;  ///< draws what it can of a flat view without the device; null: nothing
-    /// Paints what else would be the overlay over a picture of the board. True: the board is as it was.
-    std::function<bool(QImage& image)> paintOver;
-    /// Called before each frame of a canvas with the picture's size in pixels: paints the overlay.
+    glm::vec2 faces{0.0F};                      ///< heights of the board's faces, mm, as it is drawn: below, above
+    /// Called before each frame of a canvas that has the device draw all of it, with its size in pixels: paints the
+    /// overlay.
     std::function<void(QSize pixels)> prepare;
+    /// Other canvases ask whether the board is as it was when they asked last,
+    std::function<bool()> isBoardSame;
+    /// paint the picture in a plane, if there is to be one, and over the board what else would be the overlay, in
+    /// logical pixels.
+    std::function<void(QSize pixels)> preparePlane;
+    std::function<void(QPainter& painter)> paintOver;
 
     /// The settings with the overlay; the scene has the styles of this picture afterwards.
     [[nodiscard]] render::ViewSettings frameSettings() const;
@@ -34,8 +42,9 @@ struct Picture {
 [[nodiscard]] base::Result<QImage> drawPicture(render::OffscreenPresenter& presenter, const Picture& picture,
                                                const render::Camera& camera, QSize size);
 
-/// The board of `picture` without the device, in about `budgetMs`, 32 bits per pixel. The scene has its styles then.
-[[nodiscard]] render::FlatPicture::Quality drawFlat(const Picture& picture, const render::Camera& camera,
-                                                    double budgetMs, QImage& image);
+/// The board of `picture` without the device, in about `budgetMs`; its pixels are those of the flat picture. The scene
+/// has its styles then.
+[[nodiscard]] render::FlatPicture::Quality drawFlat(const Picture& picture, const render::Camera& camera, QSize pixels,
+                                                    double budgetMs);
 
 }  // namespace ui

@@ -78,7 +78,7 @@ void VulkanCanvas::exposeEvent(QExposeEvent*) {
 }
 
 void VulkanCanvas::resizeEvent(QResizeEvent*) {
-    m_controller.setViewport(size());
+    m_controller.setViewport(size(), devicePixelRatio());
 }
 
 bool VulkanCanvas::makePresenter() {

@@ -139,7 +139,7 @@ void ElementPicture::makePresenter() {
         return;
     }
     m_presenter.emplace(m_context.device());
-    m_pipelines = std::async(std::launch::async, [this] { m_presenter->makeReady(kBackend); }).share();
+    m_pipelines = std::async(std::launch::async, [this] { m_presenter->makeReady(kBackend, true); }).share();
 }
 
 void ElementPicture::releaseDevice() {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <clocale>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <numbers>
 #include <numeric>
@@ -90,9 +91,8 @@ public:
         run.name = name;
         m_isOverlayEnough = isOverlayEnough;
         m_longestTurnMs = 0.0;
-        QElapsedTimer all;
-        all.start();
         for (int i = 0; i < count; ++i) {
+            const std::clock_t processor = std::clock();
             QElapsedTimer clock;
             clock.start();
             m_isShown = false;
@@ -100,11 +100,14 @@ public:
             m_longestTurnMs = std::max(m_longestTurnMs, milliseconds(clock));
             RETURN_IF_ERROR(awaitFrame());
             run.frameMs.push_back(milliseconds(clock));
+            run.seconds += run.frameMs.back() / 1e3;
+            run.processorSeconds += static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
+            RETURN_IF_ERROR(saveFrame(run, QStringLiteral("%1").arg(i, 3, 10, QLatin1Char('0'))));
         }
-        run.seconds = milliseconds(all) / 1e3;
         run.longestStallMs = m_longestTurnMs;
         runs.push_back(std::move(run));
-        return settle();
+        RETURN_IF_ERROR(settle());
+        return saveFrame(runs.back(), QStringLiteral("rest"));
     }
 
     void mouse(QEvent::Type type, QPointF at, Qt::MouseButton button) {
@@ -202,6 +205,26 @@ private:
         nets.resize(std::min(nets.size(), kNets));
         std::erase_if(nets, [&](model::NetId net) { return board.elementsOf(net).empty(); });
         return nets;
+    }
+
+    /// At rest also what the device draws.
+    base::Status saveFrame(const InteractionRun& run, const QString& which) {
+        if (m_request.pictures.empty()) {
+            return base::Done{};
+        }
+        const QString path =
+            QStringLiteral("%1/%2-%3-%4").arg(m_request.pictures.c_str(), run.view.c_str(), run.name.c_str(), which);
+        const auto save = [](const QImage& picture, const QString& to) -> base::Status {
+            return picture.save(to, "PNG")
+                       ? base::Status(base::Done{})
+                       : base::Error{base::ErrorCode::OutputFailed, to.toStdString() + " cannot be written."};
+        };
+        RETURN_IF_ERROR(save(m_view->grab().toImage(), path + ".png"));
+        if (which == QStringLiteral("rest")) {
+            ASSIGN_OR_RETURN(const QImage device, m_view->grabPicture());
+            return save(device, path + "-device.png");
+        }
+        return base::Done{};
     }
 
     void use(BoardView& view) {

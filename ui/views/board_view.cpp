@@ -37,31 +37,35 @@ BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
         m_picture.settings.isBoardCached = std::exchange(m_isBoardDrawn, true);
         paintOverlay(m_picture, pixels, Shown::OnCanvas);
     };
-    m_picture.paintOver = [this](QImage& image) {
-        QPainter painter(&image);
-        scaleToLogical(painter, image.size());
+    m_picture.isBoardSame = [this] { return std::exchange(m_isBoardDrawn, true); };
+    m_picture.preparePlane = [this](QSize pixels) { paintPlane(m_picture, pixels); };
+    m_picture.paintOver = [this](QPainter& painter) {
+        painter.setRenderHint(QPainter::Antialiasing);
         paintAll(painter, Shown::OnCanvas);
-        return std::exchange(m_isBoardDrawn, true);
     };
     if (kind == Kind::Flat) {
         m_picture.settings.is2d = true;
         m_controller.setPlan();
     }
     m_picture.settings.isFabricated = kind == Kind::Solid;
-    // Where the device is software, flat pictures come from tiles (render/tiles), and need no surface.
-    const bool isPainted = kind == Kind::Flat && context.device().caps().isCpu;
-    if (context.surfaceInstance() != nullptr && !isPainted) {
-        showVulkanCanvas();
-    } else {
-        showImageCanvas();
-    }
+    takeCanvas();
 }
 
 BoardView::~BoardView() {
     delete m_container;  // as a child it would go after the members that its canvas works on
 }
 
+void BoardView::takeCanvas() {
+    const bool isPresented = m_context.surfaceInstance() != nullptr && !m_context.device().caps().isCpu;
+    if (isPresented && m_window == nullptr) {
+        showVulkanCanvas();
+    } else if (!isPresented && m_image == nullptr) {
+        showImageCanvas();
+    }
+}
+
 void BoardView::showVulkanCanvas() {
+    m_image = nullptr;
     m_window = new VulkanCanvas(m_context, m_controller, m_picture);
     connect(m_window, &VulkanCanvas::drawn, this, &BoardView::drawn);
     connect(m_window, &VulkanCanvas::timed, this, &BoardView::onTimed);
@@ -77,6 +81,9 @@ void BoardView::showImageCanvas() {
     connect(m_image, &ImageCanvas::timed, this, &BoardView::onTimed);
     connect(m_image, &ImageCanvas::deviceLost, this, &BoardView::deviceLost, Qt::QueuedConnection);
     replaceCanvas(m_image);
+    if (m_kind == Kind::Solid) {
+        m_image->makeReady();
+    }
 }
 
 void BoardView::replaceCanvas(QWidget* canvas) {
@@ -91,11 +98,17 @@ void BoardView::setScene(render::BoardScene* scene, std::vector<render::LayerSty
     m_picture.scene = scene;
     m_picture.styles = std::move(styles);
     m_isSlow = false;
+    if (m_image != nullptr) {
+        m_image->forget();
+    }
     requestRestingFrame();
 }
 
 void BoardView::setModel(std::shared_ptr<const render::BoardModel> model) {
     const bool isDrawnHere = m_kind == Kind::Flat && model != nullptr && m_context.device().caps().isCpu;
+    if (m_image != nullptr) {
+        m_image->forget();
+    }
     m_picture.flat = isDrawnHere ? std::make_shared<render::FlatPicture>(std::move(model)) : nullptr;
 }
 
@@ -216,6 +229,7 @@ void BoardView::setCut(std::shared_ptr<const render::SectionCut> cut) {
 
 void BoardView::updateBox() {
     const render::Box3 box = render::explodedBox({m_boxMin, m_boxMax}, m_picture.settings.explode);
+    m_picture.faces = {box.min.z, box.max.z};
     m_controller.setBox(box.min, box.max);
 }
 

@@ -108,6 +108,9 @@ public:
     [[nodiscard]] base::Result<QImage> grabPicture(double scale = 1.0);
     /// Gives up what was made from the device, before it is renewed.
     void releaseDevice();
+    /// Takes the canvas that suits the device: one that the device presents to, where it is no software device and the
+    /// platform has surfaces; else one that shows pictures from memory and waits for nothing. After it was renewed.
+    void takeCanvas();
 
 signals:
     void drawn();

@@ -287,6 +287,9 @@ void BoardViews::onDeviceLost() {
         emit troubled(tr("The graphics device failed. %1").arg(QString::fromStdString(renewed.error().text)));
         return;
     }
+    for (BoardView* view : m_views) {
+        view->takeCanvas();
+    }
     emit troubled(tr("The graphics device failed and was started again."));
     if (m_board) {
         makeScene();

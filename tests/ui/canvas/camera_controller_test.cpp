@@ -118,6 +118,29 @@ private slots:
         QVERIFY(glm::length(m_controller->camera().direction() - direction) < 1e-6F);
     }
 
+    /// Fractions of pixels, as pens and fine screens tell them, add up.
+    void plansArePannedByWholePixelsOfTheScreen_data() {
+        QTest::addColumn<double>("ratio");
+        QTest::newRow("pixels") << 1.0;
+        QTest::newRow("fine ones") << 1.5;
+    }
+    void plansArePannedByWholePixelsOfTheScreen() {
+        QFETCH(double, ratio);
+        m_controller->setViewport(kViewport, ratio);
+        m_controller->setPlan();
+        const QPointF start(300.0, 200.0);
+        const QPointF before = onScreen(*m_controller, kCorner);
+        send(*m_controller, QEvent::MouseButtonPress, start, Qt::RightButton);
+        for (int i = 1; i <= 40; ++i) {
+            const QPointF way(1.27 * i, -0.81 * i);
+            send(*m_controller, QEvent::MouseMove, start + way, Qt::RightButton);
+            const QPointF moved = (onScreen(*m_controller, kCorner) - before) * ratio;
+            QVERIFY(std::abs(moved.x() - std::round(moved.x())) < 0.01);
+            QVERIFY(std::abs(moved.y() - std::round(moved.y())) < 0.01);
+            QVERIFY(i < 4 || distance(moved / ratio, way) < 0.75 / ratio);
+        }
+    }
+
     void rightDragZoomsIntoABoxAndOutOfIt() {
         m_controller->setPlan();
         m_controller->setHabits({.rightDragZooms = true});

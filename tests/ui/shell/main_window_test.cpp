@@ -13,11 +13,13 @@
 #include <QToolButton>
 #include <QUrl>
 #include <QtTest>
+#include <algorithm>
 #include <thread>
 
 #include "model/board/document_builder.h"
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/canvas/image_canvas.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/shell/message_bar.h"
 
@@ -389,6 +391,19 @@ private slots:
         // The canvas was resized and the camera fitted anew, which may round differently: 1 pixel in 10,000.
         QTRY_VERIFY(differingPixels(m_fixture->picture(), before) < before.width() * before.height() / 10000);
         QTRY_VERIFY(differingPixels(m_fixture->shown(), before) < before.width() * 4);
+    }
+
+    /// Whose frames take long.
+    void softwareDevicesArePresentedToByNoView() {
+        if (!m_fixture->context().device().caps().isCpu) {
+            QSKIP("needs a software device");
+        }
+        const auto areShownFromMemory = [this] {
+            return std::ranges::all_of(window().views().both(), [](ui::BoardView* view) {
+                return qobject_cast<ui::ImageCanvas*>(&view->canvas()) != nullptr;
+            });
+        };
+        QVERIFY(areShownFromMemory());
     }
 
     void flatViewNoticesALostDeviceThoughItDrawsWithoutIt() {
