@@ -157,10 +157,6 @@ Outcome runInfo(const InfoArguments& arguments) {
     } else {
         printText(board, checked);
     }
-    std::fflush(stdout);
-    if (!std::cout || std::ferror(stdout) != 0) {
-        return base::Error{base::ErrorCode::OutputFailed, "the report cannot be written to stdout"};
-    }
     return int{kDone};
 }
 

@@ -1,6 +1,7 @@
 #include "app/common/exit_code.h"
 
 #include <cstdio>
+#include <iostream>
 
 namespace app {
 
@@ -14,6 +15,15 @@ int fail(const base::Error& error) {
         case base::ErrorCode::OutputFailed: return kFailed;
     }
     return kFailed;
+}
+
+int endOutput(int code) {
+    std::cout.flush();
+    const bool isWritten = std::fflush(stdout) == 0 && std::cout && std::ferror(stdout) == 0;
+    if (isWritten || (code != kDone && code != kTooClose)) {
+        return code;
+    }
+    return fail({base::ErrorCode::OutputFailed, "what was to be said cannot be written to stdout"});
 }
 
 }  // namespace app

@@ -80,6 +80,17 @@ private slots:
         }
     }
 
+    void outputThatIsLostIsAFailure() {
+        for (const QStringList& arguments :
+             {QStringList{"--help"}, QStringList{"--version"}, QStringList{"info", locations::kSample},
+              QStringList{"info", locations::kSample, "--json"},
+              QStringList{"measure", locations::kSample, "--from", "part:U2", "--to", "edge"}}) {
+            const Outcome run = copperscopeInShell("exec %1 >/dev/full", arguments);
+            QVERIFY2(run.exitCode == 3, qPrintable(arguments.join(' ')));
+            QVERIFY2(run.err.contains("cannot be written to stdout"), run.err.constData());
+        }
+    }
+
     void infoHasTheKeysThatOthersRelyOn() {
         const Outcome run = copperscope({"info", locations::kSample, "--json"});
         QCOMPARE(run.exitCode, 0);

@@ -69,6 +69,23 @@ private slots:
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
+    /// What cannot be written to its end is not left there.
+    void aLimitOfFileSizeLeavesNoHalfFile_data() {
+        QTest::addColumn<QString>("ending");
+        for (const char* ending : {"step", "stpz", "glb", "stl", "obj", "dxf", "svg", "pdf"}) {
+            QTest::newRow(ending) << QString(ending);
+        }
+    }
+    void aLimitOfFileSizeLeavesNoHalfFile() {
+        QFETCH(QString, ending);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("board." + ending);
+        const Outcome run = copperscopeInShell("ulimit -f 16; exec %1", {"export", locations::kSample, "-o", path});
+        QVERIFY2(run.exitCode == 3, run.err.constData());
+        QVERIFY2(run.err.contains(path.toUtf8() + " cannot be written: File too large"), run.err.constData());
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
     void solidsAreProvedByAnIndependentReader() {
         const Outcome done = copperscope({"verify", locations::kSample, "--layers", "L01-TOP_LAYER", "--sample", "60",
                                           "--points", "400", "--no-pictures", "--strict", "--json"});

@@ -18,7 +18,14 @@ struct Outcome {
     QByteArray err;
 };
 
-/// Runs the program and waits for its end; -1 when it crashed.
+/// Waits for its end; -1 when it crashed.
+inline Outcome outcomeOf(QProcess& process) {
+    process.waitForFinished(300'000);
+    const bool isNormal = process.exitStatus() == QProcess::NormalExit;
+    return {isNormal ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+/// Runs the program and waits for its end.
 inline Outcome copperscope(const QStringList& arguments, const QString& folder = {},
                            const QProcessEnvironment& environment = {}) {
     QProcess process;
@@ -27,9 +34,15 @@ inline Outcome copperscope(const QStringList& arguments, const QString& folder =
         process.setWorkingDirectory(folder);
     }
     process.start(locations::kProgram, arguments);
-    process.waitForFinished(300'000);
-    const bool isNormal = process.exitStatus() == QProcess::NormalExit;
-    return {isNormal ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
+    return outcomeOf(process);
+}
+
+/// The same by a shell, which puts `around` around the program: a limit, or a file for its output.
+inline Outcome copperscopeInShell(const QString& around, const QStringList& arguments) {
+    QProcess process;
+    const QString program = locations::kProgram;
+    process.start("/bin/sh", QStringList{"-c", around.arg("\"$0\" \"$@\""), program} + arguments);
+    return outcomeOf(process);
 }
 
 /// Width and height from a PNG's header, which is all that must be known here.

@@ -42,6 +42,11 @@ std::size_t nextAxis(PointD v) {
     return v.x < 0 ? 3 : 0;
 }
 
+/// An arc that starts at an extreme has left it: coming round to it, it would run through its whole circle once more.
+bool isAlong(PointD v, PointD axis) {
+    return cross(v, axis) == 0 && dot(v, axis) > 0;
+}
+
 Box boxAroundEdge(const Edge& edge, double reach) {
     const auto [left, right] = std::minmax(edge.a.x, edge.b.x);
     const auto [lower, upper] = std::minmax(edge.a.y, edge.b.y);
@@ -95,8 +100,9 @@ void EdgeArrangement::addArc(const Edge& arc, std::uint32_t from, std::uint32_t 
     }
     const auto circle = static_cast<std::int32_t>(m_circles.size());
     m_circles.push_back({arc.centre, arc.radius});
-    std::size_t axis = nextAxis(minus(arc.a, arc.centre));
-    for (int i = 0; i < 4 && passes(arc, kAxes[axis]); ++i, axis = (axis + 1) % 4) {
+    const PointD out = minus(arc.a, arc.centre);
+    std::size_t axis = nextAxis(out);
+    for (int i = 0; i < 4 && !isAlong(out, kAxes[axis]) && passes(arc, kAxes[axis]); ++i, axis = (axis + 1) % 4) {
         const std::uint32_t extreme =
             vertexAt({arc.centre.x + kAxes[axis].x * arc.radius, arc.centre.y + kAxes[axis].y * arc.radius});
         addFragment(from, extreme, circle, count);

@@ -1,7 +1,9 @@
 #include "model/geometry/loops/edge_union.h"
 
+#include <QtMath>
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "model/geometry/boolean.h"
@@ -58,6 +60,18 @@ EdgeLoops bend(PointD centre, double radius, double pen) {
     loops.addArc(outerB, innerB, {centre.x, centre.y + radius}, false);
     loops.addArc(innerB, innerA, centre, true);
     loops.addArc(innerA, outerA, {centre.x + radius, centre.y}, false);
+    loops.endLoop();
+    return loops;
+}
+
+/// A disc without a sector, which ends at the angle 0: `sweep` in degrees.
+EdgeLoops sector(double radius, double sweep) {
+    const double angle = qDegreesToRadians(sweep);
+    const PointD end = sweep == 270.0 ? PointD{0, -radius} : PointD{radius * std::cos(angle), radius * std::sin(angle)};
+    EdgeLoops loops;
+    loops.addArc({radius, 0}, end, {0, 0}, false);
+    loops.addLine(end, {0, 0});
+    loops.addLine({0, 0}, {radius, 0});
     loops.endLoop();
     return loops;
 }
@@ -307,6 +321,27 @@ private slots:
         QVERIFY(cut && areSoundRegions(*cut));
         QCOMPARE(cut->size(), 2U);
         QCOMPARE(areaOf(*cut), 8e10);
+    }
+
+    void arcsThatStartAtAnExtremeEndWhereTheyEnd_data() {
+        QTest::addColumn<double>("sweep");
+        for (const double sweep : {90.0, 180.0, 269.0, 270.0, 271.0, 300.0, 359.0}) {
+            QTest::addRow("%g degrees", sweep) << sweep;
+        }
+    }
+    void arcsThatStartAtAnExtremeEndWhereTheyEnd() {
+        QFETCH(double, sweep);
+        const EdgeLoops large = sector(1e6, sweep);
+        const EdgeLoops small = box(100'000, 1'000, 100'000, 100'000);
+        const auto left = model::subtract({&large, 1}, {&small, 1});
+        QVERIFY(left && areSoundRegions(*left));
+        QVERIFY(relative(areaOf(*left), model::areaOf(large) - 1e10) < 1e-6);
+        const Regions both{large, box(100'000, 1'000, 100'000, 2e6)};
+        const auto united = model::unite(both);
+        const auto rest = united ? model::subtract(*united, {both.data() + 1, 1}) : std::nullopt;
+        QVERIFY(rest && areSoundRegions(*rest));
+        const auto same = model::subtract({&large, 1}, {both.data() + 1, 1});
+        QVERIFY(same && relative(areaOf(*rest), areaOf(*same)) < 1e-6);
     }
 
     void whatIsOnNoBoardHasNoUnion() {
