@@ -45,7 +45,7 @@ void DevicePicture::makeReady() {
     });
 }
 
-void DevicePicture::forget() {
+void DevicePicture::clear() {
     m_wanted.reset();
     m_shot = {};
     m_whole = {};
@@ -56,7 +56,7 @@ void DevicePicture::forget() {
 }
 
 void DevicePicture::release() {
-    forget();
+    clear();
     if (m_pipelines.valid()) {
         m_pipelines.wait();
     }

@@ -42,7 +42,7 @@ public:
     /// Begins to make what the first picture needs, in the background.
     void makeReady();
     /// The picture is one of another board, and so will be what the device draws now.
-    void forget();
+    void clear();
     /// Gives up everything made from the device, and the picture.
     void release();
 

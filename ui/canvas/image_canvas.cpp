@@ -46,11 +46,11 @@ ImageCanvas::ImageCanvas(GpuContext& context, CameraController& controller, cons
 
 void ImageCanvas::releaseDevice() {
     m_device.release();
-    forget();
+    clear();
 }
 
-void ImageCanvas::forget() {
-    m_device.forget();
+void ImageCanvas::clear() {
+    m_device.clear();
     m_image = {};
     m_isDue = true;
     m_isShotNew = false;
@@ -156,6 +156,7 @@ void ImageCanvas::drawByDevice(QSize pixels) {
     const Warped before = warped(pixels);
     m_picture.preparePlane(pixels);
     bool isNew = std::exchange(m_isShotNew, false);
+    bool isAwaited = false;  // what is shown stays until the device is done
     // What the pointer moves over a map asks for no frame of the board, but for one of the map.
     const bool isPlaneDue = !isNew && !m_picture.inPlane.isNull();
     const bool isPostponed = isCoarse() && before.isNear;
@@ -164,11 +165,14 @@ void ImageCanvas::drawByDevice(QSize pixels) {
         m_isWholeDue = m_isWholeDue || m_isDue;
         const bool isBoardSame = !std::exchange(m_isDue, false);
         isNew = m_device.request(m_controller.camera(), pixels, isBoardSame) || isNew;
+        isAwaited = !isNew && m_image.size() == pixels && m_shown == m_controller.camera().pose();
     }
     if (isNew) {
         keepFirstWhole(pixels);
     }
-    showShot(isNew ? warped(pixels) : before, pixels, isNew);
+    if (!isAwaited) {
+        showShot(isNew ? warped(pixels) : before, pixels, isNew);
+    }
     if (!isCoarse() && !m_device.isUnderWay() && m_isWholeDue) {
         m_goOn.start(kLongRestMs);
     }

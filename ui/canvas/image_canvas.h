@@ -30,7 +30,7 @@ public:
     /// Gives up everything made from the device, and what it drew; the next frame makes it anew.
     void releaseDevice();
     /// Another board is to be seen from now on: nothing that was drawn is.
-    void forget();
+    void clear();
 
 signals:
     void drawn();

@@ -99,7 +99,7 @@ void BoardView::setScene(render::BoardScene* scene, std::vector<render::LayerSty
     m_picture.styles = std::move(styles);
     m_isSlow = false;
     if (m_image != nullptr) {
-        m_image->forget();
+        m_image->clear();
     }
     requestRestingFrame();
 }
@@ -107,7 +107,7 @@ void BoardView::setScene(render::BoardScene* scene, std::vector<render::LayerSty
 void BoardView::setModel(std::shared_ptr<const render::BoardModel> model) {
     const bool isDrawnHere = m_kind == Kind::Flat && model != nullptr && m_context.device().caps().isCpu;
     if (m_image != nullptr) {
-        m_image->forget();
+        m_image->clear();
     }
     m_picture.flat = isDrawnHere ? std::make_shared<render::FlatPicture>(std::move(model)) : nullptr;
 }
