@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "model/base/median.h"
+
 namespace model {
 
 namespace {
@@ -82,8 +84,7 @@ double typicalAreaOf(const PackageFacts& facts) {
     for (const PinFacts& pin : facts.pins) {
         areas.push_back(areaOf(pin.pad));
     }
-    std::ranges::nth_element(areas, areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2));
-    return areas[areas.size() / 2];
+    return base::medianOf(areas);
 }
 
 /// The pad in the middle; empty if there is none. What lies on it (thermal vias, windows of paste) belongs to it.
@@ -172,8 +173,7 @@ Nm padLength(const PackageFacts& facts) {
     for (const PinFacts& pin : facts.pins) {
         lengths.push_back(static_cast<Nm>(std::max(pin.pad.width(), pin.pad.height())));
     }
-    std::ranges::nth_element(lengths, lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2));
-    return lengths[lengths.size() / 2];
+    return base::medianOf(lengths);
 }
 
 bool isLeadless(const PackageFacts& facts, const PinPattern& pattern) {

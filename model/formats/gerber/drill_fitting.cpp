@@ -1,6 +1,7 @@
 #include "model/formats/gerber/drill_fitting.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -63,7 +64,8 @@ std::vector<std::tuple<Nm, Nm>> placesOf(const Image& image) {
 bool readOtherwise(ReadFile& drills, const PadIndex& pads, const Box& copper, Fit& best) {
     const bool isUnitTold = drills.head.isInch.has_value();
     bool isFound = false;
-    for (const CoordinateFormat& format : likelyFormats(drills.head)) {
+    const std::vector<CoordinateFormat> formats = likelyFormats(drills.head);  // it was read in the first of them
+    for (const CoordinateFormat& format : std::span(formats).subspan(1)) {
         Image other = parseDrills(drills.bytes.view(), drills.path, format);
         const Fit fit = fitOf(other, pads, copper);
         if (other.features.size() >= drills.image.features.size() && isBetter(fit, best, isUnitTold)) {

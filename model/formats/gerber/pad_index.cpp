@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "model/base/median.h"
+
 namespace model::gerber {
 
 namespace {
@@ -18,12 +20,6 @@ Point moved(Point p, Point shift) {
             std::clamp<std::int64_t>(std::int64_t{a} + b, -base::kMaxCoordinate, base::kMaxCoordinate));
     };
     return {add(p.x, shift.x), add(p.y, shift.y)};
-}
-
-Nm median(std::vector<Nm>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 /// Every n-th, so that there are at most `most`.
@@ -105,7 +101,7 @@ std::optional<Point> PadIndex::shiftOf(std::span<const Point> points, Nm reach) 
             ys.push_back(pad.position.y - p.y);
         });
     }
-    return xs.empty() ? best->first : Point{median(xs), median(ys)};
+    return xs.empty() ? best->first : Point{base::medianOf(xs), base::medianOf(ys)};
 }
 
 }  // namespace model::gerber

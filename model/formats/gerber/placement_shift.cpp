@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <tuple>
 
+#include "model/base/median.h"
+
 namespace model::gerber {
 
 namespace {
@@ -98,12 +100,7 @@ Shift refined(const std::vector<Part>& parts, Shift shift) {
             }
         }
     }
-    const auto median = [](std::vector<std::int64_t>& values) {
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::ranges::nth_element(values, middle);
-        return *middle;
-    };
-    return {median(xs), median(ys)};
+    return {base::medianOf(xs), base::medianOf(ys)};
 }
 
 }  // namespace
