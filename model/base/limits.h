@@ -47,7 +47,7 @@ inline constexpr int kMostStepDepth = 8;            ///< steps in steps; panels 
 inline constexpr std::size_t kMostCopies = 100'000;       ///< of steps on a panel, at whatever depth
 inline constexpr std::size_t kMostLayers = 5'000;         ///< rows of a matrix
 inline constexpr std::size_t kMostExpanded = 4'000'000;   ///< objects by blocks and repeated steps of a Gerber image
-inline constexpr std::size_t kMostRepeated = 1'000'000;   ///< holes by repetitions of a drill file
+inline constexpr std::size_t kMostRepeated = 100'000;     ///< holes by repetitions of a drill file
 inline constexpr std::size_t kMostReferred = 10'000'000;  ///< shapes by references to user shapes (IPC-2581)
 inline constexpr std::size_t kMostCorners = 2'000'000;    ///< of one contour
 
