@@ -107,6 +107,7 @@ ordered_json componentsJson(const Document& document) {
                         {"x_nm", component.placement.origin.x},
                         {"y_nm", component.placement.origin.y},
                         {"clockwise_deg", component.placement.clockwiseDeg},
+                        {"placed", component.isPlaced},
                         {"height_nm", component.height},
                         {"body", bodyJson(bodies[row])},
                         {"mount", model::toString(component.mount)},

@@ -41,8 +41,12 @@ Facts componentFacts(const model::Document& step, model::ComponentId id, LengthU
                                              ? QString::fromStdString(step.packages[component.package.row()].name)
                                              : T::tr("not in the job"));
     facts.emplace_back(T::tr("Side"), component.side == model::LayerSide::Bottom ? T::tr("Bottom") : T::tr("Top"));
-    facts.emplace_back(T::tr("Position"), positionText(at.x, at.y, unit));
-    facts.emplace_back(T::tr("Rotation"), T::tr("%1 clockwise").arg(angleText(component.placement.clockwiseDeg)));
+    const QString position = positionText(at.x, at.y, unit);
+    facts.emplace_back(T::tr("Position"),
+                       component.isPlaced ? position : T::tr("%1 (assumed, the middle of its pins)").arg(position));
+    facts.emplace_back(T::tr("Rotation"), component.isPlaced
+                                              ? T::tr("%1 clockwise").arg(angleText(component.placement.clockwiseDeg))
+                                              : T::tr("not in the job"));
     facts.emplace_back(T::tr("Height"),
                        component.height > 0 ? lengthInBoth(component.height, unit) : T::tr("not in the job"));
     facts.emplace_back(T::tr("Fitted"), component.isPopulated ? T::tr("yes") : T::tr("no"));

@@ -24,6 +24,14 @@ QString shortened(const QStringList& names) {
     return names.size() > kMost ? PartModel::tr("%1 and %L2 more").arg(text).arg(names.size() - kMost) : text;
 }
 
+/// In italics, as all that is assumed, where the job does not say where the component lies.
+Cell inPlace(Cell cell, const model::Component& component) {
+    QFont font;
+    font.setItalic(!component.isPlaced);
+    cell.font = font;
+    return cell;
+}
+
 }  // namespace
 
 PartModel::PartModel(QObject* parent)
@@ -33,9 +41,15 @@ PartModel::PartModel(QObject* parent)
                                         "through all either way")},
                   {tr("Package"), tr("Name of the package")},
                   {tr("Side"), tr("Side of the board it is mounted on")},
-                  {tr("X"), tr("Position of its origin, in the coordinates of the step"), kNumber | kLength},
-                  {tr("Y"), tr("Position of its origin, in the coordinates of the step"), kNumber | kLength},
-                  {tr("Rotation"), tr("Clockwise, as the job states it"), kNumber},
+                  {tr("X"),
+                   tr("Position of its origin, in the coordinates of the step; in italics: not in the job, the middle "
+                      "of its pins"),
+                   kNumber | kLength},
+                  {tr("Y"),
+                   tr("Position of its origin, in the coordinates of the step; in italics: not in the job, the middle "
+                      "of its pins"),
+                   kNumber | kLength},
+                  {tr("Rotation"), tr("Clockwise, as the job states it; empty where it does not"), kNumber},
                   {tr("Height"), tr("As the job states it; empty where it does not"), kNumber | kLength},
                   {tr("Pins"), tr("Pins of the component"), kNumber},
                   {tr("Fitted"), tr("Whether it is assembled: the job may say that it is not populated")},
@@ -156,9 +170,12 @@ Cell PartModel::cell(int row, int column) const {
         case Attributes: return ranked(attributeText(row));
         case Package: return ranked(QString::fromStdString(packageOf(row)));
         case Side: return {sideText(component.side)};
-        case X: return length(component.placement.origin.x);
-        case Y: return length(component.placement.origin.y);
-        case Rotation: return {angleText(component.placement.clockwiseDeg), component.placement.clockwiseDeg};
+        case X: return inPlace(length(component.placement.origin.x), component);
+        case Y: return inPlace(length(component.placement.origin.y), component);
+        case Rotation:
+            return component.isPlaced
+                       ? Cell{angleText(component.placement.clockwiseDeg), component.placement.clockwiseDeg}
+                       : Cell{.text = QString(), .order = -1.0};
         case Height: return component.height > 0 ? length(component.height) : Cell{.text = QString(), .order = 0.0};
         case Pins: return count(component.pinCount);
         case Fitted: return {component.isPopulated ? tr("yes") : tr("no")};
@@ -182,6 +199,9 @@ QString PartModel::tip(int row, int column) const {
         return shortened(netNames(stepOf(partAt(row)), model::netsOf(stepOf(partAt(row)), component)));
     }
     QStringList lines{QString::fromStdString(component.refdes)};
+    if (!component.isPlaced && (column == X || column == Y || column == Rotation)) {
+        lines += tr("The job does not say where it lies: this is the middle of its pins");
+    }
     for (const auto& [name, value] : attributesOf(row)) {
         lines += QStringLiteral("%1: %2").arg(name, value);
     }
@@ -199,12 +219,14 @@ QStringList PartModel::missing() const {
     }
     int heights = 0;
     int outlines = 0;
+    int places = 0;
     for (int row = 0; row < rows(); ++row) {
         const model::Component& component = componentOf(row);
         const bool isDrawn =
             component.package.isValid() && stepOf(partAt(row)).packages[component.package.row()].body.isValid();
         heights += component.height > 0 ? 0 : 1;
         outlines += isDrawn ? 0 : 1;
+        places += component.isPlaced ? 0 : 1;
     }
     QStringList texts;
     const auto add = [&](int count, const QString& all, const QString& some) {
@@ -212,6 +234,7 @@ QStringList PartModel::missing() const {
             texts += count == rows() ? all : some.arg(count);
         }
     };
+    add(places, tr("no places"), tr("%L1 without a place"));
     add(heights, tr("no heights"), tr("%L1 without a height"));
     add(outlines, tr("no package outlines"), tr("%L1 without a package outline"));
     return texts;

@@ -128,6 +128,29 @@ private slots:
         QVERIFY(lines.front().startsWith("Designator,"));
     }
 
+    void placesThatTheJobDoesNotSayAreMarked() {
+        auto board = std::make_shared<model::Document>();
+        board->components.resize(2);
+        board->components[0].refdes = "R1";
+        board->components[1].refdes = "R2";
+        board->components[1].isPlaced = false;
+        PartModel parts;
+        parts.setBoard(board);
+        const auto shows = [&](int row, int column, Qt::ItemDataRole role) {
+            return parts.index(row, column).data(role);
+        };
+        for (const int column : {PartModel::X, PartModel::Y}) {
+            QVERIFY(!shows(0, column, Qt::FontRole).value<QFont>().italic());
+            QVERIFY(shows(1, column, Qt::FontRole).value<QFont>().italic());
+            QCOMPARE(shows(1, column, Qt::DisplayRole), shows(0, column, Qt::DisplayRole));
+        }
+        QVERIFY(!shows(0, PartModel::Rotation, Qt::DisplayRole).toString().isEmpty());
+        QCOMPARE(shows(1, PartModel::Rotation, Qt::DisplayRole).toString(), QString());
+        QVERIFY(shows(1, PartModel::X, Qt::ToolTipRole).toString().contains("the middle of its pins"));
+        QVERIFY(!shows(0, PartModel::X, Qt::ToolTipRole).toString().contains("the middle of its pins"));
+        QVERIFY(parts.missing().contains("1 without a place"));
+    }
+
     void boardsWithoutComponentsSaySo() {
         QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/negative"));
         QCOMPARE(window().label("partsShown"), "The job has no components");
