@@ -101,6 +101,9 @@ Board makeDocument(std::vector<ReadFile> files, const std::filesystem::path& pat
 
 using Counts = std::map<ReadFile::Kind, std::size_t>;
 
+/// So many files are looked into even where none is named like one of a Gerber job.
+constexpr std::size_t kFewFiles = 64;
+
 /// Names under which a job's images, drills and netlists lie.
 bool isNamedLikeJobFile(std::string_view name) {
     constexpr std::array<std::string_view, 3> kOthers = {".drl", ".xln", ".txt"};
@@ -128,8 +131,12 @@ std::vector<formats::FormPart> jobsIn(const formats::Archive& archive) {
     const bool isNamedSo =
         std::ranges::any_of(archive.rows(), [](const auto& row) { return isNamedLikeGerber(row.first); });
     Counts counts = isNamedSo ? countFiles(archive, isNamedLikeJobFile) : Counts{};
-    if (isNamedSo && counts[ReadFile::Kind::Gerber] + counts[ReadFile::Kind::Drills] == 0) {
+    const bool isFound = counts[ReadFile::Kind::Gerber] + counts[ReadFile::Kind::Drills] > 0;
+    if (!isFound && (isNamedSo || archive.rows().size() <= kFewFiles)) {
         counts = countFiles(archive, [](std::string_view) { return true; });
+    }
+    if (!isNamedSo && counts[ReadFile::Kind::Gerber] == 0) {
+        return {};  // drills alone are too easily taken for such
     }
     std::string contents =
         textOf(counts[ReadFile::Kind::Gerber], "image") + textOf(counts[ReadFile::Kind::Drills], "drill file");

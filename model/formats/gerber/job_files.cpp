@@ -15,13 +15,14 @@ namespace {
 constexpr std::size_t kHead = 100'000;
 
 /// Files that are never read, whatever they hold.
-constexpr std::array<std::string_view, 26> kForeign = {
-    "PNG", "JPG",  "JPEG", "GIF", "PDF",  "ZIP",    "GZ",  "TGZ",       "7Z",        "RAR", "STEP", "STP", "WRL",
-    "SVG", "HTML", "DXF",  "DWG", "XLSX", "PCBDOC", "BRD", "KICAD_PCB", "KICAD_PRL", "MD",  "DOCX", "GLB", "KICAD_SCH"};
+constexpr std::array<std::string_view, 27> kForeign = {
+    "PNG",    "JPG",  "JPEG",      "GIF",       "PDF", "ZIP",  "GZ",  "TGZ",       "7Z",
+    "RAR",    "STEP", "STP",       "WRL",       "SVG", "HTML", "DXF", "DWG",       "XLSX",
+    "PCBDOC", "BRD",  "KICAD_PCB", "KICAD_PRL", "MD",  "DOCX", "GLB", "KICAD_SCH", "PY"};
 
 /// Endings of images and drills beside those that tell what is drawn.
-constexpr std::array<std::string_view, 9> kPlainEndings = {"GBR",    "GER", "ART", "PHO",   "GDO",
-                                                           "GBRJOB", "GB",  "GBX", "GERBER"};
+constexpr std::array<std::string_view, 11> kPlainEndings = {"GBR", "GER", "ART",    "PHO", "GDO", "GBRJOB",
+                                                            "GB",  "GBX", "GERBER", "FPH", "GRB"};
 
 bool isText(std::string_view text) {
     return text.substr(0, 1000).find('\0') == std::string_view::npos;
@@ -115,11 +116,48 @@ void complete(FileRole& role, const std::optional<FileRole>& other) {
     }
 }
 
-FileRole roleOf(const ReadFile& file, const JobFileFacts& job) {
+/// How many characters the names of all images begin with, up to their last joint: the name of the board, whose words
+/// tell no layer. 0 where there are too few images to tell.
+std::size_t sharedBeginning(const std::vector<ReadFile>& files) {
+    std::optional<std::string> shared;
+    std::size_t images = 0;
+    for (const ReadFile& file : files) {
+        if (file.kind != ReadFile::Kind::Gerber) {
+            continue;
+        }
+        const std::string name = upperCase(file.name());
+        shared = shared.value_or(name);
+        const auto end = std::ranges::mismatch(*shared, name).in1;
+        shared->erase(end, shared->end());
+        ++images;
+    }
+    constexpr std::size_t kFewImages = 2;
+    const std::size_t joint = images > kFewImages ? shared->find_last_of("._- ") : std::string::npos;
+    return joint == std::string::npos ? 0 : joint;
+}
+
+/// From a name whose first characters all images of the job share. What only they tell is told of no file: the images
+/// of "power-art" are not all power planes.
+std::optional<FileRole> roleAmongNames(std::string_view name, std::size_t shared) {
+    const std::optional<FileRole> whole = roleOfName(name);
+    if (shared == 0 || name.size() <= shared) {
+        return whole;
+    }
+    if (std::optional<FileRole> rest = roleOfName(name.substr(shared))) {
+        complete(*rest, whole);
+        return rest;
+    }
+    const std::optional<FileRole> ofShared = roleOfName(std::string(name.substr(0, shared)) + ".x");
+    const bool isOfAll = whole && whole->kind == FileRole::Kind::Copper && whole->order == 0 && ofShared &&
+                         ofShared->kind == FileRole::Kind::Copper;
+    return isOfAll ? std::nullopt : whole;
+}
+
+FileRole roleOf(const ReadFile& file, const JobFileFacts& job, std::size_t shared) {
     const std::optional<FileRole> ofAttribute = roleOfFunction(file.image.fileAttribute(".FileFunction"));
     const std::optional<FileRole> ofJob = roleOfJob(file, job);
     const std::optional<FileRole> ofComments = roleOfComments(file.image);
-    std::optional<FileRole> ofName = roleOfName(file.name());
+    std::optional<FileRole> ofName = roleAmongNames(file.name(), file.kind == ReadFile::Kind::Gerber ? shared : 0);
     if (ofName && (ofName->kind == FileRole::Kind::Drill) && file.kind == ReadFile::Kind::Gerber &&
         file.image.flashes == 0) {
         ofName.reset();  // a drawing of holes, not the holes
@@ -245,9 +283,10 @@ base::Result<std::vector<ReadFile>> readFilesAt(const std::filesystem::path& pat
 }
 
 void assignRoles(std::vector<ReadFile>& files, const JobFileFacts& job) {
+    const std::size_t shared = sharedBeginning(files);
     for (ReadFile& file : files) {
         if (file.isImage()) {
-            file.role = roleOf(file, job);
+            file.role = roleOf(file, job, shared);
         }
     }
 }

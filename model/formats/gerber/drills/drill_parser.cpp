@@ -131,7 +131,7 @@ private:
         if (line.front() == '%' || line.starts_with("INCH") || line.starts_with("METRIC") || line.starts_with("FMAT") ||
             line.starts_with("VER,") || line.starts_with("DETECT") || line.starts_with("ATC") ||
             line.starts_with("BLKD") || line.starts_with("SBK") || line.starts_with("TCST") ||
-            line.starts_with("OSTOP")) {
+            line.starts_with("OSTOP") || line.starts_with("R,") || line == "/") {
             return;
         }
         if (line.starts_with("ICI")) {

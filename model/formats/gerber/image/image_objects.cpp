@@ -60,29 +60,42 @@ void ImageParser::operate(const Word& word) {
 }
 
 bool ImageParser::findCentre(Point to, const Word& word, Point& centre) {
-    if (!m_hasQuadrant) {
-        m_hasQuadrant = true;
-        report(Severity::Info, "arcs without G74 or G75 before them; taken as G75");
-    }
-    if (m_isSingleQuadrant) {
-        centre = to == m_position ? m_position : singleQuadrantCentre(to, word);
-    } else {
-        const auto x = toNm(m_position.x + word.i);
-        const auto y = toNm(m_position.y + word.j);
-        centre = x && y ? Point{*x, *y} : m_position;
-    }
+    centre = centreOf(to, word);
     if (centre == m_position || centre == to) {
         if (to != m_position) {
             report(Severity::Warning, "an arc without a radius; taken as a straight line");
         }
         return false;
     }
-    const double from = distance(base::toDouble(centre), base::toDouble(m_position));
-    const double until = distance(base::toDouble(centre), base::toDouble(to));
-    if (std::abs(from - until) > std::max(0.05 * std::max(from, until), 50'000.0)) {
+    if (!isAbout(centre, to)) {
         report(Severity::Warning, "an arc whose ends are not equally far from its centre; drawn as a spiral");
     }
     return true;
+}
+
+/// Where the file says neither G74 nor G75, as old ones do, the arc is of whichever fits: I and J have signs or not.
+Point ImageParser::centreOf(Point to, const Word& word) {
+    const auto x = toNm(m_position.x + word.i);
+    const auto y = toNm(m_position.y + word.j);
+    const Point multi = x && y ? Point{*x, *y} : m_position;
+    if (m_hasQuadrant && !m_isSingleQuadrant) {
+        return multi;
+    }
+    const Point single = to == m_position ? m_position : singleQuadrantCentre(to, word);
+    if (m_hasQuadrant) {
+        return single;
+    }
+    const bool isSingle = single != m_position && !isAbout(multi, to) && isAbout(single, to);
+    report(Severity::Info, isSingle ? "arcs without G74 or G75 before them; taken as G74, which fits their ends"
+                                    : "arcs without G74 or G75 before them; taken as G75");
+    return isSingle ? single : multi;
+}
+
+/// Are both ends of the arc equally far from there, but for the rounding of coarse formats?
+bool ImageParser::isAbout(Point centre, Point to) const {
+    const double from = distance(base::toDouble(centre), base::toDouble(m_position));
+    const double until = distance(base::toDouble(centre), base::toDouble(to));
+    return std::abs(from - until) <= std::max(0.05 * std::max(from, until), 50'000.0);
 }
 
 /// I and J come without signs: of the four centres the one that both ends are equally far from counts, for an arc of a

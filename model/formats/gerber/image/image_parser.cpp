@@ -24,7 +24,8 @@ bool isBlank(char c) {
 std::size_t likelyObjects(std::string_view text) {
     constexpr std::size_t kMost = 1'000'000;
     std::size_t count = 0;
-    for (std::size_t at = text.find('*', 1); at != std::string_view::npos && count < kMost; at = text.find('*', at + 1)) {
+    for (std::size_t at = text.find('*', 1); at != std::string_view::npos && count < kMost;
+         at = text.find('*', at + 1)) {
         count += text[at - 1] == '1' || text[at - 1] == '3' ? 1 : 0;  // D01 and D03, and few others
     }
     return count;

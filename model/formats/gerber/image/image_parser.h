@@ -70,6 +70,8 @@ private:
     void flash();
     void flashBlock(const Aperture& aperture);
     [[nodiscard]] bool findCentre(Point to, const Word& word, Point& centre);
+    [[nodiscard]] Point centreOf(Point to, const Word& word);
+    [[nodiscard]] bool isAbout(Point centre, Point to) const;
     [[nodiscard]] Point singleQuadrantCentre(Point to, const Word& word) const;
     void beginRegion();
     void endRegion();
@@ -112,7 +114,7 @@ private:
 
     Mode m_mode = Mode::Linear;
     bool m_isSingleQuadrant = false;
-    bool m_hasQuadrant = false;
+    bool m_hasQuadrant = false;  ///< G74 or G75 was there
     bool m_isClear = false;
     bool m_isMirroredX = false;
     bool m_isMirroredY = false;

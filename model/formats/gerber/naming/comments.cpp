@@ -47,7 +47,7 @@ void readAllegro(std::string_view text, AllegroClasses& classes) {
     classes.pastes += has("PASTEMASK") ? 1 : 0;
     classes.silks += has("SILKSCREEN") || has("AUTOSILK") ? 1 : 0;
     classes.assemblies += has("ASSEMBLY") ? 1 : 0;
-    classes.drawings += kind == "DRAWING FORMAT" || kind == "MANUFACTURING" ? 1 : 0;
+    classes.drawings += kind == "DRAWING FORMAT" || (kind == "MANUFACTURING" && !has("AUTOSILK")) ? 1 : 0;
     classes.outlines += has("DESIGN_OUTLINE") || layer == "OUTLINE" || has("CUTOUT") ? 1 : 0;
     const bool isSided = has("SOLDERMASK") || has("PASTEMASK") || has("SILK") || has("ASSEMBLY");
     if (isSided && classes.side == LayerSide::None) {

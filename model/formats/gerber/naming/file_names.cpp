@@ -25,7 +25,8 @@ constexpr LayerSide kTop = LayerSide::Top;
 constexpr LayerSide kBottom = LayerSide::Bottom;
 constexpr LayerSide kThrough = LayerSide::Through;
 
-/// Protel and Altium, also used by KiCad, EasyEDA and OSH Park; Eagle; Target; Xpedition's drills.
+/// Protel and Altium, also used by KiCad, EasyEDA and OSH Park; Eagle; Target 3001!; pcb-rnd's assembly drawings;
+/// Xpedition's drills.
 constexpr std::array kEndings = {
     Ending{"GTL", Kind::Copper, kTop},     Ending{"GBL", Kind::Copper, kBottom},
     Ending{"GTS", Kind::SolderMask, kTop}, Ending{"GBS", Kind::SolderMask, kBottom},
@@ -48,6 +49,8 @@ constexpr std::array kEndings = {
     Ending{"SMT", Kind::SolderMask, kTop}, Ending{"SMB", Kind::SolderMask, kBottom},
     Ending{"SST", Kind::Legend, kTop},     Ending{"SSB", Kind::Legend, kBottom},
     Ending{"SPT", Kind::Paste, kTop},      Ending{"SPB", Kind::Paste, kBottom},
+    Ending{"POSITOP", Kind::Legend, kTop}, Ending{"POSIBOT", Kind::Legend, kBottom},
+    Ending{"AST", Kind::Document},         Ending{"ASB", Kind::Document},
 };
 
 /// Words of names: all of them have to be there, none of the others. Upper case; the first row that fits counts, so
@@ -93,6 +96,12 @@ const std::vector<Words>& wordRows() {
         {{"PLATED"}, Kind::Drill, kThrough, Plating::Plated},
         {{"DRILL"}, Kind::Drill, kThrough},
         {{"HOLES"}, Kind::Drill, kThrough},
+        {{"METALMASK-A"}, Kind::Paste, kTop},  // Zuken: sides A and B
+        {{"METALMASK-B"}, Kind::Paste, kBottom},
+        {{"RESIST-A"}, Kind::SolderMask, kTop},
+        {{"RESIST-B"}, Kind::SolderMask, kBottom},
+        {{"SYMBOL-A"}, Kind::Legend, kTop},
+        {{"SYMBOL-B"}, Kind::Legend, kBottom},
         {{"PASTE"}, Kind::Paste},
         {{"STENCIL"}, Kind::Paste},
         {{"SOLDERMASK"}, Kind::SolderMask},
@@ -108,7 +117,14 @@ const std::vector<Words>& wordRows() {
         {{"SMB"}, Kind::SolderMask, kBottom},
         {{"SST"}, Kind::Legend, kTop},
         {{"SSB"}, Kind::Legend, kBottom},
+        {{"SMC"}, Kind::SolderMask, kTop},  // component side and solder side
+        {{"SMS"}, Kind::SolderMask, kBottom},
+        {{"SPC"}, Kind::Paste, kTop},
+        {{"SPS"}, Kind::Paste, kBottom},
+        {{"TSLK"}, Kind::Legend, kTop},
+        {{"BSLK"}, Kind::Legend, kBottom},
         {{"COPPER"}, Kind::Copper},
+        {{"CONDUCTIVE"}, Kind::Copper},
         {{"SIGNAL"}, Kind::Copper},
         {{"PLANE"}, Kind::Copper},
         {{"ETCH"}, Kind::Copper},
@@ -134,11 +150,22 @@ bool isLetter(char c) {
     return c >= 'A' && c <= 'Z';
 }
 
-/// A word that stands alone: no letter before or behind it.
+/// A word that stands alone: no letter before it, unless it begins with a joint, or behind it.
 bool hasAlone(std::string_view text, std::string_view word) {
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
         const std::size_t end = at + word.size();
-        if ((at == 0 || !isLetter(text[at - 1])) && (end == text.size() || !isLetter(text[end]))) {
+        const bool begins = at == 0 || !isLetter(word.front()) || !isLetter(text[at - 1]);
+        if (begins && (end == text.size() || !isLetter(text[end]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// "TOP", but not that of "STOP".
+bool hasTop(std::string_view name) {
+    for (std::size_t at = name.find("TOP"); at != std::string_view::npos; at = name.find("TOP", at + 1)) {
+        if (at == 0 || name[at - 1] != 'S') {
             return true;
         }
     }
@@ -147,7 +174,7 @@ bool hasAlone(std::string_view text, std::string_view word) {
 
 LayerSide sideOfName(std::string_view name) {
     const auto has = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
-    if (has("TOP") || has("F_") || has("F.") || has("FRONT") || hasAlone(name, "PRIMARY") || hasAlone(name, "PRM") ||
+    if (hasTop(name) || has("F_") || has("F.") || has("FRONT") || hasAlone(name, "PRIMARY") || hasAlone(name, "PRM") ||
         hasAlone(name, "CS") || hasAlone(name, "COMP")) {
         return kTop;
     }
@@ -155,7 +182,7 @@ LayerSide sideOfName(std::string_view name) {
         hasAlone(name, "PS") || hasAlone(name, "SOLD")) {
         return kBottom;
     }
-    return LayerSide::None;
+    return has("COMPONENTMASK") || has("COMPONENTSILK") ? kTop : LayerSide::None;  // gEDA's component side
 }
 
 /// The number of an inner layer: behind L, LAYER, IN, INNER, G, GROUP or at the end.
@@ -177,9 +204,9 @@ int numberIn(std::string_view name) {
     return 0;
 }
 
-/// "L2", "LAYER_3", "L4_SECONDARY": counts all copper layers from the top.
+/// "L2", "LAYER_3", "L4_SECONDARY", "CONDUCTIVE-1": counts all copper layers from the top.
 int layerNumber(std::string_view name) {
-    for (const std::string_view word : {"LAYER", "LYR", "L"}) {
+    for (const std::string_view word : {"LAYER", "LYR", "L", "CONDUCTIVE"}) {
         for (std::size_t at = name.find(word); at != std::string_view::npos; at = name.find(word, at + 1)) {
             if (at > 0 && isLetter(name[at - 1])) {
                 continue;
@@ -233,12 +260,46 @@ std::optional<FileRole> roleOfEnding(std::string_view ending) {
     return std::nullopt;
 }
 
-/// Words that stand in names of layers without telling one.
+/// From the words in a stem or an ending; of drills only what holes are.
+std::optional<FileRole> roleOfWords(std::string_view text, bool areHoles) {
+    for (const Words& row : wordRows()) {
+        const bool fits = std::ranges::all_of(row.all, [&](std::string_view word) {
+            return word.size() > 3 ? text.find(word) != std::string_view::npos : hasAlone(text, word);
+        });
+        const bool isHole = row.kind == Kind::Drill || row.kind == Kind::Rout;
+        if (!fits || (areHoles && !isHole)) {
+            continue;
+        }
+        FileRole role;
+        role.source = RoleSource::Name;
+        role.kind = row.kind;
+        role.plating = row.plating;
+        role.side = row.side != LayerSide::None ? row.side : sideOfName(text);
+        if (role.kind == Kind::Copper && role.side == LayerSide::None) {
+            role.side = LayerSide::Inner;
+            role.order = layerNumber(text);
+            role.isCountedFromTop = role.order > 0;
+            // "GND2" is a name, not a number of a layer.
+            const bool isNamed =
+                row.all[0] == "GND" || row.all[0] == "VCC" || row.all[0] == "PWR" || row.all[0] == "POWER";
+            role.order = role.order > 0 || isNamed ? role.order : numberIn(text);
+        }
+        if (role.kind == Kind::Copper && role.order == 0) {
+            role.order = layerNumber(text);
+            role.isCountedFromTop = role.order > 0;
+        }
+        return role;
+    }
+    return std::nullopt;
+}
+
+/// Words that stand in names of layers without telling one; "IN2" is "IN" with a number.
 constexpr std::array<std::string_view, 15> kLayerWords = {
     "F", "B", "CUTS", "EDGE", "CU", "SCREEN", "SOLDER", "NC", "USER", "IN", "GERBER", "BOARD", "DRAWING", "PRM", "SEC"};
 
 bool isRoleWord(std::string_view word) {
-    return std::ranges::find(kLayerWords, word) != kLayerWords.end() ||
+    const std::string_view letters = word.substr(0, word.find_last_not_of("0123456789") + 1);
+    return std::ranges::find(kLayerWords, letters) != kLayerWords.end() ||
            roleOfName(std::string(word) + ".X").has_value();
 }
 
@@ -251,34 +312,11 @@ std::optional<FileRole> roleOfName(std::string_view name) {
     if (ofEnding && !isDrill) {
         return ofEnding;
     }
-    for (const Words& row : wordRows()) {
-        const bool fits = std::ranges::all_of(row.all, [&](std::string_view word) {
-            return word.size() > 3 || !isLetter(word.front()) ? parts.stem.find(word) != std::string::npos
-                                                              : hasAlone(parts.stem, word);
-        });
-        const bool isHole = row.kind == Kind::Drill || row.kind == Kind::Rout;
-        if (!fits || (isDrill && !isHole)) {
-            continue;
-        }
-        FileRole role;
-        role.source = RoleSource::Name;
-        role.kind = row.kind;
-        role.plating = row.plating;
-        role.side = row.side != LayerSide::None ? row.side : sideOfName(parts.stem);
-        if (role.kind == Kind::Copper && role.side == LayerSide::None) {
-            role.side = LayerSide::Inner;
-            role.order = layerNumber(parts.stem);
-            role.isCountedFromTop = role.order > 0;
-            // "GND2" is a name, not a number of a layer.
-            const bool isNamed =
-                row.all[0] == "GND" || row.all[0] == "VCC" || row.all[0] == "PWR" || row.all[0] == "POWER";
-            role.order = role.order > 0 || isNamed ? role.order : numberIn(parts.stem);
-        }
-        if (role.kind == Kind::Copper && role.order == 0) {
-            role.order = layerNumber(parts.stem);
-            role.isCountedFromTop = role.order > 0;
-        }
-        return role;
+    // Target 3001! has words for endings: "board.StopTop".
+    std::optional<FileRole> ofWords = ofEnding ? std::nullopt : roleOfWords(parts.ending, false);
+    ofWords = ofWords ? ofWords : roleOfWords(parts.stem, isDrill);
+    if (ofWords) {
+        return ofWords;
     }
     if (!ofEnding && layerNumber(parts.stem) > 0) {
         FileRole role;
@@ -310,7 +348,7 @@ std::string boardOfName(std::string_view name) {
         isAnyRole = true;
         stem.resize(before.size());
     }
-    return isAnyRole || roleOfEnding(ending) ? stem : std::string();
+    return isAnyRole || roleOfEnding(ending) || roleOfWords(ending, false) ? stem : std::string();
 }
 
 }  // namespace model::gerber

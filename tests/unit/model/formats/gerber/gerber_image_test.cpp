@@ -207,6 +207,19 @@ private slots:
         QCOMPARE(circle.features[0].a, circle.features[0].b);
     }
 
+    /// Old files have neither G74 nor G75: two corners of a rounded square, with and without signs.
+    void arcsOfNoSaidQuadrantsFitTheirEnds() {
+        for (const char* text : {"X0Y0D02*G03X1000000Y1000000J1000000D01*G01Y3000000D01*G03X0Y4000000I1000000D01*",
+                                 "X0Y0D02*G03X1000000Y1000000J1000000D01*G01Y3000000D01*G03X0Y4000000I-1000000D01*"}) {
+            const Image image = parse(std::string("%ADD10C,0.1*%D10*") + text);
+            QCOMPARE(image.features[0].centre, (model::Point{0, 1'000'000}));
+            QCOMPARE(image.features[2].kind, DrawnKind::Arc);
+            QCOMPARE(image.features[2].centre, (model::Point{0, 3'000'000}));
+            QVERIFY(isReported(image, "without G74 or G75"));
+            QVERIFY(!isReported(image, "spiral"));
+        }
+    }
+
     void attributesHoldUntilTheyAreDeleted() {
         const Image image = parse(
             "%TF.FileFunction,Copper,L1,Top*%%TA.AperFunction,ViaPad*%%ADD10C,1*%%TD*%"

@@ -236,6 +236,17 @@ private slots:
         }
     }
 
+    /// "power" is in all names: none of them is a power plane for it.
+    void wordsThatAllImagesShareTellNoLayer() {
+        const Job job({{"power-art.gtl", kCopper}, {"power-art.gbl", kCopper}, {"power-art.xyz", kCopper}});
+        QCOMPARE(wordsOf(job.propose(), "power-art.xyz"), std::string("document?"));
+        QCOMPARE(wordsOf(job.propose(), "power-art.gtl").substr(0, 10), std::string("copper top"));
+        const Job planes({{"b.gtl", kCopper}, {"b-power.gbr", kCopper}, {"b.gbl", kCopper}});
+        QCOMPARE(wordsOf(planes.propose(), "b-power.gbr").substr(0, 12), std::string("copper inner"));
+        const Job numbered({{"layer_1.gbr", kCopper}, {"layer_2.gbr", kCopper}, {"layer_3.gbr", kCopper}});
+        QCOMPARE(wordsOf(numbered.propose(), "layer_2.gbr").substr(0, 14), std::string("copper inner 2"));
+    }
+
     void filesThatClaimOneLayerAreDoubted() {
         const Job job({{"b.gtl", kCopper}, {"b.top", kCopper}, {"b.gbl", kCopper}});
         const std::vector<LayerProposal> proposals = job.propose();

@@ -49,6 +49,17 @@ private slots:
         QTest::newRow("Xpedition paste") << "SolderPasteTop.gdo" << Kind::Paste << Side::Top << 0;
         QTest::newRow("Xpedition drawing") << "DrillDrawingThrough.gdo" << Kind::Document << Side::None << 0;
         QTest::newRow("Allegro") << "l4_secondary.art" << Kind::Copper << Side::Bottom << 4;
+        QTest::newRow("Allegro mask") << "b_smc_gaf.art" << Kind::SolderMask << Side::Top << 0;
+        QTest::newRow("Allegro paste") << "b_sps.art" << Kind::Paste << Side::Bottom << 0;
+        QTest::newRow("Allegro silkscreen") << "b_tslk_gaf.art" << Kind::Legend << Side::Top << 0;
+        QTest::newRow("Target mask") << "b1.2.StopBot" << Kind::SolderMask << Side::Bottom << 0;
+        QTest::newRow("Eagle's word for a mask") << "b_bottom_stop.gbr" << Kind::SolderMask << Side::Bottom << 0;
+        QTest::newRow("Target silkscreen") << "b1.2.PosiTop" << Kind::Legend << Side::Top << 0;
+        QTest::newRow("Target outline") << "b1.2.Outline" << Kind::Profile << Side::None << 0;
+        QTest::newRow("Zuken") << "Conductive-3.fph" << Kind::Copper << Side::Inner << 3;
+        QTest::newRow("Zuken paste") << "MetalMask-A.fph" << Kind::Paste << Side::Top << 0;
+        QTest::newRow("Zuken mask") << "Resist-B.fph" << Kind::SolderMask << Side::Bottom << 0;
+        QTest::newRow("pcb-rnd assembly") << "power-art.ast" << Kind::Document << Side::None << 0;
         QTest::newRow("fabrication") << "fab1.art" << Kind::Document << Side::None << 0;
     }
     void namesOfCadSystemsTellTheLayer() {
@@ -84,6 +95,10 @@ private slots:
                                         << "MAINBOARD";
         QTest::newRow("KiCad") << "Flash-pads-Edge_Cuts.gbr"
                                << "FLASH-PADS";
+        QTest::newRow("KiCad inner") << "watch.panel-In2_Cu.gbr"
+                                     << "WATCH.PANEL";
+        QTest::newRow("Target") << "IoT1.2.StopTop"
+                                << "IOT1.2";
         QTest::newRow("Altium") << "LimeSDR_1v2.GTL"
                                 << "LIMESDR_1V2";
         QTest::newRow("nothing but a layer") << "Solder_Mask_Top.art"
@@ -108,6 +123,11 @@ private slots:
         model::gerber::Image mask;
         mask.comments = {"Layer:  PIN/SOLDERMASK_TOP", "Layer:  BOARD GEOMETRY/SOLDERMASK_TOP"};
         QVERIFY(model::gerber::roleOfComments(mask)->kind == Kind::SolderMask);
+        model::gerber::Image silkscreen;
+        silkscreen.comments = {"Layer:  MANUFACTURING/AUTOSILK_BOTTOM", "Layer:  REF DES/SILKSCREEN_BOTTOM",
+                               "Layer:  DRAWING FORMAT/TITLE_BLOCK"};
+        const auto legend = model::gerber::roleOfComments(silkscreen);
+        QVERIFY(legend && legend->kind == Kind::Legend && legend->side == Side::Bottom);
         QVERIFY(!model::gerber::roleOfComments({}).has_value());
     }
 };

@@ -286,6 +286,20 @@ private slots:
         QCOMPARE((*board)->components[0].placement.origin, (model::Point{5'000'000, 5'000'000}));
     }
 
+    /// Zuken's names, and others that no CAD system has.
+    void imagesAreFoundWhateverTheyAreCalled() {
+        const Job zuken({{"Conductive-1.fph", image(kCopper)},
+                         {"Conductive-2.fph", image(kCopper)},
+                         {"Resist-A.fph", image(kCopper)}});
+        const Board board = zuken.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->findLayer("Conductive-2").isValid(), true);
+        const Job strange({{"one.abc", image(kCopper)}, {"two.abd", image(kCopper)}, {"notes.txt", "no board\n"}});
+        QVERIFY(strange.open().ok());
+        const Job none(Files{{"notes.abc", "no board\n"}});
+        QVERIFY(!none.open().ok());
+    }
+
     void aSingleImageIsABoard() {
         const Job job({{"alone.gbr", image(kCopper)}, {"alone.drl", kDrills}});
         const Board alone = job.open("alone.gbr");
