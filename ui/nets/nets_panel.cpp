@@ -30,7 +30,7 @@ constexpr int kBySheet = 5;  // of these
 
 /// In letters.
 constexpr std::pair<NetModel::Column, int> kWidths[] = {
-    {NetModel::Name, 15},   {NetModel::Pins, 6},  {NetModel::Vias, 6},   {NetModel::Elements, 8},
+    {NetModel::Name, 14},   {NetModel::Pins, 6},  {NetModel::Vias, 6},   {NetModel::Elements, 8},
     {NetModel::Length, 12}, {NetModel::Area, 12}, {NetModel::Colour, 6}, {NetModel::Shown, 5},
 };
 
