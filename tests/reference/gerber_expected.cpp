@@ -338,7 +338,7 @@ const ExpectedPicture kExpected[] = {
     {"blocks/02_block_aperture_transforms.gbr", "4.11, 4.9: the same, and blocks are mirrored, rotated and scaled",
      placedBlocks},
     {"blocks/03_block_aperture_polarity.gbr", "4.11: the same", polarityOfBlocks},
-    {"macros/07_macro_variables.gbr", "4.5.4.3: a minus may stand before a variable; gerbv leaves it out",
+    {"macros/07_macro_variables.gbr", "4.5.4.2: a minus may stand before a variable; gerbv leaves it out",
      macroVariables},
     {"combined/comprehensive_test.gbr",
      "4.9: the same as transforms/; 4.10.3: a contour that crosses itself is invalid", combined, selfCrossingRegion},
