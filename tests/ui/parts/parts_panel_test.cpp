@@ -129,16 +129,16 @@ private slots:
     }
 
     void placesThatTheJobDoesNotSayAreMarked() {
+        model::Component placed;
+        placed.refdes = "R1";
+        model::Component unplaced;
+        unplaced.refdes = "R2";
+        unplaced.isPlaced = false;
         auto board = std::make_shared<model::Document>();
-        board->components.resize(2);
-        board->components[0].refdes = "R1";
-        board->components[1].refdes = "R2";
-        board->components[1].isPlaced = false;
+        board->components = {placed, unplaced};
         PartModel parts;
         parts.setBoard(board);
-        const auto shows = [&](int row, int column, Qt::ItemDataRole role) {
-            return parts.index(row, column).data(role);
-        };
+        const auto shows = [&](int row, int column, int role) { return parts.index(row, column).data(role); };
         for (const int column : {PartModel::X, PartModel::Y}) {
             QVERIFY(!shows(0, column, Qt::FontRole).value<QFont>().italic());
             QVERIFY(shows(1, column, Qt::FontRole).value<QFont>().italic());
