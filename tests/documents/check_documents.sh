@@ -30,15 +30,19 @@ cited() {
 }
 
 has_decision() {
-    compgen -G "$decisions/$(printf %04d "$((10#$1))")-*.md" >/dev/null
+    local number
+    printf -v number %04d "$((10#$1))"
+    compgen -G "$decisions/$number-*.md" >/dev/null
 }
 
 check_links() {
-    local file line text target
+    local file line text target folder
     while IFS=: read -r file line text; do
         target=${text#'('}
         target=${target%%[#)]*}
-        [ -z "$target" ] || [ -e "$(dirname "$file")/$target" ] || violation "$file:$line: the link leads nowhere: $target"
+        folder=.
+        [ "$file" = "${file##*/}" ] || folder=${file%/*}
+        [ -z "$target" ] || [ -e "$folder/$target" ] || violation "$file:$line: the link leads nowhere: $target"
     done < <(cited '\]\([^):]+\)' "${documents[@]}" | sed 's/:\](/:(/')
 }
 
@@ -73,20 +77,26 @@ check_decisions_cited() {
 
 # The form of a record: "# 7. Title" as its file is numbered, then its status, and both in the index.
 check_record() {
-    local file=$1 number title status other
-    number=$(basename "$file" | cut -c1-4)
-    title=$(sed -n '1s/^# //p' "$file")
-    status=$(sed -n 's/^Status: //p' "$file")
+    local file=$1 name=${1##*/} number title status='' line other
+    number=${name:0:4}
+    {
+        IFS= read -r title
+        while IFS= read -r line; do
+            [ "$line" = "${line#Status: }" ] || status=${line#Status: }
+        done
+    } <"$file"
+    title=${title#\# }
     [ "${title%%. *}" = "$((10#$number))" ] || violation "$file: its first line is not \"# $((10#$number)). Title\""
-    grep -qE '^(in force|(superseded|amended) by [0-9]{4}(, [0-9]{4})*)$' <<<"$status" ||
+    [[ $status =~ ^(in force|(superseded|amended) by [0-9]{4}(, [0-9]{4})*)$ ]] ||
         violation "$file: no line \"Status: in force\", \"Status: superseded by NNNN\" or \"Status: amended by NNNN\""
-    for other in $(grep -oE '[0-9]{4}' <<<"$status"); do
+    for other in ${status//[^0-9]/ }; do
         has_decision "$other" || violation "$file: its status names a decision that does not exist: $other"
     done
-    local row="| [$number]($(basename "$file")) | ${title#*. } | $status |"
-    grep -qF -- "$row" $decisions/README.md || violation "$decisions/README.md: there is no row: $row"
+    local row="| [$number]($name) | ${title#*. } | $status |"
+    [[ $index == *"$row"* ]] || violation "$decisions/README.md: there is no row: $row"
 }
 
+index=$(<$decisions/README.md)
 mapfile -t all < <(find_texts '*.md' '*.h' '*.cpp' '*.glsl' '*.cmake' '*.txt' '*.sh' run test)
 mapfile -t documents < <(find_texts '*.md')
 mapfile -t records < <(compgen -G "$decisions/[0-9]*.md")
