@@ -91,10 +91,11 @@ QWidget* StackupPanel::drawingHalf(const ActionSet& actions) {
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* row = new QHBoxLayout;
-    row->addWidget(toolBar({&actions[ActionId::ExaggerateCopper], &actions[ActionId::ExportStackup]}), 1);
+    row->addWidget(toolBar({&actions[ActionId::ExaggerateCopper], &actions[ActionId::ExportStackup]}), 2);
     m_total->setObjectName(QStringLiteral("stackupTotal"));
+    m_total->setMinimumWidth(1);  // the panel is not made wider for it
     m_total->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row->addWidget(m_total);
+    row->addWidget(m_total, 1);
     return panelOf(row, scroll, 0);
 }
 
