@@ -19,6 +19,7 @@
 #include "model/text/json_lines.h"
 #include "model/text/json_reading.h"
 #include "model/text/s_expression.h"
+#include "model/text/utf8.h"
 #include "model/text/whole_file.h"
 
 namespace model {
@@ -342,7 +343,8 @@ base::Result<RuleFile> parseKicadBoardRules(std::string_view board) {
             continue;
         }
         const SExpression& list = all->items.front();
-        if (list.at(1).empty() || isThere(classes, list.at(1))) {
+        // Rules are saved as JSON, which knows no other text.
+        if (list.at(1).empty() || !isUtf8(list.at(1)) || isThere(classes, list.at(1))) {
             file.leftOut.push_back(inLine(line, "a net class without a name of its own"));
             continue;
         }

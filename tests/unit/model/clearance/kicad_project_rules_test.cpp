@@ -138,12 +138,13 @@ private slots:
         QVERIFY(!model::parseKicadBoardRules("(kicad_pcb (version 4))"));
         const auto nameless = model::parseKicadBoardRules(
             "(kicad_pcb\n(net_class (clearance 1))\n(net_class M \"\" (clearance 0.3) (add_net A))\n"
-            "(net_class M \"\" (clearance 0.4) (add_net B)))");
+            "(net_class M \"\" (clearance 0.4) (add_net B))\n(net_class N\xff \"\" (clearance 0.5) (add_net C)))");
         QVERIFY(nameless);
         QVERIFY(nameless->table.classes == (std::vector<NetClass>{{"M", {"A"}}}));
         QCOMPARE(nameless->leftOut,
                  (std::vector<std::string>{"line 2: a net class without a name of its own is left out",
-                                           "line 4: a net class without a name of its own is left out"}));
+                                           "line 4: a net class without a name of its own is left out",
+                                           "line 5: a net class without a name of its own is left out"}));
         const std::string text = kOldBoard;
         for (std::size_t length = 0; length < text.size(); ++length) {
             static_cast<void>(model::parseKicadBoardRules(text.substr(0, length)));
