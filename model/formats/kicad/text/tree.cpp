@@ -137,6 +137,10 @@ BoardItems::BoardItems(std::string_view text, std::string_view file, Diagnostics
       m_lineBegin(m_begin),
       m_isBoard(looksLikeBoard(text)) {
     if (m_isBoard) {
+        // Growing step by step copies the fill of a large zone several times, and touches memory for each copy.
+        constexpr std::size_t kBytesPerNode = 4;
+        constexpr std::size_t kMostReserved = 1'000'000;
+        m_nodes.reserve(std::min(text.size() / kBytesPerNode, kMostReserved));
         constexpr std::string_view kHead = "kicad_pcb";
         const std::size_t at = text.find(kHead) + kHead.size();
         m_at += at;
@@ -193,7 +197,7 @@ bool BoardItems::next(Item& item) {
             continue;
         }
         report(Severity::Warning, m_line, "a word between the items of the board was passed over");
-        m_count = 0;
+        m_nodes.clear();
         m_open.clear();
         *m_at == '"' ? readText() : readWord();
     }
@@ -201,7 +205,7 @@ bool BoardItems::next(Item& item) {
 }
 
 void BoardItems::readItem() {
-    m_count = 0;
+    m_nodes.clear();
     m_open.clear();
     open(false);
     while (!m_open.empty()) {
@@ -247,23 +251,17 @@ bool BoardItems::beginsBoardItem() const {
 
 bool BoardItems::isForgottenList() const {
     const std::size_t list = m_open.back();
-    return m_count > list + 2 && m_nodes[list + 1].size == 9 && m_nodes[list + 1].source() == "teardrops";
+    return m_nodes.size() > list + 2 && m_nodes[list + 1].size == 9 && m_nodes[list + 1].source() == "teardrops";
 }
 
 Node& BoardItems::add(Node::Kind kind, const char* begin, std::size_t size) {
-    constexpr std::size_t kFirst = 1'024;
-    if (m_count == m_nodes.size()) {
-        m_nodes.resize(std::max(kFirst, 2 * m_count));
-    }
-    Node& node = m_nodes[m_count++];
-    node = {begin, static_cast<std::uint32_t>(std::min<std::size_t>(size, std::numeric_limits<std::uint32_t>::max())),
-            1,     m_line,
-            kind,  false};
-    return node;
+    return m_nodes.emplace_back(
+        Node{begin, static_cast<std::uint32_t>(std::min<std::size_t>(size, std::numeric_limits<std::uint32_t>::max())),
+             1, m_line, kind, false});
 }
 
 void BoardItems::open(bool isImplicit) {
-    m_open.push_back(static_cast<std::uint32_t>(m_count));
+    m_open.push_back(static_cast<std::uint32_t>(m_nodes.size()));
     add(Node::Kind::List, m_at, 0).isImplicit = isImplicit;
     if (isImplicit) {
         report(Severity::Info, m_line, "an opening parenthesis is missing, as KiCad 9.0 wrote it; it was added");
@@ -274,7 +272,7 @@ void BoardItems::open(bool isImplicit) {
 
 void BoardItems::close() {
     Node& list = m_nodes[m_open.back()];
-    list.span = static_cast<std::uint32_t>(m_count) - m_open.back();
+    list.span = static_cast<std::uint32_t>(m_nodes.size()) - m_open.back();
     list.size = static_cast<std::uint32_t>(
         std::min<std::ptrdiff_t>(m_at - list.begin, std::numeric_limits<std::uint32_t>::max()));
     m_open.pop_back();

@@ -125,8 +125,7 @@ private:
     std::uint32_t m_line = 1;
     bool m_isBoard = false;
     bool m_isClosed = false;
-    std::vector<Node> m_nodes;  ///< of the item; the first m_count hold
-    std::size_t m_count = 0;
+    std::vector<Node> m_nodes;  ///< of the item
     std::vector<std::uint32_t> m_open;
 };
 
