@@ -343,8 +343,11 @@ base::Result<RuleFile> parseKicadBoardRules(std::string_view board) {
             continue;
         }
         const SExpression& list = all->items.front();
-        // Rules are saved as JSON, which knows no other text.
-        if (list.at(1).empty() || !isUtf8(list.at(1)) || isThere(classes, list.at(1))) {
+        if (!isUtf8(list.at(1))) {  // rules are saved as JSON, which knows no other text
+            file.leftOut.push_back(inLine(line, "a net class whose name is no UTF-8"));
+            continue;
+        }
+        if (list.at(1).empty() || isThere(classes, list.at(1))) {
             file.leftOut.push_back(inLine(line, "a net class without a name of its own"));
             continue;
         }

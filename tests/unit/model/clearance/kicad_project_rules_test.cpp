@@ -144,7 +144,7 @@ private slots:
         QCOMPARE(nameless->leftOut,
                  (std::vector<std::string>{"line 2: a net class without a name of its own is left out",
                                            "line 4: a net class without a name of its own is left out",
-                                           "line 5: a net class without a name of its own is left out"}));
+                                           "line 5: a net class whose name is no UTF-8 is left out"}));
         const std::string text = kOldBoard;
         for (std::size_t length = 0; length < text.size(); ++length) {
             static_cast<void>(model::parseKicadBoardRules(text.substr(0, length)));
