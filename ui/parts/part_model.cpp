@@ -26,9 +26,11 @@ QString shortened(const QStringList& names) {
 
 /// In italics, as all that is assumed, where the job does not say where the component lies.
 Cell inPlace(Cell cell, const model::Component& component) {
-    QFont font;
-    font.setItalic(!component.isPlaced);
-    cell.font = font;
+    if (!component.isPlaced) {
+        QFont font;
+        font.setItalic(true);
+        cell.font = font;
+    }
     return cell;
 }
 
