@@ -123,15 +123,20 @@ private:
 
     // ---- records ----
 
+    /// Units and formats, which the head has told, and what only the machine needs to know (R,H resets a counter).
+    static bool isOfTheMachine(std::string_view line) {
+        constexpr std::string_view kBeginnings[] = {"%",   "INCH", "METRIC", "FMAT", "VER,",  "DETECT",
+                                                    "ATC", "BLKD", "SBK",    "TCST", "OSTOP", "R,"};
+        return line == "/" ||
+               std::ranges::any_of(kBeginnings, [&](std::string_view word) { return line.starts_with(word); });
+    }
+
     void record(std::string_view line) {
         if (line == "%" || line.starts_with("M95")) {
             m_isInHeader = false;
             return;
         }
-        if (line.front() == '%' || line.starts_with("INCH") || line.starts_with("METRIC") || line.starts_with("FMAT") ||
-            line.starts_with("VER,") || line.starts_with("DETECT") || line.starts_with("ATC") ||
-            line.starts_with("BLKD") || line.starts_with("SBK") || line.starts_with("TCST") ||
-            line.starts_with("OSTOP") || line.starts_with("R,") || line == "/") {
+        if (isOfTheMachine(line)) {
             return;
         }
         if (line.starts_with("ICI")) {

@@ -56,95 +56,94 @@ constexpr std::array kEndings = {
 /// Words of names: all of them have to be there, none of the others. Upper case; the first row that fits counts, so
 /// what is narrower comes first.
 struct Words {
-    std::vector<std::string_view> all;
+    std::array<std::string_view, 2> all;  ///< one, or two
     Kind kind;
     LayerSide side = LayerSide::None;
     Plating plating = Plating::NotSaid;
 };
 
-const std::vector<Words>& wordRows() {
-    static const std::vector<Words> kRows = {
-        {{"EDGE_CUT"}, Kind::Profile},
-        {{"EDGE.CUT"}, Kind::Profile},
-        {{"EDGECUT"}, Kind::Profile},
-        {{"BOARDOUT"}, Kind::Profile},
-        {{"OUTLINE"}, Kind::Profile},
-        {{"OUTLLINE"}, Kind::Profile},
-        {{"PROFILE"}, Kind::Profile},
-        {{"DIMENSION"}, Kind::Profile},
-        {{"DRILL", "DRAW"}, Kind::Document},
-        {{"DRILL", "MAP"}, Kind::Document},
-        {{"DRILL", "GUIDE"}, Kind::Document},
-        {{"DRL", "MAP"}, Kind::Document},
-        {{"FAB"}, Kind::Document},
-        {{"ASSY"}, Kind::Document},
-        {{"ASSEMBLY"}, Kind::Document},
-        {{"ADHES"}, Kind::Glue},
-        {{"COURTYARD"}, Kind::Document},
-        {{"CRTYD"}, Kind::Document},
-        {{"KEEPOUT"}, Kind::Document},
-        {{"MARGIN"}, Kind::Document},
-        {{"MECHANICAL"}, Kind::Document},
-        {{"NPTH"}, Kind::Drill, kThrough, Plating::NonPlated},
-        {{"NONPLATED"}, Kind::Drill, kThrough, Plating::NonPlated},
-        {{"NON", "PLATED"}, Kind::Drill, kThrough, Plating::NonPlated},
-        {{"UNPLATED"}, Kind::Drill, kThrough, Plating::NonPlated},
-        {{"CONTOUR", "PLATED"}, Kind::Rout, kThrough, Plating::Plated},
-        {{"ROUT"}, Kind::Rout, kThrough},
-        {{"SLOTHOLE"}, Kind::Rout, kThrough},
-        {{"PTH"}, Kind::Drill, kThrough, Plating::Plated},
-        {{"PLATED"}, Kind::Drill, kThrough, Plating::Plated},
-        {{"DRILL"}, Kind::Drill, kThrough},
-        {{"HOLES"}, Kind::Drill, kThrough},
-        {{"METALMASK-A"}, Kind::Paste, kTop},  // Zuken: sides A and B
-        {{"METALMASK-B"}, Kind::Paste, kBottom},
-        {{"RESIST-A"}, Kind::SolderMask, kTop},
-        {{"RESIST-B"}, Kind::SolderMask, kBottom},
-        {{"SYMBOL-A"}, Kind::Legend, kTop},
-        {{"SYMBOL-B"}, Kind::Legend, kBottom},
-        {{"PASTE"}, Kind::Paste},
-        {{"STENCIL"}, Kind::Paste},
-        {{"SOLDERMASK"}, Kind::SolderMask},
-        {{"SOLDER", "MASK"}, Kind::SolderMask},
-        {{"STOP"}, Kind::SolderMask},
-        {{"RESIST"}, Kind::SolderMask},
-        {{"MASK"}, Kind::SolderMask},
-        {{"SILK"}, Kind::Legend},
-        {{"LEGEND"}, Kind::Legend},
-        {{"OVERLAY"}, Kind::Legend},
-        {{"NOMENCLATURE"}, Kind::Legend},
-        {{"SMT"}, Kind::SolderMask, kTop},
-        {{"SMB"}, Kind::SolderMask, kBottom},
-        {{"SST"}, Kind::Legend, kTop},
-        {{"SSB"}, Kind::Legend, kBottom},
-        {{"SMC"}, Kind::SolderMask, kTop},  // component side and solder side
-        {{"SMS"}, Kind::SolderMask, kBottom},
-        {{"SPC"}, Kind::Paste, kTop},
-        {{"SPS"}, Kind::Paste, kBottom},
-        {{"TSLK"}, Kind::Legend, kTop},
-        {{"BSLK"}, Kind::Legend, kBottom},
-        {{"COPPER"}, Kind::Copper},
-        {{"CONDUCTIVE"}, Kind::Copper},
-        {{"SIGNAL"}, Kind::Copper},
-        {{"PLANE"}, Kind::Copper},
-        {{"ETCH"}, Kind::Copper},
-        {{"_CU"}, Kind::Copper},
-        {{".CU"}, Kind::Copper},
-        {{"-CU"}, Kind::Copper},
-        {{"INNER"}, Kind::Copper},
-        {{"LAYER"}, Kind::Copper},
-        {{"GROUP"}, Kind::Copper},
-        {{"PRIMARY"}, Kind::Copper, kTop},
-        {{"SECONDARY"}, Kind::Copper, kBottom},
-        {{"TOP"}, Kind::Copper, kTop},
-        {{"BOTTOM"}, Kind::Copper, kBottom},
-        {{"GND"}, Kind::Copper},
-        {{"VCC"}, Kind::Copper},
-        {{"PWR"}, Kind::Copper},
-        {{"POWER"}, Kind::Copper},
-    };
-    return kRows;
-}
+constexpr Words kWords[] = {
+    {{"EDGE_CUT"}, Kind::Profile},
+    {{"EDGE.CUT"}, Kind::Profile},
+    {{"EDGECUT"}, Kind::Profile},
+    {{"BOARDOUT"}, Kind::Profile},
+    {{"OUTLINE"}, Kind::Profile},
+    {{"OUTLLINE"}, Kind::Profile},
+    {{"PROFILE"}, Kind::Profile},
+    {{"DIMENSION"}, Kind::Profile},
+    {{"DRILL", "DRAW"}, Kind::Document},
+    {{"DRILL", "MAP"}, Kind::Document},
+    {{"DRILL", "GUIDE"}, Kind::Document},
+    {{"DRL", "MAP"}, Kind::Document},
+    {{"FAB"}, Kind::Document},
+    {{"ASSY"}, Kind::Document},
+    {{"ASSEMBLY"}, Kind::Document},
+    {{"ADHES"}, Kind::Glue},
+    {{"COURTYARD"}, Kind::Document},
+    {{"CRTYD"}, Kind::Document},
+    {{"KEEPOUT"}, Kind::Document},
+    {{"MARGIN"}, Kind::Document},
+    {{"MECHANICAL"}, Kind::Document},
+    {{"NPTH"}, Kind::Drill, kThrough, Plating::NonPlated},
+    {{"NONPLATED"}, Kind::Drill, kThrough, Plating::NonPlated},
+    {{"NON", "PLATED"}, Kind::Drill, kThrough, Plating::NonPlated},
+    {{"UNPLATED"}, Kind::Drill, kThrough, Plating::NonPlated},
+    {{"CONTOUR", "PLATED"}, Kind::Rout, kThrough, Plating::Plated},
+    {{"ROUT"}, Kind::Rout, kThrough},
+    {{"SLOTHOLE"}, Kind::Rout, kThrough},
+    {{"PTH"}, Kind::Drill, kThrough, Plating::Plated},
+    {{"PLATED"}, Kind::Drill, kThrough, Plating::Plated},
+    {{"DRILL"}, Kind::Drill, kThrough},
+    {{"HOLES"}, Kind::Drill, kThrough},
+    {{"COMPONENTMASK"}, Kind::SolderMask, kTop},  // gEDA
+    {{"COMPONENTSILK"}, Kind::Legend, kTop},
+    {{"METALMASK-A"}, Kind::Paste, kTop},  // Zuken: sides A and B
+    {{"METALMASK-B"}, Kind::Paste, kBottom},
+    {{"RESIST-A"}, Kind::SolderMask, kTop},
+    {{"RESIST-B"}, Kind::SolderMask, kBottom},
+    {{"SYMBOL-A"}, Kind::Legend, kTop},
+    {{"SYMBOL-B"}, Kind::Legend, kBottom},
+    {{"PASTE"}, Kind::Paste},
+    {{"STENCIL"}, Kind::Paste},
+    {{"SOLDERMASK"}, Kind::SolderMask},
+    {{"SOLDER", "MASK"}, Kind::SolderMask},
+    {{"STOP"}, Kind::SolderMask},
+    {{"RESIST"}, Kind::SolderMask},
+    {{"MASK"}, Kind::SolderMask},
+    {{"SILK"}, Kind::Legend},
+    {{"LEGEND"}, Kind::Legend},
+    {{"OVERLAY"}, Kind::Legend},
+    {{"NOMENCLATURE"}, Kind::Legend},
+    {{"SMT"}, Kind::SolderMask, kTop},
+    {{"SMB"}, Kind::SolderMask, kBottom},
+    {{"SST"}, Kind::Legend, kTop},
+    {{"SSB"}, Kind::Legend, kBottom},
+    {{"SMC"}, Kind::SolderMask, kTop},  // component side and solder side
+    {{"SMS"}, Kind::SolderMask, kBottom},
+    {{"SPC"}, Kind::Paste, kTop},
+    {{"SPS"}, Kind::Paste, kBottom},
+    {{"TSLK"}, Kind::Legend, kTop},
+    {{"BSLK"}, Kind::Legend, kBottom},
+    {{"COPPER"}, Kind::Copper},
+    {{"CONDUCTIVE"}, Kind::Copper},
+    {{"SIGNAL"}, Kind::Copper},
+    {{"PLANE"}, Kind::Copper},
+    {{"ETCH"}, Kind::Copper},
+    {{"_CU"}, Kind::Copper},
+    {{".CU"}, Kind::Copper},
+    {{"-CU"}, Kind::Copper},
+    {{"INNER"}, Kind::Copper},
+    {{"LAYER"}, Kind::Copper},
+    {{"GROUP"}, Kind::Copper},
+    {{"PRIMARY"}, Kind::Copper, kTop},
+    {{"SECONDARY"}, Kind::Copper, kBottom},
+    {{"TOP"}, Kind::Copper, kTop},
+    {{"BOTTOM"}, Kind::Copper, kBottom},
+    {{"GND"}, Kind::Copper},
+    {{"VCC"}, Kind::Copper},
+    {{"PWR"}, Kind::Copper},
+    {{"POWER"}, Kind::Copper},
+};
 
 bool isLetter(char c) {
     return c >= 'A' && c <= 'Z';
@@ -182,7 +181,7 @@ LayerSide sideOfName(std::string_view name) {
         hasAlone(name, "PS") || hasAlone(name, "SOLD")) {
         return kBottom;
     }
-    return has("COMPONENTMASK") || has("COMPONENTSILK") ? kTop : LayerSide::None;  // gEDA's component side
+    return LayerSide::None;
 }
 
 /// The number of an inner layer: behind L, LAYER, IN, INNER, G, GROUP or at the end.
@@ -262,9 +261,9 @@ std::optional<FileRole> roleOfEnding(std::string_view ending) {
 
 /// From the words in a stem or an ending; of drills only what holes are.
 std::optional<FileRole> roleOfWords(std::string_view text, bool areHoles) {
-    for (const Words& row : wordRows()) {
+    for (const Words& row : kWords) {
         const bool fits = std::ranges::all_of(row.all, [&](std::string_view word) {
-            return word.size() > 3 ? text.find(word) != std::string_view::npos : hasAlone(text, word);
+            return word.empty() || (word.size() > 3 ? text.find(word) != std::string_view::npos : hasAlone(text, word));
         });
         const bool isHole = row.kind == Kind::Drill || row.kind == Kind::Rout;
         if (!fits || (areHoles && !isHole)) {
