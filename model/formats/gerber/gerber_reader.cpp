@@ -133,7 +133,7 @@ std::vector<formats::FormPart> jobsIn(const formats::Archive& archive) {
     Counts counts = isNamedSo ? countFiles(archive, isNamedLikeJobFile) : Counts{};
     const bool isFound = counts[ReadFile::Kind::Gerber] + counts[ReadFile::Kind::Drills] > 0;
     if (!isFound && (isNamedSo || archive.rows().size() <= kFewFiles)) {
-        counts = countFiles(archive, [](std::string_view) { return true; });
+        counts = countFiles(archive, [](std::string_view name) { return !isForeign(name); });
     }
     if (!isNamedSo && counts[ReadFile::Kind::Gerber] == 0) {
         return {};  // drills alone are too easily taken for such

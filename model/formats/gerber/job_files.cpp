@@ -193,10 +193,14 @@ bool isNamedLikeGerber(std::string_view name) {
     return std::ranges::find(kPlainEndings, ending) != kPlainEndings.end() || (role && !isDigits);
 }
 
+bool isForeign(std::string_view name) {
+    return std::ranges::find(kForeign, endingOf(name)) != kForeign.end();
+}
+
 ReadFile::Kind kindOf(std::string_view text, std::string_view name) {
     using Kind = ReadFile::Kind;
     const std::string_view head = text.substr(0, kHead);
-    if (!isText(head) || head.starts_with('<') || std::ranges::find(kForeign, endingOf(name)) != kForeign.end()) {
+    if (!isText(head) || head.starts_with('<') || isForeign(name)) {
         return Kind::Other;
     }
     if (looksLikeJobFile(head)) {
@@ -236,7 +240,7 @@ base::Result<std::vector<ReadFile>> readFiles(const formats::Archive& archive, b
     std::vector<int> rows;
     for (const auto& [path, row] : archive.rows()) {
         const std::string_view name = std::string_view(path).substr(path.find_last_of('/') + 1);
-        if (!name.starts_with('.') && std::ranges::find(kForeign, endingOf(name)) == kForeign.end()) {
+        if (!name.starts_with('.') && !isForeign(name)) {
             rows.push_back(row);
         }
     }

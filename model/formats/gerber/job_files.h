@@ -49,6 +49,8 @@ struct ReadFile {
 
 /// What the text of a file is, by its content.
 [[nodiscard]] ReadFile::Kind kindOf(std::string_view text, std::string_view name);
+/// Is it a picture, a drawing or another program's file by its name, which is never read?
+[[nodiscard]] bool isForeign(std::string_view name);
 /// Is the file named like one of a Gerber job?
 [[nodiscard]] bool isNamedLikeGerber(std::string_view name);
 
