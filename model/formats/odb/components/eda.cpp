@@ -131,7 +131,12 @@ private:
 
     void header(std::string_view line) { m_data.generator = toUtf8(trimmed(line)); }
 
-    void layers(std::string_view line) { m_data.layers = splitLayers(toUtf8(line), m_layerNames); }
+    void layers(std::string_view line) {
+        if (!m_data.layers.empty()) {
+            return warn("a second LYR line was left out; FID records count the layers of the first");
+        }
+        m_data.layers = splitLayers(toUtf8(line), m_layerNames);
+    }
 
     void net(std::string_view line) {
         closeSubnet();

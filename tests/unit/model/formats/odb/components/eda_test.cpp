@@ -43,6 +43,16 @@ private slots:
                  (std::vector<std::string>{"topsolder", "Assembly Text Top", "top", "Assembly Top", "unknown", "top"}));
     }
 
+    void theFirstLineOfLayersCounts() {
+        // Found by fuzzing: the second line was shorter than the numbers of records before it.
+        Diagnostics diagnostics;
+        const EdaData eda = parse("LYR top bottom\nNET A\nSNT TRC\nFID C 1 0\nLYR top", diagnostics);
+        QCOMPARE(eda.layers, (std::vector<std::string>{"top", "bottom"}));
+        QCOMPARE(eda.features.size(), std::size_t{1});
+        QCOMPARE(diagnostics.entries().size(), std::size_t{1});
+        QCOMPARE(diagnostics.entries()[0].line, 5U);
+    }
+
     void featuresBelongToTheNetAndSubnetAboveThem() {
         const EdaData eda = parseClean(
             "HDR who\nLYR top topsolder\n#@0 .string\n&1 fast\nNET $NONE$\nFID C 0 1\n"
