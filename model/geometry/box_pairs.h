@@ -2,45 +2,50 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
-#include "model/geometry/box_index.h"
+#include "model/base/point.h"
 
 namespace model {
 
-/// Up to so many boxes are swept in the order of their left sides; more are looked up in a BoxIndex.
-inline constexpr std::size_t kMostSwept = 500;
+/// Boxes by level strips of the plane, in each in the order of their left sides: what boxes meet is found by looking to
+/// the right within a strip. There are so few strips that boxes are in four of them on average at most.
+class BoxStrips {
+public:
+    /// Empty boxes are in no strip.
+    explicit BoxStrips(std::span<const base::Box> boxes);
+
+    [[nodiscard]] std::size_t count() const { return m_first.size() - 1; }
+    /// The boxes that reach into a strip.
+    [[nodiscard]] std::span<const std::uint32_t> rowsOf(std::size_t strip) const {
+        return std::span(m_rows).subspan(m_first[strip], m_first[strip + 1] - m_first[strip]);
+    }
+    [[nodiscard]] std::size_t stripAt(base::Nm y) const;
+
+private:
+    std::vector<std::uint32_t> m_first;  ///< of m_rows, and the end
+    std::vector<std::uint32_t> m_rows;
+    base::Nm m_bottom = 0;
+    double m_stripsPerNm = 0.0;
+};
 
 /// Calls `visit(i, j)` once for every pair of boxes that share a point, of which `isWanted(i)` or `isWanted(j)`; in an
 /// order that depends on the boxes only.
 template <class IsWanted, class Visit>
 void visitPairs(std::span<const base::Box> boxes, const IsWanted& isWanted, const Visit& visit) {
-    const auto count = static_cast<std::uint32_t>(boxes.size());
-    if (count > kMostSwept) {
-        const BoxIndex index(boxes);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            if (isWanted(i)) {
-                index.visit(boxes[i], [&](std::uint32_t j) {
-                    if (j > i || (j < i && !isWanted(j))) {
-                        visit(i, j);
-                    }
-                });
-            }
-        }
-        return;
-    }
-    std::vector<std::uint32_t> order(count);
-    std::iota(order.begin(), order.end(), 0u);
-    std::ranges::sort(order, {}, [&](std::uint32_t row) { return std::pair(boxes[row].min.x, row); });
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const std::uint32_t i = order[k];
-        for (std::uint32_t l = k + 1; l < count && boxes[order[l]].min.x <= boxes[i].max.x; ++l) {
-            const std::uint32_t j = order[l];
-            if (boxes[i].meets(boxes[j]) && (isWanted(i) || isWanted(j))) {
-                visit(i, j);
+    const BoxStrips strips(boxes);
+    for (std::size_t strip = 0; strip < strips.count(); ++strip) {
+        const std::span<const std::uint32_t> rows = strips.rowsOf(strip);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const std::uint32_t i = rows[k];
+            for (std::size_t l = k + 1; l < rows.size() && boxes[rows[l]].min.x <= boxes[i].max.x; ++l) {
+                const std::uint32_t j = rows[l];
+                // Two that are together in several strips are met in the first of them.
+                if (boxes[i].meets(boxes[j]) && (isWanted(i) || isWanted(j)) &&
+                    strips.stripAt(std::max(boxes[i].min.y, boxes[j].min.y)) == strip) {
+                    visit(i, j);
+                }
             }
         }
     }

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kLeastSpacingNm = 1.0;
 constexpr std::size_t kFewEdges = 32;  ///< looked through without an index
-constexpr std::uint32_t kNoLimit = 0x7fffffff;
 
 bool isLongEnough(PointD chord) {
     return dot(chord, chord) >= 4 * kLeastSpacingNm * kLeastSpacingNm;
@@ -56,7 +55,6 @@ public:
         findOpen();
         if (!m_fault && m_edges.size() <= kFewEdges) {
             compareFew();
-            m_fault ? void() : findMisplacedHoles(nullptr);
         } else if (!m_fault) {
             compareMany();
         }
@@ -98,6 +96,9 @@ private:
                 }
             }
         }
+        if (!m_fault && m_loops.loopCount() > 1) {
+            findMisplacedHoles(std::span(boxes).first(m_edges.size()));
+        }
     }
 
     void compareMany() {
@@ -118,14 +119,9 @@ private:
                     i < j ? compare(i, j, loopOf[i], loopOf[j]) : compare(j, i, loopOf[j], loopOf[i]);
                 }
             });
-        if (m_fault || m_loops.loopCount() == 1) {
-            return;
+        if (!m_fault && m_loops.loopCount() > 1) {
+            findMisplacedHoles(boxes);
         }
-        if (m_loops.loopCount() * m_edges.size() < kMostSwept * kMostSwept / 10) {
-            return findMisplacedHoles(nullptr);
-        }
-        const BoxIndex index(boxes);
-        findMisplacedHoles(&index);
     }
 
     /// `i` before `j`.
@@ -179,30 +175,46 @@ private:
         }
     }
 
-    /// Every hole has to lie in the outline and in no other hole.
-    void findMisplacedHoles(const BoxIndex* index) {
-        for (std::size_t i = 1; i < m_loops.loopCount() && !m_fault; ++i) {
-            const std::uint32_t first = m_loops.loopStart[i];
-            const std::uint32_t last = m_loops.loopStart[i + 1];
-            const PointD p = m_edges[first].a;
-            int winding = 0;
-            const auto count = [&](std::uint32_t row) {
-                winding += row < first || row >= last ? windingAround(m_edges[row], p) : 0;
-            };
-            if (index != nullptr) {
-                Box ray = boxAround(p, 1.0);
-                ray.max.x = static_cast<Nm>(kNoLimit);
-                index->visit(ray, count);
-            } else {
-                for (std::uint32_t row = 0; row < m_edges.size(); ++row) {
-                    count(row);
+    /// Every hole has to lie in the outline and in no other hole. A line is swept upwards over the starts of holes; the
+    /// edges that it meets are those around them.
+    void findMisplacedHoles(std::span<const Box> boxes) {
+        std::vector<std::uint32_t> holes;
+        for (std::uint32_t i = 1; i < m_loops.loopCount(); ++i) {
+            holes.push_back(i);
+        }
+        const auto start = [&](std::uint32_t hole) { return m_edges[m_loops.loopStart[hole]].a; };
+        std::ranges::sort(holes, {}, [&](std::uint32_t hole) { return std::pair(start(hole).y, hole); });
+        std::vector<std::pair<Nm, std::uint32_t>> coming;  // edges by their lower ends
+        for (std::uint32_t row = 0; row < boxes.size(); ++row) {
+            coming.emplace_back(boxes[row].min.y, row);
+        }
+        std::ranges::sort(coming);
+        std::vector<std::uint32_t> met;
+        auto next = coming.begin();
+        for (const std::uint32_t hole : holes) {
+            const PointD p = start(hole);
+            std::erase_if(met, [&](std::uint32_t row) { return boxes[row].max.y < p.y; });
+            for (; next != coming.end() && next->first <= p.y; ++next) {
+                if (boxes[next->second].max.y >= p.y) {
+                    met.push_back(next->second);
                 }
             }
-            if (winding != 1) {
-                report(
-                    winding < 1 ? "a hole lies outside the outline or in another hole" : "a hole winds like an outline",
-                    p);
-            }
+            reportMisplaced(hole, p, boxes, met);
+        }
+    }
+
+    /// `met` are the edges at the height of `p`.
+    void reportMisplaced(std::uint32_t hole, PointD p, std::span<const Box> boxes, std::span<const std::uint32_t> met) {
+        const std::uint32_t first = m_loops.loopStart[hole];
+        const std::uint32_t last = m_loops.loopStart[hole + 1];
+        int winding = 0;
+        for (const std::uint32_t row : met) {
+            const bool isOther = row < first || row >= last;
+            winding += isOther && boxes[row].max.x >= p.x ? windingAround(m_edges[row], p) : 0;
+        }
+        if (winding != 1) {
+            report(winding < 1 ? "a hole lies outside the outline or in another hole" : "a hole winds like an outline",
+                   p);
         }
     }
 
