@@ -1,5 +1,8 @@
 #include "model/solids/shells/shared_shape.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "model/solids/shells/area_shell.h"
 #include "model/solids/shells/circle_shell.h"
 #include "model/solids/shells/element_shells.h"
@@ -15,29 +18,63 @@ std::size_t ShapeKeyHash::operator()(const ShapeKey& key) const {
     return hash;
 }
 
-std::optional<SharedShape> sharedShapeOf(const Document& document, ElementId element) {
-    const ElementKind kind = document.elements.kind[element.row()];
-    const ZRange z = solidHeightsOf(document, element);
-    if (z.top <= z.bottom || (kind != ElementKind::Circle && kind != ElementKind::Area)) {
-        return std::nullopt;
-    }
-    const std::uint32_t row = document.elements.geometry[element.row()];
-    if (kind == ElementKind::Circle) {
-        const CircleGeometry& circle = document.circles[row];
-        return SharedShape{{kind, circle.diameter, circle.innerDiameter, z.bottom, z.top}, {circle.centre, 0.0, false}};
-    }
-    const AreaGeometry& area = document.areas[row];
+namespace {
+
+SharedShape sharedCircle(const CircleGeometry& circle, const ZRange& z) {
+    return {{ElementKind::Circle, circle.diameter, circle.innerDiameter, z.bottom, z.top}, {circle.centre, 0.0, false}};
+}
+
+SharedShape sharedArea(const AreaGeometry& area, const ZRange& z) {
     // Mirroring stays in the shape, so that what is placed is only moved and turned: first mirrored x -> -x, then
     // turned, instead of turned clockwise and then mirrored.
     const double angle = area.placement.isMirrored ? -area.placement.clockwiseDeg : area.placement.clockwiseDeg;
-    return SharedShape{{kind, area.shape.value, area.placement.isMirrored ? 1 : 0, z.bottom, z.top},
-                       {area.placement.origin, angle, false}};
+    return {{ElementKind::Area, area.shape.value, area.placement.isMirrored ? 1 : 0, z.bottom, z.top},
+            {area.placement.origin, angle, false}};
+}
+
+/// Along +x from the origin.
+std::optional<SharedShape> sharedLine(const LineGeometry& line, const ZRange& z) {
+    const std::int64_t dx = std::int64_t{line.b.x} - line.a.x;
+    const std::int64_t dy = std::int64_t{line.b.y} - line.a.y;
+    if (line.innerWidth > 0 || (dx == 0 && dy == 0)) {
+        return std::nullopt;
+    }
+    const double clockwiseDeg =
+        -std::atan2(static_cast<double>(dy), static_cast<double>(dx)) * 180.0 / std::numbers::pi;
+    return SharedShape{{ElementKind::Line, dx * dx + dy * dy, line.width, z.bottom, z.top},
+                       {line.a, clockwiseDeg, false}};
+}
+
+}  // namespace
+
+std::optional<SharedShape> sharedShapeOf(const Document& document, ElementId element) {
+    const ElementKind kind = document.elements.kind[element.row()];
+    const ZRange z = solidHeightsOf(document, element);
+    if (z.top <= z.bottom) {
+        return std::nullopt;
+    }
+    const std::uint32_t row = document.elements.geometry[element.row()];
+    const bool hasSquarePen = (document.elements.flags[element.row()] & kSquarePen) != 0;
+    switch (kind) {
+        case ElementKind::Circle: return sharedCircle(document.circles[row], z);
+        case ElementKind::Area: return sharedArea(document.areas[row], z);
+        case ElementKind::Line: return hasSquarePen ? std::nullopt : sharedLine(document.lines[row], z);
+        default: return std::nullopt;
+    }
 }
 
 ElementOutlines outlinesOf(const Document& document, const ShapeKey& key) {
     if (key.kind == ElementKind::Circle) {
         EdgeLoops loops = circleOutline({{}, static_cast<Nm>(key.first), static_cast<Nm>(key.second)});
         return loops.loopCount() > 0 ? ElementOutlines{{std::move(loops)}, {}} : ElementOutlines{};
+    }
+    if (key.kind == ElementKind::Line) {
+        if (key.second <= 0) {
+            return {};
+        }
+        EdgeLoops loops;
+        loops.addCapsule({}, {std::sqrt(static_cast<double>(key.first)), 0.0}, static_cast<double>(key.second) / 2.0);
+        return {{std::move(loops)}, {}};
     }
     ElementOutlines outlines = outlinesOf(document, ShapeId{static_cast<std::uint32_t>(key.first)});
     if (key.second != 0) {

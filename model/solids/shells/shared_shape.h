@@ -9,12 +9,12 @@
 
 namespace model {
 
-/// What equal pads, discs and barrels have in common: written once, placed often. Two elements with equal keys have
-/// equal solids in the coordinates of SharedShape::placement.
+/// What equal tracks, pads, discs and barrels have in common: written once, placed often. Two elements with equal keys
+/// have equal solids in the coordinates of SharedShape::placement.
 struct ShapeKey {
-    ElementKind kind = ElementKind::Circle;  ///< Circle or Area
-    std::int64_t first = 0;                  ///< the diameter, or the row of the shape
-    std::int64_t second = 0;                 ///< the inner diameter, or 1 for a mirrored shape
+    ElementKind kind = ElementKind::Circle;  ///< Circle, Area or Line
+    std::int64_t first = 0;                  ///< the diameter, the row of the shape, or the square of the length
+    std::int64_t second = 0;                 ///< the inner diameter, 1 for a mirrored shape, or the width
     Nm bottom = 0;                           ///< heights of the solid
     Nm top = 0;
     auto operator<=>(const ShapeKey&) const = default;
@@ -29,7 +29,8 @@ struct SharedShape {
     Placement placement;  ///< of the solid of that key; never mirrored
 };
 
-/// Without a value for lines, arcs and trails, of which hardly two are equal, and for what has no height.
+/// Without a value for arcs and trails, of which hardly two are equal, for lines with a square pen or of a slot, and
+/// for what has no height. Half of the tracks of a board are as long and as wide as another.
 [[nodiscard]] std::optional<SharedShape> sharedShapeOf(const Document& document, ElementId element);
 /// The regions of such a shape where `SharedShape::placement` is none.
 [[nodiscard]] ElementOutlines outlinesOf(const Document& document, const ShapeKey& key);

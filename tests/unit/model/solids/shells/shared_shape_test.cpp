@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "model/geometry/loops/edge_faults.h"
+#include "model/geometry/vectors.h"
 #include "tests/unit/model/geometry/edge_loop_checks.h"
 #include "tests/unit/model/hand_made.h"
 
@@ -22,6 +23,38 @@ class SharedShapeTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void tracksOfOneLengthAndWidthAreOneShape() {
+        model::DocumentBuilder builder;
+        addLayers(builder, kStackup);
+        builder.beginLayer(model::LayerId{std::size_t{0}});
+        const ElementId along = builder.addLine({{7, 9}, {5 * kMm + 7, 9}, kMm, 0}, {});
+        const ElementId slanted = builder.addLine({{kMm, 0}, {-2 * kMm, 4 * kMm}, kMm, 0}, {});
+        const ElementId wider = builder.addLine({{7, 9}, {5 * kMm + 7, 9}, kMm + 1, 0}, {});
+        const ElementId longer = builder.addLine({{7, 9}, {5 * kMm + 8, 9}, kMm, 0}, {});
+        model::DocumentBuilder::Origin squarePen;
+        squarePen.flags = model::kSquarePen;
+        const ElementId square = builder.addLine({{7, 9}, {5 * kMm + 7, 9}, kMm, 0}, squarePen);
+        const ElementId slot = builder.addLine({{7, 9}, {5 * kMm + 7, 9}, kMm, kMm / 2}, {});
+        const auto shapeOf = [&](ElementId element) { return model::sharedShapeOf(builder.soFar(), element); };
+        QVERIFY(shapeOf(along)->key == shapeOf(slanted)->key);
+        QVERIFY(shapeOf(along)->key != shapeOf(wider)->key);
+        QVERIFY(shapeOf(along)->key != shapeOf(longer)->key);
+        QVERIFY(!shapeOf(square));
+        QVERIFY(!shapeOf(slot));
+        for (const ElementId element : {along, slanted}) {
+            const auto shared = shapeOf(element);
+            const model::ElementOutlines canonical = model::outlinesOf(builder.soFar(), shared->key);
+            const model::ElementOutlines own = model::outlinesOf(builder.soFar(), element);
+            const model::EdgeLoops there = model::placed(canonical.regions.front(), shared->placement);
+            const model::EdgeLoops& expected = own.regions.front();
+            QCOMPARE(there.edges.size(), expected.edges.size());
+            for (std::size_t i = 0; i < expected.edges.size(); ++i) {
+                QVERIFY(model::distance(there.edges[i].a, expected.edges[i].a) < 0.01);
+                QCOMPARE(there.edges[i].isArc(), expected.edges[i].isArc());
+            }
+        }
+    }
+
     void placedShapesAreCleanedAsSingleOnesAre() {
         model::DocumentBuilder builder;
         addLayers(builder, kStackup);
