@@ -321,6 +321,9 @@ void addSection(CLI::App& parent, Command& chosen) {
     addInputOptions(command, arguments.board.request);
 }
 
+constexpr const char* kPolylines =
+    "STEP: chords around a bend as one edge and one wall, for programs that take walls with bends";
+
 void addExport(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("export", "Write a board as solids or drawings for other programs");
     ExportArguments& arguments = argumentsOf(command, chosen, runExport);
@@ -346,6 +349,7 @@ void addExport(CLI::App& parent, Command& chosen) {
     command.add_flag("--one-page", arguments.isOnePage, "PDF: all layers on one page instead of a page each");
     command.add_flag("--written-out", arguments.isWrittenOut,
                      "equal pads and barrels one by one, for programs that do not know placed shapes");
+    command.add_flag("--polylines", arguments.hasPolylines, kPolylines);
     addInputOptions(command, arguments.board.request);
 }
 
@@ -362,6 +366,7 @@ void addVerify(CLI::App& parent, Command& chosen) {
     command.add_option("--sample", arguments.sample, "about so many elements, spread over all shapes and layers")
         ->excludes(command.get_option("--step"));
     addNumber<std::uint64_t>(command, "--points", arguments.points, 0, 100'000'000, "random points to compare");
+    command.add_flag("--polylines", arguments.hasPolylines, kPolylines)->excludes(command.get_option("--step"));
     command.add_flag("--strict", arguments.isStrict, "read without the repairs that the reader makes on its own");
     command.add_flag("--no-pictures", arguments.noPictures, "without pictures of both pipelines");
     command.add_flag("--json", arguments.asJson, "as JSON");

@@ -104,6 +104,7 @@ Result<model::ExportRequest> requestFor(const Document& board, const ExportArgum
     request.looks = looksOf(board);
     request.time = now();
     request.isWrittenOut = arguments.isWrittenOut;
+    request.hasPolylines = arguments.hasPolylines;
     request.isOnePage = arguments.isOnePage;
     request.isCompressed = arguments.isCompressed;
     request.isInstanced = arguments.isInstanced;

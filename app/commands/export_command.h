@@ -21,6 +21,7 @@ struct ExportArguments {
     bool isOnePart = false;
     bool isAsDesigned = false;
     bool isWrittenOut = false;
+    bool hasPolylines = false;
     bool isOnePage = false;
     bool isInstanced = false;
     bool isCompressed = false;

@@ -59,7 +59,8 @@ Result<SolidPlan> planFor(const Document& board, const VerifyArguments& argument
 Result<VerifyReport> verify(const Document& board, const VerifyArguments& arguments, base::Progress& progress) {
     ASSIGN_OR_RETURN(const SolidPlan plan, planFor(board, arguments, progress));
     const VerifiedFile file(arguments.step);
-    const model::StepOptions options;
+    model::StepOptions options;
+    options.hasPolylines = arguments.hasPolylines;
     if (file.isOurs()) {
         ASSIGN_OR_RETURN(const model::SolidReport written, model::exportStep(plan, options, file.path(), progress));
         std::fprintf(stderr, "%.1f MB written\n", static_cast<double>(written.bytes) / 1e6);

@@ -13,7 +13,8 @@ struct VerifyArguments {
     std::vector<std::string> layers;
     std::size_t sample = 0;  ///< at most about so many elements, spread over all shapes; 0: all
     std::uint64_t points = 20'000;
-    bool isStrict = false;  ///< reads without the repairs of the reader
+    bool hasPolylines = false;  ///< writes StepOptions::hasPolylines
+    bool isStrict = false;      ///< reads without the repairs of the reader
     bool asJson = false;
     bool noPictures = false;
 };

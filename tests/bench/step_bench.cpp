@@ -1,7 +1,8 @@
-// How fast STEP files are written, beside OpenCASCADE's own writer: step_bench BOARD [SOLIDS [alone]]. About so many
-// distinct solids of the board's copper (2,000 when not said; every pad written out) are written, the best of three
-// runs, then read back, and the shapes that were read handed to STEPControl_Writer, once; reading is not counted. With
-// `alone` only the first is done, for more solids than OpenCASCADE has time for. Processor time.
+// How fast STEP files are written, beside OpenCASCADE's own writer: step_bench BOARD [SOLIDS [alone [polylines]]].
+// About so many distinct solids of the board's copper (2,000 when not said; every pad written out) are written, the
+// best of three runs, then read back, and the shapes that were read handed to STEPControl_Writer, once; reading is not
+// counted. With `alone` only the first is done, for more solids than OpenCASCADE has time for; with `polylines` as
+// StepOptions::hasPolylines. Processor time.
 
 #include <BRep_Builder.hxx>
 #include <Interface_Static.hxx>
@@ -75,7 +76,7 @@ std::size_t solidsIn(const TopoDS_Shape& shape) {
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "usage: step_bench BOARD [SOLIDS [alone]]\n");
+        std::fprintf(stderr, "usage: step_bench BOARD [SOLIDS [alone [polylines]]]\n");
         return 1;
     }
     Message::DefaultMessenger()->ChangePrinters().Clear();
@@ -91,11 +92,12 @@ int main(int argc, char** argv) {
     const fs::path theirs = fs::temp_directory_path() / "step_bench_theirs.step";
     model::StepOptions options;
     options.isWrittenOut = true;
+    options.hasPolylines = argc > 4;
     std::size_t written = 0;
     double seconds = std::numeric_limits<double>::max();
     for (int run = 0; run < 3; ++run) {
-        seconds = std::min(
-            seconds, secondsOf([&] { written = model::exportStep(plan, options, ours, progress)->solids; }));
+        seconds =
+            std::min(seconds, secondsOf([&] { written = model::exportStep(plan, options, ours, progress)->solids; }));
     }
     print("Copperscope", written, seconds, ours);
     if (argc > 3) {

@@ -101,6 +101,16 @@ private slots:
         QVERIFY(report["points"]["share"].toDouble() >= 0.9999);
     }
 
+    void wallsWithBendsAreProvedToo() {
+        const Outcome done = copperscope({"verify", locations::kSample, "--layers", "L02-INNER_LAYER", "--sample", "60",
+                                          "--points", "200", "--no-pictures", "--polylines", "--json"});
+        if (done.err.contains("OpenCASCADE")) {
+            QSKIP("this build has no OpenCASCADE");
+        }
+        QVERIFY2(done.exitCode == 0, done.out.constData());
+        QVERIFY(QJsonDocument::fromJson(done.out)["passed"].toBool());
+    }
+
     void wrongSolidsAreFound() {
         const QTemporaryDir folder;
         const QString path = folder.filePath("other.step");

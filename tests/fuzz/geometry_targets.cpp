@@ -26,8 +26,9 @@ void stepSolids(std::string_view input) {
         if (const auto plan = model::planSolids(**read, choice, progress)) {
             model::StepOptions options;
             options.isWrittenOut = !isPlain;
+            options.hasPolylines = !isPlain;
             options.limits = isPlain ? model::RegionLimits{} : model::RegionLimits{8, 2};
-            static_cast<void>(model::estimateStep(*plan));
+            static_cast<void>(model::estimateStep(*plan, options));
             static_cast<void>(model::exportStep(*plan, options, "/dev/null", progress));
         }
     }

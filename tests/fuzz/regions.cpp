@@ -136,7 +136,7 @@ void checkSound(const Regions& regions) {
 
 void writeSolids(const Regions& regions) {
     model::StepText text;
-    model::StepSolidText solids(text);
+    model::StepSolidText solids(text, model::StepEdges::Polylines);
     for (const EdgeLoops& region : regions) {
         static_cast<void>(solids.add({region, {0, 35'000}}));
     }

@@ -62,6 +62,12 @@ constexpr Option kOptions[] = {
                        "Every pad and barrel is written instead of one placed often: larger, for programs that do not "
                        "read placed shapes"),
      &ExportFormat::isStep, [](ExportRequest& request) -> bool& { return request.isWrittenOut; }},
+    {"polylines", QT_TRANSLATE_NOOP("ui::ExportDialog", "Po&lylines"),
+     QT_TRANSLATE_NOOP(
+         "ui::ExportDialog",
+         "Chords around a bend become one edge with one wall: the same solids in a much smaller file, for "
+         "programs that take walls with bends"),
+     &ExportFormat::isStep, [](ExportRequest& request) -> bool& { return request.hasPolylines; }},
     {"instancing", QT_TRANSLATE_NOOP("ui::ExportDialog", "&Instances"),
      QT_TRANSLATE_NOOP("ui::ExportDialog",
                        "Equal pads of a net as one node, which not all viewers show (EXT_mesh_gpu_instancing)"),

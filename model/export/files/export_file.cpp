@@ -42,15 +42,21 @@ constexpr double kPackedShare = 0.2;
 /// How much longer a packed file takes.
 constexpr double kPackedTime = 1.8;
 
-template <bool isPacked>
-Result<ExportSummary> writeStep(const Document& board, const ExportRequest& request, const fs::path& path,
-                                Progress& progress) {
-    ASSIGN_OR_RETURN(const SolidPlan plan, planSolids(board, request.choice, progress));
+StepOptions stepOptionsOf(const Document& board, const ExportRequest& request) {
     StepOptions options;
     options.looks = request.looks;
     options.name = board.job.name;
     options.time = request.time;
     options.isWrittenOut = request.isWrittenOut;
+    options.hasPolylines = request.hasPolylines;
+    return options;
+}
+
+template <bool isPacked>
+Result<ExportSummary> writeStep(const Document& board, const ExportRequest& request, const fs::path& path,
+                                Progress& progress) {
+    ASSIGN_OR_RETURN(const SolidPlan plan, planSolids(board, request.choice, progress));
+    StepOptions options = stepOptionsOf(board, request);
     options.isPacked = isPacked;
     ASSIGN_OR_RETURN(const SolidReport report, exportStep(plan, options, path, progress));
     return ExportSummary{report.bytes,
@@ -176,7 +182,7 @@ Result<std::optional<StepEstimate>> estimateExport(const Document& board, const 
         return std::optional<StepEstimate>();
     }
     ASSIGN_OR_RETURN(const SolidPlan plan, planSolids(board, request.choice, progress));
-    StepEstimate estimate = estimateStep(plan);
+    StepEstimate estimate = estimateStep(plan, stepOptionsOf(board, request));
     if (format.write == writeStep<true>) {
         estimate.bytes *= kPackedShare;
         estimate.seconds *= kPackedTime;

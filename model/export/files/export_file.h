@@ -19,6 +19,7 @@ struct ExportRequest {
     std::vector<SolidLook> looks;  ///< by row of the board's layers
     std::string time;              ///< ISO 8601, for headers
     bool isWrittenOut = false;     ///< StepOptions::isWrittenOut
+    bool hasPolylines = false;     ///< StepOptions::hasPolylines
     bool isOnePage = false;        ///< PDF: all layers on one page
     bool isCompressed = false;     ///< GLB: GlbPacking::Compressed
     bool isInstanced = false;      ///< GLB: GlbOptions::isInstanced
@@ -47,7 +48,7 @@ struct ExportFormat {
     std::string_view endings;  ///< in lower case, separated by spaces: ".step .stp"
     std::string_view purpose;  ///< "exact solids for mechanical CAD"
     bool isSolid = false;      ///< it knows all of SolidChoice; otherwise layers only
-    bool isStep = false;       ///< it knows ExportRequest::isWrittenOut
+    bool isStep = false;       ///< it knows ExportRequest::isWrittenOut and hasPolylines
     bool isPdf = false;        ///< it knows ExportRequest::isOnePage
     bool isGlb = false;        ///< it knows ExportRequest::isCompressed and isInstanced
     base::Result<ExportSummary> (*write)(const Document& board, const ExportRequest& request,

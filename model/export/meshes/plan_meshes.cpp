@@ -49,7 +49,7 @@ public:
 private:
     void findShapes() {
         for (const ElementId element : m_step.elements) {
-            const auto shared = m_plan.sharedShapeOf(m_step, element);
+            const auto shared = sharedShapeOf(element);
             if (shared && m_rows.try_emplace(shared->key, static_cast<std::uint32_t>(m_keys.size())).second) {
                 m_keys.push_back(shared->key);
             }
@@ -66,6 +66,11 @@ private:
                kind == ElementKind::Trail;
     }
 
+    /// Of what is placed.
+    [[nodiscard]] std::optional<SharedShape> sharedShapeOf(ElementId element) const {
+        return isUnited(element) ? std::nullopt : m_plan.sharedShapeOf(m_step, element);
+    }
+
     GroupMesh meshOf(const SolidGroup& group, const std::vector<SolidMesh>& shapes,
                      std::vector<MissingSolid>& missing) const {
         GroupMesh mesh;
@@ -75,7 +80,7 @@ private:
                 return mesh;
             }
             const ElementId element = m_step.elements[i];
-            const auto shared = m_plan.choice.isMerged ? std::nullopt : m_plan.sharedShapeOf(m_step, element);
+            const auto shared = sharedShapeOf(element);
             const auto row = shared ? m_rows.find(shared->key) : m_rows.end();
             if (row != m_rows.end()) {
                 place({row->second, shared->placement, element}, shapes, mesh, missing);

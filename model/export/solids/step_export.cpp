@@ -15,6 +15,10 @@ namespace {
 /// Text is handed to the file in pieces of about this size.
 constexpr std::size_t kPiece = 1U << 18U;
 
+StepEdges edgesOf(const StepOptions& options) {
+    return options.hasPolylines ? StepEdges::Polylines : StepEdges::Single;
+}
+
 /// Writes the steps of a plan into one text.
 class StepWriter {
 public:
@@ -186,7 +190,7 @@ private:
     FileWriter& m_file;
     base::Progress& m_progress;
     StepText m_text;
-    StepSolidText m_solids{m_text};
+    StepSolidText m_solids{m_text, edgesOf(m_options)};
     StepAssembly m_assembly{m_text, m_solids.origin()};
     std::unordered_map<ShapeKey, WrittenShape, ShapeKeyHash> m_shapes;  ///< of the step that is being written
     std::uint32_t m_step = 0;
@@ -195,25 +199,16 @@ private:
 };
 
 /// Measured on boards of all kinds.
-constexpr double kBytesOfEntity = 42.0;
 constexpr double kBytesOfSolid = 47.0;
 constexpr double kBytesOfCopy = 180.0;
 constexpr double kBytesOfGroup = 900.0;
 constexpr double kBytesPerSecond = 150e6;
+/// Numbers of entities are longer in a whole file than in a sample.
+constexpr double kLongerNumbers = 1.1;
 /// Solids that are made for an estimate of a step, at most about so many.
 constexpr double kSampled = 1000.0;
 /// What a track or a pad counts, in corners.
 constexpr double kCornersOfPlain = 4.0;
-
-double bytesOf(const std::vector<Shell>& shells) {
-    double bytes = 0.0;
-    for (const Shell& shell : shells) {
-        const double edges = static_cast<double>(shell.outline.edges.size());
-        const double holes = static_cast<double>(shell.outline.loopCount()) - 1;
-        bytes += kBytesOfSolid + kBytesOfEntity * (24 * edges + 14 + 4 * holes);
-    }
-    return bytes;
-}
 
 /// How much of the file an element may be: its corners as they were drawn.
 double cornersOf(const Document& document, ElementId element) {
@@ -228,50 +223,78 @@ double cornersOf(const Document& document, ElementId element) {
     return corners;
 }
 
-/// Of the elements that are written one by one: a sample in which each appears as often as it has corners, so that
-/// planes, which are most of a file, are all in it.
-double sampledBytes(const SolidPlan& plan, const StepSolids& step, std::span<const ElementId> elements) {
-    double corners = 0.0;
-    for (const ElementId element : elements) {
-        corners += cornersOf(*step.document, element);
-    }
-    const double stride = std::max(corners / kSampled, 1.0);
-    double bytes = 0.0;
-    double next = stride / 2;
-    for (const ElementId element : elements) {
-        const double own = cornersOf(*step.document, element);
-        next -= own;
-        if (next < 0) {
-            const double picks = std::floor(-next / stride) + 1;
-            next += picks * stride;
-            bytes += picks * stride / own * bytesOf(plan.shellsOf(step, element).shells);
-        }
-    }
-    return bytes;
-}
+/// How large a step becomes: what is placed often is written to be measured, and of the rest a sample.
+class StepSizes {
+public:
+    StepSizes(const SolidPlan& plan, const StepOptions& options) : m_plan(plan), m_options(options) {}
 
-double estimatedBytes(const SolidPlan& plan, const StepSolids& step) {
-    double bytes = kBytesOfGroup * static_cast<double>(step.groups.size());
-    for (const auto& [key, uses] : step.uses) {
-        bytes += uses > 1 ? bytesOf(plan.shellsOf(step, key).shells) : 0.0;
-    }
-    std::vector<ElementId> single;
-    for (const ElementId element : step.elements) {
-        if (plan.sharedShapeOf(step, element)) {
-            bytes += kBytesOfCopy;
-        } else {
-            single.push_back(element);
+    double of(const StepSolids& step) {
+        double bytes = kBytesOfGroup * static_cast<double>(step.groups.size());
+        std::vector<ElementId> single;
+        for (const ElementId element : step.elements) {
+            if (!m_options.isWrittenOut && m_plan.sharedShapeOf(step, element)) {
+                bytes += kBytesOfCopy;
+            } else {
+                single.push_back(element);
+            }
         }
+        return bytes + sharedBytes(step) + sampledBytes(step, single);
     }
-    return bytes + sampledBytes(plan, step, single);
-}
+
+private:
+    double bytesOf(const std::vector<Shell>& shells) {
+        m_text.clear();
+        double bytes = 0.0;
+        for (const Shell& shell : shells) {
+            m_solids.add(shell);
+            bytes += kBytesOfSolid;
+        }
+        return bytes + kLongerNumbers * static_cast<double>(m_text.text().size());
+    }
+
+    double sharedBytes(const StepSolids& step) {
+        double bytes = 0.0;
+        for (const auto& [key, uses] : step.uses) {
+            bytes += uses > 1 && !m_options.isWrittenOut ? bytesOf(m_plan.shellsOf(step, key).shells) : 0.0;
+        }
+        return bytes;
+    }
+
+    /// A sample in which each element appears as often as it has corners, so that planes, which are most of a file, are
+    /// all in it.
+    double sampledBytes(const StepSolids& step, std::span<const ElementId> elements) {
+        double corners = 0.0;
+        for (const ElementId element : elements) {
+            corners += cornersOf(*step.document, element);
+        }
+        const double stride = std::max(corners / kSampled, 1.0);
+        double bytes = 0.0;
+        double next = stride / 2;
+        for (const ElementId element : elements) {
+            const double own = cornersOf(*step.document, element);
+            next -= own;
+            if (next < 0) {
+                const double picks = std::floor(-next / stride) + 1;
+                next += picks * stride;
+                bytes += picks * stride / own * bytesOf(m_plan.shellsOf(step, element).shells);
+            }
+        }
+        return bytes;
+    }
+
+    const SolidPlan& m_plan;
+    const StepOptions& m_options;
+    StepText m_text;
+    StepSolidText m_solids{m_text, edgesOf(m_options)};
+};
 
 }  // namespace
 
-StepEstimate estimateStep(const SolidPlan& plan) {
+StepEstimate estimateStep(const SolidPlan& plan, const StepOptions& options) {
     StepEstimate estimate;
+    StepSizes sizes(plan, options);
     for (const StepSolids& step : plan.steps) {
-        estimate.bytes += estimatedBytes(plan, step);
+        estimate.bytes += sizes.of(step);
     }
     estimate.seconds = estimate.bytes / kBytesPerSecond;
     return estimate;

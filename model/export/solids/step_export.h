@@ -22,6 +22,9 @@ struct StepOptions {
     std::string time;              ///< ISO 8601, in the file's header
     /// Writes every pad and barrel out instead of placing one shape often, for readers without mapped items.
     bool isWrittenOut = false;
+    /// Writes chords that follow each other around a bend as one edge and one wall: the same solid in a fraction of the
+    /// file, for programs that take walls with bends.
+    bool hasPolylines = false;
     bool isPacked = false;  ///< gzip, as readers of .stpz want it
     /// Planes with more edges or holes are written in several solids side by side (splitLarge).
     RegionLimits limits;
@@ -35,12 +38,12 @@ struct SolidReport {
     std::vector<MissingSolid> missing;
 };
 
-/// What a STEP file of the plan will be, before it is written: from counts of edges of a part of its elements.
+/// What a STEP file of the plan will be, before it is written, unpacked: from the text of a part of its elements.
 struct StepEstimate {
     double bytes = 0.0;
     double seconds = 0.0;  ///< on a core of a laptop
 };
-[[nodiscard]] StepEstimate estimateStep(const SolidPlan& plan);
+[[nodiscard]] StepEstimate estimateStep(const SolidPlan& plan, const StepOptions& options);
 
 /// Writes the plan as a STEP file (AP242; AP214 readers take it too): product in product from the board over its layers
 /// to its nets, exact planes and cylinders. Memory does not grow with the board. All of the file or nothing. Errors:

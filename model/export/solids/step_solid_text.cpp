@@ -1,5 +1,6 @@
 #include "model/export/solids/step_solid_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,55 @@ namespace {
 /// More different directions than this are not remembered, so that memory stays small.
 constexpr std::size_t kMostDirections = 200'000;
 
+/// Polylines have at most so many chords: the time of readers grows faster than with their number.
+constexpr std::uint32_t kMostChords = 100;
+/// A loop has at least so many edges: readers tell which way it runs from few points of each.
+constexpr std::uint32_t kFewestEdges = 3;
+/// The longest chord of a polyline is at most so many times as long as the shortest: with 7 mm beside 1 um, readers
+/// lost its wall by 63 um.
+constexpr double kMostRatio = 100.0;
+/// Chords of an arc turn less than this from one to the next; what turns more is a corner, and stays one.
+constexpr double kCosineOfBend = 0.64;  // 50 degrees
+
+bool isStraight(const EdgeLoops& outline, std::size_t row) {
+    return !outline.edges[row].isArc() && curveAt(outline, row) == nullptr;
+}
+
+/// Chords of one bend.
+class Bend {
+public:
+    explicit Bend(const Edge& first)
+        : m_along(minus(first.b, first.a)), m_shortest(length(m_along)), m_longest(m_shortest) {}
+
+    /// Does the next chord belong to it? If so, it is the last of it from now on.
+    bool takes(const Edge& next) {
+        const base::PointD along = minus(next.b, next.a);
+        const double size = length(along);
+        m_shortest = std::min(m_shortest, size);
+        m_longest = std::max(m_longest, size);
+        if (m_longest > kMostRatio * m_shortest || dot(m_along, along) < kCosineOfBend * length(m_along) * size) {
+            return false;
+        }
+        m_along = along;
+        return true;
+    }
+
+private:
+    base::PointD m_along;
+    double m_shortest;
+    double m_longest;
+};
+
+/// Where the polyline that begins at `row` of a loop ends: the row after its last chord.
+std::uint32_t endOfPolyline(const EdgeLoops& outline, std::uint32_t row, std::uint32_t end) {
+    Bend bend(outline.edges[row]);
+    std::uint32_t next = row + 1;
+    while (next < end && isStraight(outline, next) && bend.takes(outline.edges[next])) {
+        ++next;
+    }
+    return next;
+}
+
 std::uint64_t keyOf(double x, double y) {
     const auto part = [](double v) { return static_cast<std::uint64_t>(std::llround(v * 1e9) + 1'000'000'000); };
     return part(x) << 32U | part(y);
@@ -19,7 +69,7 @@ std::uint64_t keyOf(double x, double y) {
 
 }  // namespace
 
-StepSolidText::StepSolidText(StepText& text) : m_text(text) {
+StepSolidText::StepSolidText(StepText& text, StepEdges edges) : m_text(text), m_edges(edges) {
     m_up = m_text.direction(0, 0, 1);
     m_right = m_text.direction(1, 0, 0);
     m_upwards = m_text.add("VECTOR('',", m_up, ",1.)");
@@ -143,6 +193,21 @@ void StepSolidText::addCurve(Rim& rim, const Rim& next, const NurbsView& curve, 
     }
 }
 
+void StepSolidText::addPolyline(Rim& rim, const Rim& next, std::span<const Edge> chords, const ZRange& z) {
+    StepId curve[2];
+    for (const Face face : {Bottom, Top}) {
+        m_loop.assign(1, rim.point[face]);
+        for (const Edge& chord : chords.subspan(1)) {
+            m_loop.push_back(m_text.point(chord.a, face == Top ? z.top : z.bottom));
+        }
+        m_loop.push_back(next.point[face]);
+        curve[face] = m_text.add("POLYLINE('',", m_loop, ")");
+        rim.edge[face] =
+            m_text.add("EDGE_CURVE('',", rim.vertex[face], ",", next.vertex[face], ",", curve[face], ",.T.)");
+    }
+    rim.surface = m_text.add("SURFACE_OF_LINEAR_EXTRUSION('',", curve[Bottom], ",", m_upwards, ")");
+}
+
 StepId StepSolidText::addWall(Rim& rim, const Rim& next) {
     rim.used[Bottom] = oriented(rim.edge[Bottom], false);
     rim.used[Top] = oriented(rim.edge[Top], true);
@@ -168,44 +233,55 @@ StepId StepSolidText::addLid(const Shell& shell, Face face) {
     return m_text.add("ADVANCED_FACE('',", m_bounds, ",", plane, face == Top ? ",.T.)" : ",.F.)");
 }
 
-void StepSolidText::addEdge(const EdgeLoops& outline, std::size_t row, Rim& rim, const Rim& next, const ZRange& z) {
-    if (const EdgeLoops::CurveRun* run = model::curveAt(outline, row)) {
-        addCurve(rim, next, run->curve.view(), z);
-    } else if (outline.edges[row].isArc()) {
-        addArc(rim, next, outline.edges[row], z);
+void StepSolidText::addEdge(const EdgeLoops& outline, const Run& run, Rim& rim, const Rim& next, const ZRange& z) {
+    const Edge& edge = outline.edges[run.first];
+    if (const EdgeLoops::CurveRun* curve = model::curveAt(outline, run.first)) {
+        addCurve(rim, next, curve->curve.view(), z);
+    } else if (edge.isArc()) {
+        addArc(rim, next, edge, z);
+    } else if (run.end - run.first == 1) {
+        addLine(rim, next, edge);
     } else {
-        addLine(rim, next, outline.edges[row]);
+        addPolyline(rim, next, std::span(outline.edges).subspan(run.first, run.end - run.first), z);
     }
 }
 
-/// Takes the edges of a loop as rims: one for each, but one for all edges of a curve.
+/// Takes the edges of a loop as rims: one for each, but one for all edges of a curve or a polyline.
 void StepSolidText::addRims(const EdgeLoops& outline, std::size_t loop) {
-    for (std::uint32_t row = outline.loopStart[loop]; row < outline.loopStart[loop + 1];) {
-        m_rows.push_back(row);
-        const EdgeLoops::CurveRun* run = model::curveAt(outline, row);
-        row += run != nullptr ? run->edgeCount : 1;
+    const std::uint32_t first = outline.loopStart[loop];
+    const std::uint32_t end = outline.loopStart[loop + 1];
+    const std::uint32_t most = std::clamp((end - first) / kFewestEdges, 1U, kMostChords);
+    for (std::uint32_t row = first; row < end;) {
+        std::uint32_t next = row + 1;
+        if (const EdgeLoops::CurveRun* curve = model::curveAt(outline, row)) {
+            next = row + curve->edgeCount;
+        } else if (m_edges == StepEdges::Polylines && isStraight(outline, row)) {
+            next = endOfPolyline(outline, row, std::min(end, row + most));
+        }
+        m_runs.push_back({row, next});
+        row = next;
     }
-    m_loopStart.push_back(static_cast<std::uint32_t>(m_rows.size()));
+    m_loopStart.push_back(static_cast<std::uint32_t>(m_runs.size()));
 }
 
 StepId StepSolidText::add(const Shell& shell) {
     const EdgeLoops& outline = shell.outline;
-    m_rows.clear();
+    m_runs.clear();
     m_loopStart.assign(1, 0);
     m_faces.clear();
     for (std::size_t i = 0; i < outline.loopCount(); ++i) {
         addRims(outline, i);
     }
-    m_rims.assign(m_rows.size(), {});
+    m_rims.assign(m_runs.size(), {});
     for (std::size_t i = 0; i + 1 < m_loopStart.size(); ++i) {
         const std::uint32_t first = m_loopStart[i];
         const std::uint32_t end = m_loopStart[i + 1];
         for (std::uint32_t k = first; k < end; ++k) {
-            addCorner(m_rims[k], outline.edges[m_rows[k]].a, shell.z);
+            addCorner(m_rims[k], outline.edges[m_runs[k].first].a, shell.z);
         }
         for (std::uint32_t k = first; k < end; ++k) {
             const Rim& next = m_rims[k + 1 < end ? k + 1 : first];
-            addEdge(outline, m_rows[k], m_rims[k], next, shell.z);
+            addEdge(outline, m_runs[k], m_rims[k], next, shell.z);
             m_faces.push_back(addWall(m_rims[k], next));
         }
     }

@@ -43,6 +43,7 @@ private slots:
                 QCOMPARE(part<QWidget>(name).isEnabled(), format.isSolid);
             }
             QCOMPARE(box("writtenOut").isEnabled(), format.isStep);
+            QCOMPARE(box("polylines").isEnabled(), format.isStep);
             QCOMPARE(box("onePage").isEnabled(), format.isPdf);
             QVERIFY(part<QWidget>("exportLayers").isEnabled());
             QCOMPARE(model::exportFormatOf(path().toStdString()), &format);

@@ -1,6 +1,8 @@
 #include "model/export/solids/step_export.h"
 
 #include <QtTest>
+#include <cmath>
+#include <numbers>
 
 #include "tests/unit/model/export/solids/step_file_reading.h"
 #include "tests/unit/model/geometry/some_curves.h"
@@ -65,6 +67,32 @@ std::shared_ptr<const model::Document> planeAmongTracks(int corners, int tracks)
     return std::move(builder).finish();
 }
 
+/// One square of copper whose corners are rounded with so many chords each; `side` is what is left straight between
+/// them.
+std::shared_ptr<const model::Document> roundedPlane(int chords, model::Nm side = 40 * kMm) {
+    model::DocumentBuilder builder;
+    addLayers(builder, kStackup);
+    builder.beginLayer(model::LayerId{std::size_t{0}});
+    const double radius = 5.0 * kMm;
+    std::vector<model::Point> outline;
+    for (int corner = 0; corner < 4; ++corner) {
+        const model::Nm x = corner == 1 || corner == 2 ? 0 : side;
+        const model::Nm y = corner < 2 ? side : 0;
+        for (int i = 0; i <= chords; ++i) {
+            const double angle = (corner + static_cast<double>(i) / chords) * std::numbers::pi / 2;
+            const model::Point p{x + static_cast<model::Nm>(std::lround(radius * std::cos(angle))),
+                                 y + static_cast<model::Nm>(std::lround(radius * std::sin(angle)))};
+            if ((outline.empty() || outline.back() != p) && (outline.empty() || outline.front() != p)) {
+                outline.push_back(p);
+            }
+        }
+    }
+    model::ShapeSketch plane;
+    plane.addPolygon(outline, false);
+    builder.addArea({builder.addShape(plane), {}}, {});
+    return std::move(builder).finish();
+}
+
 struct Exported {
     model::SolidReport report;
     QString text;
@@ -113,14 +141,14 @@ private slots:
         QCOMPARE(inward, QStringList("0.125)"));  // within the barrel of a plated hole
     }
 
-    void equalPadsAndBarrelsAreWrittenOnce() {
+    void equalTracksPadsAndBarrelsAreWrittenOnce() {
         const Exported all = exported({});
-        // Two tracks, the pour, one disc, one pad and its mirror image, one barrel.
-        QCOMPARE(all.report.solids, std::uint64_t{7});
-        QCOMPARE(all.report.copies, std::uint64_t{5});
-        QCOMPARE(countOf(all.entities, "MANIFOLD_SOLID_BREP"), 7);
-        QCOMPARE(countOf(all.entities, "MAPPED_ITEM"), 5);
-        QCOMPARE(countOf(all.entities, "STYLED_ITEM"), 7);
+        // One track, the pour, one disc, one pad and its mirror image, one barrel.
+        QCOMPARE(all.report.solids, std::uint64_t{6});
+        QCOMPARE(all.report.copies, std::uint64_t{7});
+        QCOMPARE(countOf(all.entities, "MANIFOLD_SOLID_BREP"), 6);
+        QCOMPARE(countOf(all.entities, "MAPPED_ITEM"), 7);
+        QCOMPARE(countOf(all.entities, "STYLED_ITEM"), 6);
     }
 
     void whatIsWrittenOutHasNoCopies() {
@@ -204,7 +232,7 @@ private slots:
         base::Progress progress;
         const SolidPlan plan = *model::planSolids(*document, {}, progress);
         const double bytes = static_cast<double>(exported({}).text.size());
-        const double estimate = model::estimateStep(plan).bytes;
+        const double estimate = model::estimateStep(plan, {}).bytes;
         QVERIFY2(estimate > 0.6 * bytes && estimate < 1.7 * bytes, qPrintable(QString::number(estimate / bytes)));
     }
 
@@ -215,8 +243,56 @@ private slots:
         const SolidPlan plan = *model::planSolids(*document, {}, progress);
         const std::filesystem::path path = folder.filePath("board.step").toStdString();
         const double bytes = static_cast<double>((*model::exportStep(plan, {}, path, progress)).bytes);
-        const double estimate = model::estimateStep(plan).bytes;
+        const double estimate = model::estimateStep(plan, {}).bytes;
         QVERIFY2(estimate > 0.7 * bytes && estimate < 1.4 * bytes, qPrintable(QString::number(estimate / bytes)));
+    }
+
+    void chordsAroundABendAreOnePolyline() {
+        StepOptions options;
+        options.hasPolylines = true;
+        const QTemporaryDir folder;
+        base::Progress progress;
+        const auto document = roundedPlane(24);
+        const SolidPlan plan = *model::planSolids(*document, {}, progress);
+        const auto entities = [&](const StepOptions& how) {
+            const std::filesystem::path path = folder.filePath("board.step").toStdString();
+            if (!model::exportStep(plan, how, path, progress)) {
+                qFatal("not written");
+            }
+            QFile file(QString::fromStdString(path.string()));
+            return file.open(QFile::ReadOnly) ? entitiesOf(file.readAll()) : std::map<int, StepEntity>();
+        };
+        const auto single = entities({});
+        const auto chained = entities(options);
+        QCOMPARE(faultOf(chained), QString());
+        // The long sides stay planes, each of the four corners becomes a wall with its bends.
+        QCOMPARE(countOf(single, "ADVANCED_FACE"), 2 + 4 + 4 * 24);
+        QCOMPARE(countOf(chained, "ADVANCED_FACE"), 2 + 4 + 4);
+        QCOMPARE(countOf(chained, "SURFACE_OF_LINEAR_EXTRUSION"), 4);
+        QCOMPARE(countOf(chained, "POLYLINE"), 8);
+        for (const auto& [id, entity] : chained) {
+            QVERIFY(entity.name != "POLYLINE" || entity.references.size() == 25);
+        }
+        const double bytes =
+            static_cast<double>(std::filesystem::file_size(folder.filePath("board.step").toStdString()));
+        const double estimate = model::estimateStep(plan, options).bytes;
+        QVERIFY2(estimate > 0.5 * bytes && estimate < 1.5 * bytes, qPrintable(QString::number(estimate / bytes)));
+    }
+
+    void aLoopHasAtLeastThreeEdges() {
+        StepOptions options;
+        options.hasPolylines = true;
+        base::Progress progress;
+        const QTemporaryDir folder;
+        const auto document = roundedPlane(24, 0);
+        const SolidPlan plan = *model::planSolids(*document, {}, progress);
+        const std::filesystem::path path = folder.filePath("board.step").toStdString();
+        QVERIFY(model::exportStep(plan, options, path, progress));
+        QFile file(QString::fromStdString(path.string()));
+        QVERIFY(file.open(QFile::ReadOnly));
+        const auto entities = entitiesOf(file.readAll());
+        QCOMPARE(faultOf(entities), QString());
+        QCOMPARE(countOf(entities, "ADVANCED_FACE"), 2 + 3);
     }
 
     void cancelledAndFailedExportsLeaveNothing() {
