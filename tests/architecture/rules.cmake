@@ -30,7 +30,7 @@ set(architecture_rows
     "model/export/meshes           | model           | model/board model/export/solids model/geometry model/geometry/loops model/solids/shells model/text tri | json meshopt"
     "model/session                 | model::session  | model/board model/clearance model/measure model/solids model/text | json"
     "model/generate                | model::generate | | archive"
-    "model/formats/common          | model::formats  | model/board model/figures model/geometry | archive"
+    "model/formats/common          | model::formats  | model/board model/figures model/geometry | archive deflate"
     "model/formats/steps           | model::formats  | model/board model/formats/common model/geometry |"
     "model/formats/drawing         | model::formats  | model/board model/formats/common model/formats/steps model/geometry model/packages model/solids |"
     "model/formats/odb/text        | model::odb      | model/board model/formats/common model/geometry model/text |"
@@ -110,6 +110,7 @@ set(architecture_include_barcode "^zint\\.h$")
 set(architecture_include_cgal "^CGAL/")
 set(architecture_include_cli "^CLI/")
 set(architecture_include_clipper "^polyclipping/")
+set(architecture_include_deflate "^libdeflate\\.h$")
 set(architecture_include_json "^nlohmann/")
 set(architecture_include_log "^spdlog/")
 set(architecture_include_meshopt "^meshoptimizer\\.h$")
@@ -126,6 +127,7 @@ set(architecture_link_barcode copperscope_zint)
 set(architecture_link_cgal CGAL::CGAL)
 set(architecture_link_cli CLI11::CLI11)
 set(architecture_link_clipper PkgConfig::POLYCLIPPING)
+set(architecture_link_deflate PkgConfig::DEFLATE)
 set(architecture_link_glm glm::glm)
 set(architecture_link_json nlohmann_json::nlohmann_json)
 set(architecture_link_log spdlog::spdlog)

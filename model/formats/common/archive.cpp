@@ -75,6 +75,21 @@ Allowance allowanceOf(const ArchiveLimits& limits, std::uint64_t packedBytes) {
                                    ", the limit for a job; --max-unpacked sets another one"};
 }
 
+/// What the file unpacks to, if it is one gzip member.
+std::optional<FileBytes> unpackGzipFile(const fs::path& path, std::uintmax_t size, const ArchiveLimits& limits) {
+    std::ifstream file(path, std::ios::binary);
+    char magic[2] = {};
+    if (size > kMostAtOneGo || !file.read(magic, sizeof magic) || std::string_view(magic, sizeof magic) != kGzipMagic) {
+        return std::nullopt;
+    }
+    FileBytes packed(size);
+    file.seekg(0);
+    if (!packed.holdsMemory() || !file.read(packed.data(), static_cast<std::streamsize>(size))) {
+        return std::nullopt;
+    }
+    return unpackGzip(packed.view(), allowanceOf(limits, size).bytes);
+}
+
 base::Error tooManyFiles(const fs::path& path, const ArchiveLimits& limits) {
     return badInput(path, "it holds too many files for a job: more than " + std::to_string(limits.entries) +
                               ", the limit for an archive or folder");
@@ -148,8 +163,11 @@ base::Result<Archive> Archive::openFile(const fs::path& path, const ArchiveLimit
     if (error || fileSize == 0) {
         return badInput(path, error ? "the file cannot be read" : "the file is empty");
     }
+    if (std::optional<FileBytes> unpacked = unpackGzipFile(path, fileSize, limits)) {
+        return readUnpacked(*std::move(unpacked), fileSize, path, limits, progress, diagnostics);
+    }
     ArchiveStream stream(path, ArchiveStream::Formats::Containers);
-    base::Result<Archive> tree = readAll(stream, fileSize, path, limits, progress, diagnostics);
+    base::Result<Archive> tree = readAll(stream, fileSize, fileSize, path, limits, progress, diagnostics);
     if (tree || stream.hasEntries() || tree.error().code != base::ErrorCode::BadInput) {
         return tree;
     }
@@ -163,8 +181,11 @@ base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& na
     if (bytes.empty()) {
         return badInput(name, "the file is empty");
     }
+    if (std::optional<FileBytes> unpacked = unpackGzip(bytes, allowanceOf(limits, bytes.size()).bytes)) {
+        return readUnpacked(*std::move(unpacked), bytes.size(), name, limits, progress, diagnostics);
+    }
     ArchiveStream stream(bytes, ArchiveStream::Formats::Containers);
-    base::Result<Archive> tree = readAll(stream, bytes.size(), name, limits, progress, diagnostics);
+    base::Result<Archive> tree = readAll(stream, bytes.size(), bytes.size(), name, limits, progress, diagnostics);
     if (tree || stream.hasEntries() || tree.error().code != base::ErrorCode::BadInput) {
         return tree;
     }
@@ -173,29 +194,54 @@ base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& na
     return lone ? *std::move(lone) : std::move(tree);
 }
 
-std::optional<base::Result<Archive>> Archive::readLone(ArchiveStream& stream, std::uint64_t packedBytes,
-                                                       const fs::path& path, const ArchiveLimits& limits) {
-    Entry entry{path.stem().string(), {}, {}, 0};
-    if (!stream.next() || !stream.isPacked()) {
-        return std::nullopt;
+base::Result<Archive> Archive::readUnpacked(FileBytes unpacked, std::uint64_t packedBytes, const fs::path& path,
+                                            const ArchiveLimits& limits, base::Progress& progress,
+                                            Diagnostics& diagnostics) {
+    ArchiveStream stream(unpacked, ArchiveStream::Formats::Containers);
+    base::Result<Archive> tree = readAll(stream, unpacked.size(), packedBytes, path, limits, progress, diagnostics);
+    if (tree) {
+        tree->m_unpacked = std::move(unpacked);
+        return tree;
     }
-    const Allowance allowance = allowanceOf(limits, packedBytes);
-    const ArchiveStream::Reading reading = stream.read(entry.data, allowance.bytes);
-    if (reading == ArchiveStream::Reading::TooLarge) {
-        return badInput(path, allowance.problem);
+    if (stream.hasEntries() || tree.error().code != base::ErrorCode::BadInput) {
+        return tree;
     }
-    if (reading == ArchiveStream::Reading::Broken) {
-        return std::nullopt;
+    // Packed once more?
+    ArchiveStream member(unpacked, ArchiveStream::Formats::Member);
+    if (std::optional<base::Result<Archive>> lone = readLone(member, packedBytes, path, limits)) {
+        return *std::move(lone);
     }
-    entry.size = entry.data.size();
+    return loneFile(path, Bytes(std::move(unpacked)));
+}
+
+Archive Archive::loneFile(const fs::path& path, Bytes data) {
+    Entry entry{path.stem().string(), std::move(data), {}, 0};
+    entry.size = entry.data.view().size();
     Archive tree;
     Diagnostics none;
     tree.add(std::move(entry), none);
     return tree;
 }
 
-base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t packedBytes, const fs::path& path,
-                                       const ArchiveLimits& limits, base::Progress& progress,
+std::optional<base::Result<Archive>> Archive::readLone(ArchiveStream& stream, std::uint64_t packedBytes,
+                                                       const fs::path& path, const ArchiveLimits& limits) {
+    Bytes data;
+    if (!stream.next() || !stream.isPacked()) {
+        return std::nullopt;
+    }
+    const Allowance allowance = allowanceOf(limits, packedBytes);
+    const ArchiveStream::Reading reading = stream.read(data, allowance.bytes);
+    if (reading == ArchiveStream::Reading::TooLarge) {
+        return badInput(path, allowance.problem);
+    }
+    if (reading == ArchiveStream::Reading::Broken) {
+        return std::nullopt;
+    }
+    return loneFile(path, std::move(data));
+}
+
+base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t streamBytes, std::uint64_t packedBytes,
+                                       const fs::path& path, const ArchiveLimits& limits, base::Progress& progress,
                                        Diagnostics& diagnostics) {
     Archive tree;
     const Allowance allowance = allowanceOf(limits, packedBytes);
@@ -205,7 +251,7 @@ base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t pack
             return cancelled();
         }
         progress.setFraction(
-            static_cast<float>(static_cast<double>(stream.position()) / static_cast<double>(packedBytes)));
+            static_cast<float>(static_cast<double>(stream.position()) / static_cast<double>(streamBytes)));
         const std::string name = normalised(stream.name());
         if (stream.isFolder() || name.empty()) {
             continue;
@@ -221,8 +267,8 @@ base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t pack
                                       ? allowance.problem
                                       : "the archive ends early or is damaged at " + name);
         }
-        total += entry.data.size();
-        entry.size = entry.data.size();
+        entry.size = entry.data.view().size();
+        total += entry.size;
         if (tree.m_entries.size() >= limits.entries) {
             return tooManyFiles(path, limits);
         }
@@ -254,7 +300,7 @@ int Archive::find(std::string_view path) const {
 base::Result<Bytes> Archive::bytes(int row) const {
     const Entry& entry = m_entries[static_cast<std::size_t>(row)];
     if (entry.source.empty()) {
-        return Bytes::borrow(entry.data);
+        return Bytes::borrow(entry.data.view());
     }
     if (entry.size > base::kMostFileBytes) {
         return badInput(entry.source,

@@ -12,6 +12,7 @@
 #include "model/base/result.h"
 #include "model/board/diagnostics.h"
 #include "model/formats/common/archive_limits.h"
+#include "model/formats/common/gzip_member.h"
 
 namespace model::formats {
 
@@ -22,6 +23,7 @@ class Bytes {
 public:
     Bytes() = default;
     explicit Bytes(std::string own) : m_own(std::move(own)) {}
+    explicit Bytes(FileBytes own) : m_file(std::move(own)), m_borrowed(m_file.view()) {}
     [[nodiscard]] static Bytes borrow(std::string_view bytes) {
         Bytes borrowed;
         borrowed.m_borrowed = bytes;
@@ -31,7 +33,8 @@ public:
 
 private:
     std::string m_own;
-    std::string_view m_borrowed;
+    FileBytes m_file;
+    std::string_view m_borrowed;  ///< of somebody else, or of m_file
 };
 
 /// For messages: "4 GiB", "512 MiB"; what is no whole number of these in bytes.
@@ -73,7 +76,7 @@ public:
 private:
     struct Entry {
         std::string path;
-        std::string data;              ///< of archives
+        Bytes data;                    ///< of archives
         std::filesystem::path source;  ///< of folders
         std::uint64_t size = 0;
     };
@@ -83,15 +86,24 @@ private:
                                                           Diagnostics& diagnostics);
     [[nodiscard]] static base::Result<Archive> openFile(const std::filesystem::path& path, const ArchiveLimits& limits,
                                                         base::Progress& progress, Diagnostics& diagnostics);
-    [[nodiscard]] static base::Result<Archive> readAll(ArchiveStream& stream, std::uint64_t packedBytes,
-                                                       const std::filesystem::path& path, const ArchiveLimits& limits,
-                                                       base::Progress& progress, Diagnostics& diagnostics);
+    /// Of an archive of so many bytes whose packing, gzip, is off already.
+    [[nodiscard]] static base::Result<Archive> readUnpacked(FileBytes unpacked, std::uint64_t packedBytes,
+                                                            const std::filesystem::path& path,
+                                                            const ArchiveLimits& limits, base::Progress& progress,
+                                                            Diagnostics& diagnostics);
+    /// `streamBytes` is how many bytes the stream has; `packedBytes` how many it comes from.
+    [[nodiscard]] static base::Result<Archive> readAll(ArchiveStream& stream, std::uint64_t streamBytes,
+                                                       std::uint64_t packedBytes, const std::filesystem::path& path,
+                                                       const ArchiveLimits& limits, base::Progress& progress,
+                                                       Diagnostics& diagnostics);
+    [[nodiscard]] static Archive loneFile(const std::filesystem::path& path, Bytes data);
     /// A packed file that is no container; nothing if it is none, or broken. Errors: BadInput if it is too large.
     [[nodiscard]] static std::optional<base::Result<Archive>> readLone(ArchiveStream& stream, std::uint64_t packedBytes,
                                                                        const std::filesystem::path& path,
                                                                        const ArchiveLimits& limits);
     void add(Entry entry, Diagnostics& diagnostics);
 
+    FileBytes m_unpacked;  ///< what data of entries may point into
     std::vector<Entry> m_entries;
     std::map<std::string, int, std::less<>> m_rows;
 };

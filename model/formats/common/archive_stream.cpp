@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <utility>
 
 namespace model::formats {
 
@@ -45,6 +47,25 @@ ArchiveStream::ArchiveStream(std::string_view bytes, Formats formats) {
     support(formats);
     m_isOpen = archive_read_open_memory(m_archive.get(), bytes.data(), bytes.size()) == ARCHIVE_OK;
     m_failed = !m_isOpen;
+}
+
+ArchiveStream::ArchiveStream(const FileBytes& unpacked, Formats formats)
+    : m_toGive(unpacked.view()), m_unpacked(unpacked.view()) {
+    support(formats);
+    m_isOpen = archive_read_open(m_archive.get(), this, nullptr, giveBytes, nullptr) == ARCHIVE_OK;
+    m_failed = !m_isOpen;
+}
+
+la_ssize_t ArchiveStream::giveBytes(archive*, void* stream, const void** bytes) {
+    const std::string_view given = std::exchange(static_cast<ArchiveStream*>(stream)->m_toGive, {});
+    *bytes = given.data();
+    return static_cast<la_ssize_t>(given.size());
+}
+
+bool ArchiveStream::keeps(std::string_view piece) const {
+    const std::less_equal<> isBefore;
+    return isBefore(m_unpacked.data(), piece.data()) &&
+           isBefore(piece.data() + piece.size(), m_unpacked.data() + m_unpacked.size());
 }
 
 void ArchiveStream::support(Formats formats) {
@@ -95,18 +116,29 @@ bool ArchiveStream::isFolder() const {
     return archive_entry_filetype(m_entry) == AE_IFDIR;
 }
 
-ArchiveStream::Reading ArchiveStream::read(std::string& out, std::uint64_t limit) {
+ArchiveStream::Reading ArchiveStream::read(Bytes& out, std::uint64_t limit) {
     const void* block = nullptr;
     std::size_t size = 0;
     la_int64_t offset = 0;
     int status = ARCHIVE_OK;
-    while ((status = archive_read_data_block(m_archive.get(), &block, &size, &offset)) == ARCHIVE_OK) {
-        if (out.size() + size > limit) {
-            return Reading::TooLarge;
+    std::string_view lone;  // the only piece so far, if that stays where it is
+    std::string copied;
+    bool isTooLarge = false;
+    while (!isTooLarge && (status = archive_read_data_block(m_archive.get(), &block, &size, &offset)) == ARCHIVE_OK) {
+        const std::string_view piece(static_cast<const char*>(block), size);
+        isTooLarge = lone.size() + copied.size() + size > limit;
+        if (isTooLarge || piece.empty()) {
+            continue;
         }
-        out.append(static_cast<const char*>(block), size);
+        if (lone.empty() && copied.empty() && keeps(piece)) {
+            lone = piece;
+            continue;
+        }
+        copied.append(std::exchange(lone, {}));
+        copied.append(piece);
     }
-    return status == ARCHIVE_EOF ? Reading::Whole : Reading::Broken;
+    out = lone.empty() ? Bytes(std::move(copied)) : Bytes::borrow(lone);
+    return isTooLarge ? Reading::TooLarge : status == ARCHIVE_EOF ? Reading::Whole : Reading::Broken;
 }
 
 std::uint64_t ArchiveStream::position() const {
@@ -115,12 +147,15 @@ std::uint64_t ArchiveStream::position() const {
 }
 
 base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit) {
-    constexpr std::array<std::string_view, 3> kMagics = {"\x1f\x9d", "\x1f\x8b", "PK\x03\x04"};
+    constexpr std::array<std::string_view, 3> kMagics = {"\x1f\x9d", kGzipMagic, "PK\x03\x04"};
     if (std::ranges::none_of(kMagics, [&](std::string_view magic) { return bytes.view().starts_with(magic); })) {
         return bytes;
     }
+    if (std::optional<FileBytes> whole = unpackGzip(bytes.view(), limit)) {
+        return Bytes(*std::move(whole));
+    }
     ArchiveStream stream(bytes.view(), ArchiveStream::Formats::Member);
-    std::string text;
+    Bytes text;
     // A header too broken for its format would come through as raw bytes.
     const bool isThere = stream.next() && stream.isPacked();
     const ArchiveStream::Reading reading = isThere ? stream.read(text, limit) : ArchiveStream::Reading::Broken;
@@ -131,7 +166,7 @@ base::Result<Bytes> decodeMember(Bytes bytes, std::uint64_t limit) {
     if (reading == ArchiveStream::Reading::Broken) {
         return base::Error{base::ErrorCode::BadInput, "the packed file is broken"};
     }
-    return Bytes(std::move(text));
+    return text;
 }
 
 }  // namespace model::formats

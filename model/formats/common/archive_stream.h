@@ -23,6 +23,11 @@ public:
 
     ArchiveStream(const std::filesystem::path& path, Formats formats);
     ArchiveStream(std::string_view bytes, Formats formats);
+    /// Of what was packed by gzip, which must outlive what is read: data of entries may lie in there. Read from front
+    /// to back, as what libarchive unpacks by itself.
+    ArchiveStream(const FileBytes& unpacked, Formats formats);
+    ArchiveStream(const ArchiveStream&) = delete;
+    ArchiveStream& operator=(const ArchiveStream&) = delete;
 
     /// Moves to the next entry. False at the end or on an error; `failed` says which.
     [[nodiscard]] bool next();
@@ -37,8 +42,8 @@ public:
     [[nodiscard]] bool isRegularFile() const;
     [[nodiscard]] bool isFolder() const;
     enum class Reading { Whole, Broken, TooLarge };
-    /// Appends the data of the entry to `out`, as long as that does not grow past `limit` bytes.
-    [[nodiscard]] Reading read(std::string& out, std::uint64_t limit);
+    /// The data of the entry; what came before where it is broken or larger than `limit` bytes.
+    [[nodiscard]] Reading read(Bytes& out, std::uint64_t limit);
     /// Bytes of the archive file read so far.
     [[nodiscard]] std::uint64_t position() const;
 
@@ -47,7 +52,12 @@ private:
         void operator()(archive* a) const { archive_read_free(a); }
     };
     void support(Formats formats);
+    /// Hands libarchive all bytes at once.
+    static la_ssize_t giveBytes(archive*, void* stream, const void** bytes);
+    [[nodiscard]] bool keeps(std::string_view piece) const;
 
+    std::string_view m_toGive;    ///< unpacked bytes that libarchive does not have yet
+    std::string_view m_unpacked;  ///< what data may point into
     std::unique_ptr<archive, Free> m_archive;
     archive_entry* m_entry = nullptr;
     bool m_isOpen = false;

@@ -203,12 +203,12 @@ std::vector<int> candidates(const formats::Archive& archive) {
 std::optional<formats::Bytes> ipcText(const formats::Archive& archive, int row) {
     base::Result<formats::Bytes> bytes = archive.bytes(row);
     if (bytes) {
-        bytes = formats::decodeMember(*std::move(bytes));
+        bytes = formats::decodeMember(std::move(*bytes));
     }
     if (!bytes || !looksLikeIpc2581(bytes->view())) {
         return std::nullopt;
     }
-    return *std::move(bytes);
+    return std::move(*bytes);
 }
 
 /// What stands in quotes after `key` in the text; empty if it is not there.
