@@ -79,6 +79,7 @@ private:
     void items(const std::string& path, bool isObject, std::size_t level) {
         take();
         for (std::size_t i = 0;; ++i) {
+            const std::size_t start = m_at;
             skip();
             if (m_at >= m_text.size() || peek() == '}' || peek() == ']') {
                 take();
@@ -92,7 +93,7 @@ private:
             }
             value(path + '/' + key, level);
             skip();
-            if (peek() == ',') {
+            if (peek() == ',' || m_at == start) {  // what is no value, as a lone slash, is passed over
                 take();
             }
         }
