@@ -41,7 +41,7 @@ void readMembers(const model::formats::Archive& archive) {
     for (int row = 0; row < static_cast<int>(archive.size()); ++row) {
         auto bytes = archive.bytes(row);
         if (bytes) {
-            static_cast<void>(model::formats::decodeMember(*std::move(bytes), kLimits.totalBytes));
+            static_cast<void>(model::formats::decodeMember(std::move(*bytes), kLimits.totalBytes));
         }
     }
 }

@@ -23,7 +23,8 @@ class JobFiles {
 public:
     explicit JobFiles(const fs::path& path) {
         base::Progress progress;
-        m_archive.emplace(model::formats::Archive::open(path, {}, progress, m_diagnostics).value());
+        auto archive = model::formats::Archive::open(path, {}, progress, m_diagnostics);
+        m_archive.emplace(std::move(archive.value()));
         m_tree.emplace(model::odb::findJob(*m_archive).value());
     }
 
