@@ -44,9 +44,7 @@ BoxStrips::BoxStrips(std::span<const base::Box> boxes) {
     m_stripsPerNm = static_cast<double>(strips) / (height + 1.0);
     m_first.assign(strips + 1, 0);
     for (const auto& [left, row] : order) {
-        for (std::size_t strip = stripAt(boxes[row].min.y); strip <= stripAt(boxes[row].max.y); ++strip) {
-            ++m_first[strip + 1];
-        }
+        visitStrips(boxes[row], [&](std::size_t strip) { ++m_first[strip + 1]; });
     }
     for (std::size_t strip = 0; strip < strips; ++strip) {
         m_first[strip + 1] += m_first[strip];
@@ -54,14 +52,20 @@ BoxStrips::BoxStrips(std::span<const base::Box> boxes) {
     m_rows.resize(m_first.back());
     std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
     for (const auto& [left, row] : order) {
-        for (std::size_t strip = stripAt(boxes[row].min.y); strip <= stripAt(boxes[row].max.y); ++strip) {
-            m_rows[next[strip]++] = row;
-        }
+        visitStrips(boxes[row], [&, row = row](std::size_t strip) { m_rows[next[strip]++] = row; });
     }
 }
 
 std::size_t BoxStrips::stripAt(base::Nm y) const {
     return static_cast<std::size_t>((static_cast<double>(y) - m_bottom) * m_stripsPerNm);
+}
+
+std::size_t BoxStrips::mostRows() const {
+    std::size_t most = 0;
+    for (std::size_t strip = 0; strip < count(); ++strip) {
+        most = std::max(most, rowsOf(strip).size());
+    }
+    return most;
 }
 
 }  // namespace model

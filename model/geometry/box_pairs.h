@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "model/base/point.h"
+#include "model/geometry/box_index.h"
 
 namespace model {
 
@@ -22,19 +22,51 @@ public:
         return std::span(m_rows).subspan(m_first[strip], m_first[strip + 1] - m_first[strip]);
     }
     [[nodiscard]] std::size_t stripAt(base::Nm y) const;
+    /// How many boxes the fullest strip has.
+    [[nodiscard]] std::size_t mostRows() const;
 
 private:
+    template <class Visit>
+    void visitStrips(const base::Box& box, const Visit& visit) const {
+        const std::size_t last = stripAt(box.max.y);
+        for (std::size_t strip = stripAt(box.min.y); strip <= last; ++strip) {
+            visit(strip);
+        }
+    }
+
     std::vector<std::uint32_t> m_first;  ///< of m_rows, and the end
     std::vector<std::uint32_t> m_rows;
     base::Nm m_bottom = 0;
     double m_stripsPerNm = 0.0;
 };
 
+/// Boxes are swept where no strip has more of them than this; others (long ones one above the other, crowds) are looked
+/// up in a BoxIndex.
+inline constexpr std::size_t kMostSwept = 2000;
+
+/// As visitPairs(), by an index.
+template <class IsWanted, class Visit>
+void visitIndexedPairs(std::span<const base::Box> boxes, const IsWanted& isWanted, const Visit& visit) {
+    const BoxIndex index(boxes);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        if (isWanted(i)) {
+            index.visit(boxes[i], [&](std::uint32_t j) {
+                if (j > i || (j < i && !isWanted(j))) {
+                    visit(i, j);
+                }
+            });
+        }
+    }
+}
+
 /// Calls `visit(i, j)` once for every pair of boxes that share a point, of which `isWanted(i)` or `isWanted(j)`; in an
 /// order that depends on the boxes only.
 template <class IsWanted, class Visit>
 void visitPairs(std::span<const base::Box> boxes, const IsWanted& isWanted, const Visit& visit) {
     const BoxStrips strips(boxes);
+    if (strips.mostRows() > kMostSwept) {
+        return visitIndexedPairs(boxes, isWanted, visit);
+    }
     for (std::size_t strip = 0; strip < strips.count(); ++strip) {
         const std::span<const std::uint32_t> rows = strips.rowsOf(strip);
         for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -58,9 +58,10 @@ constexpr Option kOptions[] = {
      QT_TRANSLATE_NOOP("ui::ExportDialog", "With what the fabricator mills away beyond the board outline"),
      &ExportFormat::isSolid, [](ExportRequest& request) -> bool& { return request.choice.isAsDesigned; }},
     {"writtenOut", QT_TRANSLATE_NOOP("ui::ExportDialog", "&Written out"),
-     QT_TRANSLATE_NOOP("ui::ExportDialog",
-                       "Every pad and barrel is written instead of one placed often: larger, for programs that do not "
-                       "read placed shapes"),
+     QT_TRANSLATE_NOOP(
+         "ui::ExportDialog",
+         "Every track, pad and barrel is written instead of one placed often: larger, for programs that do not "
+         "read placed shapes"),
      &ExportFormat::isStep, [](ExportRequest& request) -> bool& { return request.isWrittenOut; }},
     {"polylines", QT_TRANSLATE_NOOP("ui::ExportDialog", "Po&lylines"),
      QT_TRANSLATE_NOOP(

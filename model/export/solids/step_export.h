@@ -20,7 +20,7 @@ struct StepOptions {
     std::vector<SolidLook> looks;  ///< by row of the board's layers; empty: grey
     std::string name;              ///< of the whole: the board's
     std::string time;              ///< ISO 8601, in the file's header
-    /// Writes every pad and barrel out instead of placing one shape often, for readers without mapped items.
+    /// Writes every track, pad and barrel out instead of placing one shape often, for readers without mapped items.
     bool isWrittenOut = false;
     /// Writes chords that follow each other around a bend as one edge and one wall: the same solid in a fraction of the
     /// file, for programs that take walls with bends.

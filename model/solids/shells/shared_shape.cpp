@@ -1,6 +1,7 @@
 #include "model/solids/shells/shared_shape.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "model/solids/shells/area_shell.h"
@@ -36,12 +37,14 @@ SharedShape sharedArea(const AreaGeometry& area, const ZRange& z) {
 std::optional<SharedShape> sharedLine(const LineGeometry& line, const ZRange& z) {
     const std::int64_t dx = std::int64_t{line.b.x} - line.a.x;
     const std::int64_t dy = std::int64_t{line.b.y} - line.a.y;
-    if (line.innerWidth > 0 || (dx == 0 && dy == 0)) {
+    const auto squared = static_cast<std::uint64_t>(dx * dx) + static_cast<std::uint64_t>(dy * dy);
+    const bool fits = squared > 0 && squared <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    if (line.innerWidth > 0 || !fits) {
         return std::nullopt;
     }
     const double clockwiseDeg =
         -std::atan2(static_cast<double>(dy), static_cast<double>(dx)) * 180.0 / std::numbers::pi;
-    return SharedShape{{ElementKind::Line, dx * dx + dy * dy, line.width, z.bottom, z.top},
+    return SharedShape{{ElementKind::Line, static_cast<std::int64_t>(squared), line.width, z.bottom, z.top},
                        {line.a, clockwiseDeg, false}};
 }
 

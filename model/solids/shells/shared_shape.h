@@ -30,7 +30,7 @@ struct SharedShape {
 };
 
 /// Without a value for arcs and trails, of which hardly two are equal, for lines with a square pen or of a slot, and
-/// for what has no height. Half of the tracks of a board are as long and as wide as another.
+/// for what has no height. More than half of the tracks of large boards are as long and as wide as another.
 [[nodiscard]] std::optional<SharedShape> sharedShapeOf(const Document& document, ElementId element);
 /// The regions of such a shape where `SharedShape::placement` is none.
 [[nodiscard]] ElementOutlines outlinesOf(const Document& document, const ShapeKey& key);

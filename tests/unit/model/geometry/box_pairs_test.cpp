@@ -70,6 +70,22 @@ private slots:
             boxes, [](std::uint32_t) { return true; }, [](std::uint32_t, std::uint32_t) { QFAIL("none meet"); });
     }
 
+    /// Tall ones on the left, wide ones one above the other on the right: no strip has few.
+    void longBoxesOfBothKindsAreLookedUp() {
+        std::vector<Box> boxes;
+        for (int i = 0; i < 10'000; ++i) {
+            boxes.push_back({{10 * i, 0}, {10 * i + 1, 1'000'000}});
+            boxes.push_back({{200'000, 100 * i}, {900'000, 100 * i + 1}});
+        }
+        boxes.push_back({{99'985, 500}, {200'000, 501}});
+        QVERIFY(model::BoxStrips(boxes).mostRows() > model::kMostSwept);
+        Pairs found;
+        model::visitPairs(
+            boxes, [](std::uint32_t) { return true; },
+            [&](std::uint32_t i, std::uint32_t j) { found.emplace(std::min(i, j), std::max(i, j)); });
+        QVERIFY(found == (Pairs{{11, 20'000}, {19'998, 20'000}}));
+    }
+
     void boxesAtTheEndsOfCoordinatesAreMet() {
         constexpr base::Nm kEnd = 2'147'483'647;
         const std::vector<Box> boxes{

@@ -99,11 +99,10 @@ struct Exported {
     std::map<int, StepEntity> entities;
 };
 
-Exported exported(const model::SolidChoice& choice, StepOptions options = {}) {
+Exported exported(const model::Document& document, const model::SolidChoice& choice, const StepOptions& options) {
     const QTemporaryDir folder;
-    const auto document = board();
     base::Progress progress;
-    const SolidPlan plan = *model::planSolids(*document, choice, progress);
+    const SolidPlan plan = *model::planSolids(document, choice, progress);
     const std::filesystem::path path = folder.filePath("board.step").toStdString();
     Exported result;
     result.report = *model::exportStep(plan, options, path, progress);
@@ -113,6 +112,10 @@ Exported exported(const model::SolidChoice& choice, StepOptions options = {}) {
     }
     result.entities = entitiesOf(result.text);
     return result;
+}
+
+Exported exported(const model::SolidChoice& choice, const StepOptions& options = {}) {
+    return exported(*board(), choice, options);
 }
 
 }  // namespace
@@ -250,49 +253,30 @@ private slots:
     void chordsAroundABendAreOnePolyline() {
         StepOptions options;
         options.hasPolylines = true;
-        const QTemporaryDir folder;
-        base::Progress progress;
         const auto document = roundedPlane(24);
-        const SolidPlan plan = *model::planSolids(*document, {}, progress);
-        const auto entities = [&](const StepOptions& how) {
-            const std::filesystem::path path = folder.filePath("board.step").toStdString();
-            if (!model::exportStep(plan, how, path, progress)) {
-                qFatal("not written");
-            }
-            QFile file(QString::fromStdString(path.string()));
-            return file.open(QFile::ReadOnly) ? entitiesOf(file.readAll()) : std::map<int, StepEntity>();
-        };
-        const auto single = entities({});
-        const auto chained = entities(options);
-        QCOMPARE(faultOf(chained), QString());
+        const Exported single = exported(*document, {}, {});
+        const Exported chained = exported(*document, {}, options);
+        QCOMPARE(faultOf(chained.entities), QString());
         // The long sides stay planes, each of the four corners becomes a wall with its bends.
-        QCOMPARE(countOf(single, "ADVANCED_FACE"), 2 + 4 + 4 * 24);
-        QCOMPARE(countOf(chained, "ADVANCED_FACE"), 2 + 4 + 4);
-        QCOMPARE(countOf(chained, "SURFACE_OF_LINEAR_EXTRUSION"), 4);
-        QCOMPARE(countOf(chained, "POLYLINE"), 8);
-        for (const auto& [id, entity] : chained) {
+        QCOMPARE(countOf(single.entities, "ADVANCED_FACE"), 2 + 4 + 4 * 24);
+        QCOMPARE(countOf(chained.entities, "ADVANCED_FACE"), 2 + 4 + 4);
+        QCOMPARE(countOf(chained.entities, "SURFACE_OF_LINEAR_EXTRUSION"), 4);
+        QCOMPARE(countOf(chained.entities, "POLYLINE"), 8);
+        for (const auto& [id, entity] : chained.entities) {
             QVERIFY(entity.name != "POLYLINE" || entity.references.size() == 25);
         }
-        const double bytes =
-            static_cast<double>(std::filesystem::file_size(folder.filePath("board.step").toStdString()));
-        const double estimate = model::estimateStep(plan, options).bytes;
+        base::Progress progress;
+        const double bytes = static_cast<double>(chained.text.size());
+        const double estimate = model::estimateStep(*model::planSolids(*document, {}, progress), options).bytes;
         QVERIFY2(estimate > 0.5 * bytes && estimate < 1.5 * bytes, qPrintable(QString::number(estimate / bytes)));
     }
 
     void aLoopHasAtLeastThreeEdges() {
         StepOptions options;
         options.hasPolylines = true;
-        base::Progress progress;
-        const QTemporaryDir folder;
-        const auto document = roundedPlane(24, 0);
-        const SolidPlan plan = *model::planSolids(*document, {}, progress);
-        const std::filesystem::path path = folder.filePath("board.step").toStdString();
-        QVERIFY(model::exportStep(plan, options, path, progress));
-        QFile file(QString::fromStdString(path.string()));
-        QVERIFY(file.open(QFile::ReadOnly));
-        const auto entities = entitiesOf(file.readAll());
-        QCOMPARE(faultOf(entities), QString());
-        QCOMPARE(countOf(entities, "ADVANCED_FACE"), 2 + 3);
+        const Exported round = exported(*roundedPlane(24, 0), {}, options);
+        QCOMPARE(faultOf(round.entities), QString());
+        QCOMPARE(countOf(round.entities, "ADVANCED_FACE"), 2 + 3);
     }
 
     void cancelledAndFailedExportsLeaveNothing() {
