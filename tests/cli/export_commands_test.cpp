@@ -69,6 +69,31 @@ private slots:
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
+    void anOptionOfAnotherFormatIsRefused_data() {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<QString>("option");
+        QTest::newRow("pages of a drawing") << "svg"
+                                            << "--one-page";
+        QTest::newRow("polylines of triangles") << "glb"
+                                                << "--polylines";
+        QTest::newRow("triangles written out") << "stl"
+                                               << "--written-out";
+        QTest::newRow("exact solids compressed as triangles are") << "step"
+                                                                  << "--compress";
+        QTest::newRow("instances of exact solids") << "stpz"
+                                                   << "--instancing";
+    }
+    void anOptionOfAnotherFormatIsRefused() {
+        QFETCH(QString, ending);
+        QFETCH(QString, option);
+        const QTemporaryDir folder;
+        const Outcome refused =
+            copperscope({"export", locations::kSample, "-o", folder.filePath("board." + ending), option});
+        QCOMPARE(refused.exitCode, 1);
+        QVERIFY2(refused.err.contains("does not know " + option.toUtf8()), refused.err.constData());
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
     /// What cannot be written to its end is not left there.
     void aLimitOfFileSizeLeavesNoHalfFile_data() {
         QTest::addColumn<QString>("ending");

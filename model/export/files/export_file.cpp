@@ -150,6 +150,36 @@ std::vector<std::string> endingsOf(const ExportFormat& format) {
     return endings;
 }
 
+/// What is on in the request and no business of the format.
+base::Status checkKnown(const ExportFormat& format, const ExportRequest& request) {
+    const SolidChoice& choice = request.choice;
+    const bool isOnlyForSolids = !choice.nets.empty() || choice.window || choice.minHole > 0 || choice.isOuterOnly ||
+                                 choice.isMerged || choice.isOnePart || choice.hasFittedArcs;
+    if (!format.isSolid && isOnlyForSolids) {
+        return base::Error{ErrorCode::BadUsage,
+                           std::string(format.name) + " shows whole layers: it can be limited to layers only"};
+    }
+    const struct {
+        const char* name;  ///< on the command line; the window offers to a format what that knows
+        bool isOn;
+        bool isKnown;
+        const char* knownTo;
+    } options[] = {
+        {"--written-out", request.isWrittenOut, format.isStep, "STEP"},
+        {"--polylines", request.hasPolylines, format.isStep, "STEP"},
+        {"--one-page", request.isOnePage, format.isPdf, "PDF"},
+        {"--compress", request.isCompressed, format.isGlb, "GLB"},
+        {"--instancing", request.isInstanced, format.isGlb, "GLB"},
+    };
+    for (const auto& option : options) {
+        if (option.isOn && !option.isKnown) {
+            return base::Error{ErrorCode::BadUsage, std::string(format.name) + " does not know " + option.name +
+                                                        ", which is for " + option.knownTo};
+        }
+    }
+    return base::Done{};
+}
+
 }  // namespace
 
 std::span<const ExportFormat> exportFormats() {
@@ -192,13 +222,7 @@ Result<std::optional<StepEstimate>> estimateExport(const Document& board, const 
 
 Result<ExportSummary> exportBoard(const Document& board, const ExportFormat& format, const ExportRequest& request,
                                   const fs::path& path, Progress& progress) {
-    const SolidChoice& choice = request.choice;
-    const bool isOnlyForSolids = !choice.nets.empty() || choice.window || choice.minHole > 0 || choice.isOuterOnly ||
-                                 choice.isMerged || choice.isOnePart || choice.hasFittedArcs;
-    if (!format.isSolid && isOnlyForSolids) {
-        return base::Error{ErrorCode::BadUsage,
-                           std::string(format.name) + " shows whole layers: it can be limited to layers only"};
-    }
+    RETURN_IF_ERROR(checkKnown(format, request));
     return format.write(board, request, path, progress);
 }
 
