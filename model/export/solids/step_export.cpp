@@ -120,7 +120,6 @@ private:
                    const StepColour& colour) {
         const std::vector<StepId> solids = addShells(merged.shells, colour);
         m_items.insert(m_items.end(), solids.begin(), solids.end());
-        passOn(kPiece);
         if (merged.apart > 0 || merged.problems > 0) {
             report.missing.push_back({m_step, step.elements[group.elements.first],
                                       merged.problems > 0 ? "not all of the net's copper on this layer is solid"
@@ -165,6 +164,7 @@ private:
                 solids.push_back(m_solids.add({std::move(piece), shell.z}));
                 m_assembly.colour(solids.back(), colour);
                 ++report.solids;
+                passOn(kPiece);
             }
         }
         return solids;
@@ -243,13 +243,15 @@ public:
 
 private:
     double bytesOf(const std::vector<Shell>& shells) {
-        m_text.clear();
         double bytes = 0.0;
         for (const Shell& shell : shells) {
-            m_solids.add(shell);
-            bytes += kBytesOfSolid;
+            for (EdgeLoops& piece : splitLarge(shell.outline, m_options.limits)) {
+                m_text.clear();
+                m_solids.add({std::move(piece), shell.z});
+                bytes += kBytesOfSolid + kLongerNumbers * static_cast<double>(m_text.text().size());
+            }
         }
-        return bytes + kLongerNumbers * static_cast<double>(m_text.text().size());
+        return bytes;
     }
 
     double sharedBytes(const StepSolids& step) {

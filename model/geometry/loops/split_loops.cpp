@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <optional>
+#include <span>
 
 #include "model/geometry/vectors.h"
 
@@ -73,6 +75,11 @@ std::vector<double> crossingsOf(const Edge& arc, const Cut& cut) {
     return found;
 }
 
+bool mayCross(const Edge& edge, const Cut& cut) {
+    return edge.isArc() ? std::abs(cut.at - cut.across(edge.centre)) < edge.radius
+                        : cut.isBeyond(edge.a) != cut.isBeyond(edge.b);
+}
+
 std::vector<double> crossings(const Edge& edge, const Cut& cut) {
     if (edge.isArc()) {
         return crossingsOf(edge, cut);
@@ -112,6 +119,10 @@ private:
 
     /// The loop as edges that do not cross the cut, beginning where one leaves it.
     bool addLoop(std::span<const Edge> loop) {
+        if (std::ranges::none_of(loop, [this](const Edge& edge) { return mayCross(edge, m_cut); })) {
+            addWhole(loop);
+            return true;
+        }
         Loop pieces;
         std::vector<std::size_t> cuts;  // pieces that begin on the cut
         std::vector<double> stations;
@@ -127,7 +138,7 @@ private:
             pieces.push_back(rest);
         }
         if (cuts.empty()) {
-            m_whole[m_cut.isBeyond(loop.front().a) ? 1 : 0].push_back(std::move(pieces));
+            addWhole(loop);
             return true;
         }
         if (loop.size() == 1) {  // a circle: what is before the first cut goes on behind the last
@@ -139,6 +150,8 @@ private:
         }
         return addChains(pieces, cuts, stations);
     }
+
+    void addWhole(std::span<const Edge> loop) { m_loops[m_cut.isBeyond(loop.front().a) ? 1 : 0].push_back(loop); }
 
     bool addChains(const Loop& pieces, const std::vector<std::size_t>& cuts, const std::vector<double>& stations) {
         for (std::size_t i = 0; i < cuts.size(); ++i) {
@@ -193,7 +206,7 @@ private:
                 return false;
             }
         }
-        m_whole[isBeyond ? 1 : 0].push_back(std::move(loop));
+        m_loops[isBeyond ? 1 : 0].push_back(m_joined.emplace_back(std::move(loop)));
         return true;
     }
 
@@ -203,22 +216,21 @@ private:
 
     /// The loops of a side as regions: each hole goes to the outline around it.
     void nest(bool isBeyond, std::vector<EdgeLoops>& pieces) const {
-        const std::vector<Loop>& loops = m_whole[isBeyond ? 1 : 0];
-        std::vector<const Loop*> holes;
+        std::vector<std::span<const Edge>> holes;
         const std::size_t first = pieces.size();
-        for (const Loop& loop : loops) {
+        for (const std::span<const Edge> loop : m_loops[isBeyond ? 1 : 0]) {
             if (areaOf(loop) < 0) {
-                holes.push_back(&loop);
+                holes.push_back(loop);
                 continue;
             }
             append(pieces.emplace_back(), loop);
         }
-        for (const Loop* hole : holes) {
-            append(around(std::span(pieces).subspan(first), hole->front().a), *hole);
+        for (const std::span<const Edge> hole : holes) {
+            append(around(std::span(pieces).subspan(first), hole.front().a), hole);
         }
     }
 
-    static double areaOf(const Loop& loop) {
+    static double areaOf(std::span<const Edge> loop) {
         double area = 0.0;
         for (const Edge& edge : loop) {
             area += areaUnder(edge, loop.front().a);
@@ -239,7 +251,7 @@ private:
         return regions.back();
     }
 
-    static void append(EdgeLoops& region, const Loop& loop) {
+    static void append(EdgeLoops& region, std::span<const Edge> loop) {
         for (Edge edge : loop) {
             edge.isHole = region.loopCount() > 0;
             edge.winding = edge.isHole ? -1 : 1;
@@ -251,8 +263,9 @@ private:
     Cut m_cut;
     Loop m_edges;
     std::vector<Chain> m_chains;
-    std::vector<double> m_stations;  ///< of all cuts along the line
-    std::array<std::vector<Loop>, 2> m_whole;
+    std::vector<double> m_stations;                             ///< of all cuts along the line
+    std::deque<Loop> m_joined;                                  ///< from chains
+    std::array<std::vector<std::span<const Edge>>, 2> m_loops;  ///< of both sides: joined ones, and the region's own
 };
 
 /// In the middle of the widest place between neighbouring corners, among the middle half of all; further away only
