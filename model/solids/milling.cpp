@@ -7,6 +7,7 @@
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
 #include "model/geometry/box_index.h"
+#include "model/solids/far_holes.h"
 #include "model/solids/region_distance.h"
 
 namespace model {
@@ -15,6 +16,8 @@ namespace {
 
 /// Edges closer than this meet, nm.
 constexpr double kMeeting = 1.0;
+/// Booleans round to the grid: they move no edge so far, nm.
+constexpr Nm kFar = 5;
 
 /// How an element lies to the outline.
 enum class Lie : std::uint8_t { Within, Beyond, Across };
@@ -25,6 +28,8 @@ public:
         : m_region(discretise(document.shapes, document.profile, how)), m_edges(m_region) {}
 
     [[nodiscard]] const PolygonSet& region() const { return m_region; }
+
+    [[nodiscard]] bool isWithin(const Box& box) const { return !m_edges.meets(box) && m_edges.contains(box.min); }
 
     /// Where an element lies, by its box if that is enough; else `polygons()` is what it covers.
     template <class Polygons>
@@ -53,7 +58,9 @@ private:
         return false;
     }
 
-    [[nodiscard]] bool reachesBeyond(const PolygonSet& set) const {
+    [[nodiscard]] bool reachesBeyond(PolygonSet set) const {
+        const FarHoles within(set,
+                              [this](const Box& hole) { return isWithin(hole); });  // make no part of what is beyond
         return !grow(subtract(set, m_region), -static_cast<double>(kMillingTolerance)).polygons.empty();
     }
 
@@ -64,8 +71,12 @@ private:
 /// The holes that the outline crosses, and what they pass.
 class CrossedHoles {
 public:
-    CrossedHoles(const Document& document, std::vector<ElementId> holes)
-        : m_document(document), m_holes(std::move(holes)), m_index(boxesOf(document, m_holes)) {}
+    CrossedHoles(const Document& document, std::vector<ElementId> holes, const Discretisation& how)
+        : m_document(document), m_holes(std::move(holes)), m_index(boxesOf(document, m_holes)) {
+        for (const ElementId hole : m_holes) {
+            m_edges.emplace_back(discretise(document, hole, how));
+        }
+    }
 
     /// Those that may pass the element; rising. No hole passes another.
     [[nodiscard]] std::vector<ElementId> through(ElementId element) const {
@@ -74,9 +85,12 @@ public:
             return found;
         }
         const ZRange heights = m_document.heightsOf(element);
-        m_index.visit(m_document.boxOf(element), [&](std::uint32_t row) {
+        const Box box = m_document.boxOf(element);
+        m_index.visit(box, [&](std::uint32_t row) {
             const ZRange drilled = m_document.heightsOf(m_holes[row]);
-            if (heights.bottom <= drilled.top && drilled.bottom <= heights.top) {
+            const bool isInReach = heights.bottom <= drilled.top && drilled.bottom <= heights.top;
+            // Slots around a board have boxes as large as the board.
+            if (isInReach && (m_edges[row].meets(box) || m_edges[row].contains(box.min))) {
                 found.push_back(m_holes[row]);
             }
         });
@@ -98,6 +112,7 @@ private:
     const Document& m_document;
     std::vector<ElementId> m_holes;
     BoxIndex m_index;
+    std::vector<EdgeStrips> m_edges;  ///< of each hole
 };
 
 class Miller {
@@ -111,7 +126,7 @@ public:
             return {.elements = {}, .isOutlineDoubtful = true};
         }
         std::vector<MilledElement> milled;
-        const CrossedHoles holes(m_document, crossedHoles());
+        const CrossedHoles holes(m_document, crossedHoles(), m_how);
         forEachOfJob([&](ElementId element) {
             if (lieOf(element) != Lie::Within || !holes.through(element).empty()) {
                 milled.push_back({element, {}});
@@ -183,7 +198,18 @@ private:
         for (const ElementId hole : holes.through(element)) {
             open.append(polygonsOf(hole));
         }
-        return intersect(subtract(polygonsOf(element), open), m_outline.region());
+        const EdgeStrips opened(open);
+        const bool isAcross = lieOf(element) == Lie::Across;
+        PolygonSet rest = polygonsOf(element);
+        const FarHoles far(rest, [&](const Box& hole) {
+            const Box around = hole.grownBy(kFar);
+            const bool isOpened = opened.meets(around) || opened.contains(around.min);
+            return !isOpened && (!isAcross || m_outline.isWithin(around));
+        });
+        if (!open.polygons.empty()) {
+            rest = subtract(rest, open);
+        }
+        return far.putBack(isAcross ? intersect(rest, m_outline.region()) : std::move(rest));
     }
 
     const Document& m_document;

@@ -142,6 +142,9 @@ bool EdgeStrips::contains(Point p) const {
 }
 
 bool EdgeStrips::meets(const Box& box) const {
+    if (m_box.isEmpty()) {
+        return false;
+    }
     const std::size_t last = stripOf(box.max.y);
     for (std::size_t i = stripOf(box.min.y); i <= last; ++i) {
         for (const Edge& edge : m_strips[i]) {
