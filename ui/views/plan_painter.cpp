@@ -27,6 +27,27 @@ constexpr QColor kAxisColour(190, 200, 215, 130);
 constexpr QColor kRulerGround(24, 26, 31, 240);
 constexpr QColor kRulerInk(190, 195, 205);
 
+/// A line of the grid as a picture, a pixel wide. Qt blends one at once, but a line in a translucent colour in threads
+/// that it wakes for each: that took a quarter of a frame.
+class GridLine {
+public:
+    explicit GridLine(QSize pixels) : m_plain(filled(pixels, kGridColour)), m_axis(filled(pixels, kAxisColour)) {}
+    /// Of the coordinate `at`; those through the origin stand out.
+    [[nodiscard]] const QImage& at(double at, double step) const {
+        return std::abs(at) < step / 2.0 ? m_axis : m_plain;
+    }
+
+private:
+    static QImage filled(QSize pixels, const QColor& colour) {
+        QImage line(pixels, QImage::Format_ARGB32_Premultiplied);
+        line.fill(colour);
+        return line;
+    }
+
+    QImage m_plain;
+    QImage m_axis;
+};
+
 /// The stretch of an element that a name can be written along, in nm.
 struct Stretch {
     model::Point a;
@@ -102,6 +123,7 @@ PlanPainter::PlanPainter(BoardView& view, Workspace& workspace, const NetStyles&
 
 void PlanPainter::setBoard(const LoadedBoard& board) {
     m_index = board.index;
+    m_nameable.reset();
     m_view.requestOverlay();
 }
 
@@ -158,17 +180,14 @@ void PlanPainter::paint(QPainter& painter) const {
 
 void PlanPainter::paintGrid(QPainter& painter, double step) const {
     const model::Box box = shownBox();
-    const QSizeF size = m_view.controller().viewport();
-    painter.setRenderHint(QPainter::Antialiasing, false);
+    const QSize size = m_view.controller().viewport().toSize();
+    const GridLine upright({1, size.height()});
     for (double x = std::ceil(box.min.x / step) * step; x <= box.max.x; x += step) {
-        painter.setPen(std::abs(x) < step / 2.0 ? kAxisColour : kGridColour);
-        const double at = screenOf(x, box.min.y).x();
-        painter.drawLine(QPointF(at, 0.0), QPointF(at, size.height()));
+        painter.drawImage(QPointF(std::floor(screenOf(x, box.min.y).x()), 0.0), upright.at(x, step));
     }
+    const GridLine level({size.width(), 1});
     for (double y = std::ceil(box.min.y / step) * step; y <= box.max.y; y += step) {
-        painter.setPen(std::abs(y) < step / 2.0 ? kAxisColour : kGridColour);
-        const double at = screenOf(box.min.x, y).y();
-        painter.drawLine(QPointF(0.0, at), QPointF(size.width(), at));
+        painter.drawImage(QPointF(0.0, std::floor(screenOf(box.min.x, y).y())), level.at(y, step));
     }
 }
 
@@ -218,18 +237,38 @@ model::LayerId PlanPainter::namedLayer() const {
     return nearest;
 }
 
+const PlanPainter::Nameable& PlanPainter::nameableOn(model::LayerId layer) const {
+    if (m_nameable && m_nameable->layer == layer) {
+        return *m_nameable;
+    }
+    const model::Document& board = *m_index->board;
+    std::vector<model::ElementId> found;
+    std::vector<model::Box> boxes;
+    const model::Range range = board.layer(layer).elements;
+    for (std::uint32_t row = range.first; row < range.first + range.count; ++row) {
+        if (board.elements.net[row].isValid() || (board.elements.flags[row] & model::kPad) != 0) {
+            found.emplace_back(row);
+            boxes.push_back(board.boxOf(found.back()));
+        }
+    }
+    return m_nameable.emplace(Nameable{layer, std::move(found), model::BoxIndex(boxes)});
+}
+
 std::vector<model::ElementId> PlanPainter::namedElements() const {
-    const model::ElementTable& elements = m_index->board->elements;
     const model::LayerId layer = namedLayer();
-    const auto isNamed = [&](std::uint32_t row) {
-        const model::NetId net = elements.net[row];
-        const bool isHidden = net.isValid() && m_styles.isHidden({0, net});
-        return elements.layer[row] == layer && !isHidden && (net.isValid() || (elements.flags[row] & model::kPad) != 0);
+    if (!layer.isValid()) {
+        return {};
+    }
+    const Nameable& nameable = nameableOn(layer);
+    const auto isHidden = [this](model::ElementId element) {
+        const model::NetId net = m_index->board->elements.net[element.row()];
+        return net.isValid() && m_styles.isHidden({0, net});
     };
     std::vector<model::ElementId> inSight;
-    m_index->elements.front().visit(shownBox(), [&](std::uint32_t row) {
-        if (inSight.size() <= kMostInSight && isNamed(row)) {
-            inSight.emplace_back(row);
+    nameable.boxes.visit(shownBox(), [&](std::uint32_t row) {
+        const model::ElementId element = nameable.elements[row];
+        if (inSight.size() <= kMostInSight && !isHidden(element)) {
+            inSight.push_back(element);
         }
     });
     if (inSight.size() > kMostInSight) {
