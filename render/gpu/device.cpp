@@ -2,9 +2,11 @@
 
 #include <spdlog/spdlog.h>
 
+#include <future>
 #include <numeric>
 #include <vector>
 
+#include "model/base/background.h"
 #include "render/gpu/check.h"
 #include "render/gpu/deferred_destroy.h"
 #include "render/gpu/device_select.h"
@@ -60,7 +62,17 @@ VkResult Device::State::createDevice() {
     info.pQueueCreateInfos = &queueInfo;
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     info.ppEnabledExtensionNames = extensions.data();
-    return vkCreateDevice(choice.physical, &info, nullptr, &handle);
+    const auto create = [&] { return vkCreateDevice(choice.physical, &info, nullptr, &handle); };
+    if (!choice.caps.isCpu) {
+        return create();
+    }
+    // It draws in threads of its own, which the window would have to share its processors with.
+    return std::async(std::launch::async,
+                      [&create] {
+                          base::becomeBackground();
+                          return create();
+                      })
+        .get();
 }
 
 void Device::State::createObjects(bool hasDebugUtils) {

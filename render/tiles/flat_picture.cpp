@@ -48,6 +48,11 @@ bool isLevel(const FramePlan& plan) {
            std::abs(clip[1][0]) < 1e-6F * std::abs(clip[0][0]) && std::abs(clip[0][1]) < 1e-6F * std::abs(clip[1][1]);
 }
 
+/// But for their colours.
+bool isAlike(const Paint& a, const Paint& b) {
+    return a.layer == b.layer && a.isBore == b.isBore && a.isOpaque() == b.isOpaque();
+}
+
 glm::vec3 colourOf(const ElementColours& palette, ElementState state) {
     const std::uint32_t row = state & shader::kElementColourMask;
     const glm::vec3 colour = palette[row == 0 ? shader::kHighlightRow : row - 1];
@@ -171,11 +176,15 @@ bool FlatPicture::setLook(const FlatRequest& request, const FramePlan& plan) {
     if (m_colours && paints == m_paints && overColours == m_overColours && plan.data.background == m_background) {
         return true;
     }
+    std::optional<SampleColours> colours = SampleColours::make(plan.data.background, paints, overColours);
+    const bool isStackSame =
+        colours && m_colours && std::ranges::equal(paints, m_paints, isAlike) && colours->after() == m_colours->after();
+    m_stack += isStackSame ? 0 : 1;
+    ++m_look;
     m_paints = std::move(paints);
     m_overColours = std::move(overColours);
     m_background = plan.data.background;
-    m_colours = SampleColours::make(m_background, m_paints, m_overColours);
-    ++m_look;
+    m_colours = std::move(colours);
     return m_colours.has_value();
 }
 
@@ -269,7 +278,7 @@ bool FlatPicture::fill(const Window& window, const Budget& budget) {
     return done == tasks.size();
 }
 
-/// Draws what stands out, everywhere as it is before anywhere `isOutlined`, of which a piece is drawn in any case.
+/// Draws what stands out, everywhere as it is before anywhere `isOutlined`.
 bool FlatPicture::fillOver(const Window& window, const Budget& budget, bool isOutlined) {
     struct Task {
         Tile* tile;
@@ -299,7 +308,7 @@ bool FlatPicture::fillOver(const Window& window, const Budget& budget, bool isOu
     }
     const std::vector<Task> bare = tasksOf([](const Tile& tile) { return !tile.isOutlined; });
     base::parallelFor(bare.size(), [&](std::size_t i) {
-        for (bool isForced = i == 0; !bare[i].tile->isOutlined && (isForced || !budget.isSpent()); isForced = false) {
+        while (!bare[i].tile->isOutlined && !budget.isSpent()) {
             outlineOver(*bare[i].tile, bare[i].map);
         }
     });
@@ -309,8 +318,8 @@ bool FlatPicture::fillOver(const Window& window, const Budget& budget, bool isOu
 /// As it is, without its dark edge.
 void FlatPicture::drawOver(Tile& tile, const PlaneMap& map) const {
     constexpr std::array<glm::dvec2, 1> kUnmoved{{{0.0, 0.0}}};
+    const bool wasBare = tile.over == nullptr;
     tile.overLook = m_overLook;
-    tile.pictureLook = 0;
     tile.overRows.clear();
     tile.outline.reset();
     tile.over.reset();
@@ -326,6 +335,9 @@ void FlatPicture::drawOver(Tile& tile, const PlaneMap& map) const {
     }
     if (!tile.overRows.empty()) {
         tile.over = std::move(samples);
+    }
+    if (!wasBare || tile.over != nullptr) {
+        tile.pictureLook = 0;
     }
     tile.isOutlined = tile.overRows.empty() || m_standingOut > kMostOutlined;
 }
@@ -411,13 +423,19 @@ void FlatPicture::bringUpToDate(Tile& tile, const TilePart& part) const {
     if (tile.pictureLook == m_look && tile.painted.holds(part)) {
         return;
     }
-    const bool isNew = tile.picture == nullptr || tile.pictureLook != m_look;
-    if (tile.picture == nullptr) {
-        tile.picture = std::make_unique<PixelTile>();
-    }
+    const bool isNew = tile.pictureLook != m_look;
     tile.painted = isNew ? part : TilePart{};
     tile.pictureLook = m_look;
-    paintTile(m_paints, *m_colours, tile.masks, tile.over.get(), tile.painted, *tile.picture);
+    if (tile.samples == nullptr) {
+        tile.samples = std::make_unique<PixelTile>();
+        tile.picture = std::make_unique<PixelTile>();
+    }
+    if (tile.stack != m_stack || !tile.seen.holds(tile.painted)) {
+        tile.seen = tile.stack != m_stack ? tile.painted : TilePart{};
+        tile.stack = m_stack;
+        paintSamples(m_paints, *m_colours, tile.masks, tile.seen, *tile.samples);
+    }
+    paintPixels(*m_colours, *tile.samples, tile.over.get(), tile.painted, *tile.picture);
 }
 
 /// Is the small picture of the whole board there, as it looks now?
@@ -460,7 +478,7 @@ bool FlatPicture::prepare(double budgetMs) {
         }
     });
     for (const glm::ivec2& at : places) {
-        if (bytes() + m_board.model().layers.size() * sizeof(MaskTile) + 2 * sizeof(PixelTile) > m_maxBytes) {
+        if (bytes() + m_board.model().layers.size() * sizeof(MaskTile) + 3 * sizeof(PixelTile) > m_maxBytes) {
             return true;
         }
         const Window one{m_window->tiling, at * kTilePixels, glm::ivec2(kTilePixels)};
@@ -521,7 +539,7 @@ void FlatPicture::evict() {
 std::uint64_t FlatPicture::bytesOf(const Tile& tile) {
     const auto masks = std::ranges::count_if(tile.masks, [](const auto& mask) { return mask != nullptr; });
     return static_cast<std::uint64_t>(masks) * sizeof(MaskTile) +
-           ((tile.over ? 1U : 0U) + (tile.picture ? 1U : 0U)) * sizeof(PixelTile) +
+           ((tile.over ? 1U : 0U) + (tile.picture ? 2U : 0U)) * sizeof(PixelTile) +
            (tile.outline ? sizeof(OutlineWork) : 0U);
 }
 

@@ -78,10 +78,13 @@ private:
         std::vector<std::uint32_t> overRows;   ///< of what stands out, those with something here
         std::unique_ptr<OutlineWork> outline;  ///< while its dark edge is drawn
         bool isOutlined = false;               ///< `over` has all that it gets
-        std::unique_ptr<PixelTile> picture;
+        std::unique_ptr<PixelTile> samples;    ///< what is seen of the layers
+        std::unique_ptr<PixelTile> picture;    ///< the same in colours, with what stands out
         std::uint64_t overLook = 0;
+        std::uint64_t stack = 0;
         std::uint64_t pictureLook = 0;
-        TilePart painted{glm::ivec2(0), glm::ivec2(0)};
+        TilePart seen{glm::ivec2(0), glm::ivec2(0)};     ///< of the samples
+        TilePart painted{glm::ivec2(0), glm::ivec2(0)};  ///< of the picture
         std::uint64_t lastUse = 0;
     };
     using Key = std::tuple<std::uint32_t, int, int>;
@@ -139,7 +142,8 @@ private:
     std::deque<Tiling> m_tilings;
     std::uint32_t m_lastTiling = 0;
     std::uint64_t m_use = 0;
-    std::uint64_t m_look = 1;      ///< of what is painted
+    std::uint64_t m_stack = 1;     ///< of what hides what
+    std::uint64_t m_look = 1;      ///< of what is painted, and in which colours
     std::uint64_t m_overLook = 1;  ///< of what stands out
     std::vector<Paint> m_paints;
     std::vector<glm::vec3> m_overColours;

@@ -108,6 +108,15 @@ void putOver(const SampleColours& colours, const std::uint32_t* over, int from, 
     }
 }
 
+/// Columns of a part in whole steps.
+int firstStep(const TilePart& part) {
+    return part.from.x / kStep * kStep;
+}
+
+int endStep(const TilePart& part) {
+    return (part.to.x + kStep - 1) / kStep * kStep;
+}
+
 }  // namespace
 
 void stamp(const MaskTile& mask, bool isBore, std::uint8_t byte, PixelTile& samples) {
@@ -120,9 +129,8 @@ void stamp(const MaskTile& mask, bool isBore, std::uint8_t byte, PixelTile& samp
     }
 }
 
-void paintTile(std::span<const Paint> paints, const SampleColours& colours,
-               std::span<const std::unique_ptr<MaskTile>> masks, const PixelTile* over, const TilePart& part,
-               PixelTile& picture) {
+void paintSamples(std::span<const Paint> paints, const SampleColours& colours,
+                  std::span<const std::unique_ptr<MaskTile>> masks, const TilePart& part, PixelTile& samples) {
     std::vector<Plane> planes;
     for (std::size_t i = 0; i < paints.size(); ++i) {
         if (const MaskTile* mask = masks[paints[i].layer].get(); mask != nullptr) {
@@ -132,21 +140,30 @@ void paintTile(std::span<const Paint> paints, const SampleColours& colours,
         }
     }
     std::vector<std::uint64_t> seen(planes.size());
-    std::array<std::uint32_t, kRow> samples{};
-    const int from = part.from.x / kStep * kStep;
-    const int to = (part.to.x + kStep - 1) / kStep * kStep;
     for (int y = part.from.y; y < part.to.y; ++y) {
         const std::size_t start = static_cast<std::size_t>(y) * kRow;
-        for (int x = from; x < to; x += kStep) {
-            paintEight(planes, start + static_cast<std::size_t>(x), seen.data(), samples.data() + x);
+        for (int x = firstStep(part); x < endStep(part); x += kStep) {
+            const std::size_t at = start + static_cast<std::size_t>(x);
+            paintEight(planes, at, seen.data(), samples.data() + at);
         }
+    }
+}
+
+void paintPixels(const SampleColours& colours, const PixelTile& samples, const PixelTile* over, const TilePart& part,
+                 PixelTile& picture) {
+    const int from = firstStep(part);
+    const int to = endStep(part);
+    std::array<std::uint32_t, kRow> row{};
+    for (int y = part.from.y; y < part.to.y; ++y) {
+        const std::size_t start = static_cast<std::size_t>(y) * kRow;
+        std::copy(samples.begin() + start + from, samples.begin() + start + to, row.begin() + from);
         if (over != nullptr) {
-            putOver(colours, over->data() + start, from, to, samples.data());
+            putOver(colours, over->data() + start, from, to, row.data());
         }
         std::uint32_t last = 0;
         std::uint32_t pixel = colours.pixel(last);
         for (int x = from; x < to; ++x) {
-            const std::uint32_t own = samples[static_cast<std::size_t>(x)];
+            const std::uint32_t own = row[static_cast<std::size_t>(x)];
             if (own != last) {
                 last = own;
                 pixel = colours.pixel(own);

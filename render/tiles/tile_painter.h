@@ -22,10 +22,14 @@ struct TilePart {
 /// Samples get this byte where a mask covers them, four to a pixel of `samples`.
 void stamp(const MaskTile& mask, bool isBore, std::uint8_t byte, PixelTile& samples);
 
-/// Paints a part of a tile: `masks` by layer, null where a layer has nothing here; `over` has a byte per sample, 0 for
-/// nothing, else 1 + row of SampleColours::over, and may be null. Gives 0xffRRGGBB.
-void paintTile(std::span<const Paint> paints, const SampleColours& colours,
-               std::span<const std::unique_ptr<MaskTile>> masks, const PixelTile* over, const TilePart& part,
-               PixelTile& picture);
+/// What is seen at each sample of a part of a tile, as rows of `colours`, a byte each: this stays as it is while the
+/// colours change and while something stands out. `masks` by layer, null where a layer has nothing here.
+void paintSamples(std::span<const Paint> paints, const SampleColours& colours,
+                  std::span<const std::unique_ptr<MaskTile>> masks, const TilePart& part, PixelTile& samples);
+
+/// The pixels, 0xffRRGGBB, of such samples; `over` has a byte per sample, 0 for nothing, else 1 + row of
+/// SampleColours::over, and may be null.
+void paintPixels(const SampleColours& colours, const PixelTile& samples, const PixelTile* over, const TilePart& part,
+                 PixelTile& picture);
 
 }  // namespace render

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <utility>
 
+#include "model/base/background.h"
+
 namespace ui {
 
 namespace {
@@ -40,6 +42,7 @@ void DevicePicture::makeReady() {
     }
     m_presenter.emplace(m_context.device());
     m_pipelines = std::async(std::launch::async, [this] {
+        base::becomeBackground();
         m_presenter->makeReady(render::Backend::Auto, true);
         m_presenter->makeReady(render::Backend::Auto, false);
     });

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "model/base/background.h"
 #include "model/board/single_element.h"
 #include "ui/canvas/picture.h"
 
@@ -139,7 +140,10 @@ void ElementPicture::makePresenter() {
         return;
     }
     m_presenter.emplace(m_context.device());
-    m_pipelines = std::async(std::launch::async, [this] { m_presenter->makeReady(kBackend, true); }).share();
+    m_pipelines = std::async(std::launch::async, [this] {
+                      base::becomeBackground();
+                      m_presenter->makeReady(kBackend, true);
+                  }).share();
 }
 
 void ElementPicture::releaseDevice() {

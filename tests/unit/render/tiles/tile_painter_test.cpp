@@ -57,6 +57,15 @@ std::uint32_t pixelAt(std::size_t at, const std::vector<Paint>& all, const Sampl
     return colours.pixel(samples);
 }
 
+/// In one go.
+void paintTile(std::span<const Paint> all, const SampleColours& colours,
+               std::span<const std::unique_ptr<MaskTile>> masks, const PixelTile* over, const TilePart& part,
+               PixelTile& picture) {
+    auto samples = std::make_unique<PixelTile>();
+    paintSamples(all, colours, masks, part, *samples);
+    paintPixels(colours, *samples, over, part, picture);
+}
+
 }  // namespace
 
 class TilePainterTest : public QObject {
@@ -89,6 +98,26 @@ private slots:
         paintTile(all, *colours, masks, samples.get(), {}, *picture);
         QCOMPARE((*picture)[0], 0xffff0000U);
         QCOMPARE((*picture)[1], pixelAt(1, all, *colours, masks));
+    }
+
+    /// Other colours for the same stack need no new samples.
+    void samplesServeOtherColours() {
+        const std::vector<std::unique_ptr<MaskTile>> masks = randomMasks();
+        const std::vector<Paint> all = paints();
+        std::vector<Paint> dimmed = all;
+        for (Paint& paint : dimmed) {
+            paint.light *= 0.4F;
+        }
+        const std::optional<SampleColours> colours = SampleColours::make(kGround, all, {});
+        const std::optional<SampleColours> dim = SampleColours::make(kGround, dimmed, {});
+        QVERIFY(colours->after() == dim->after());
+        auto samples = std::make_unique<PixelTile>();
+        auto picture = std::make_unique<PixelTile>();
+        paintSamples(all, *colours, masks, {}, *samples);
+        paintPixels(*dim, *samples, nullptr, {}, *picture);
+        for (std::size_t i = 0; i < picture->size(); ++i) {
+            QCOMPARE((*picture)[i], pixelAt(i, dimmed, *dim, masks));
+        }
     }
 
     void onlyTheWantedPartIsPainted() {
