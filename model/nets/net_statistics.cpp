@@ -33,8 +33,21 @@ std::string_view takeNumber(std::string_view& text) {
     return number;
 }
 
+/// How long the part is that both begin with, up to a number: names of a board, and lists of attributes, are much
+/// alike.
+std::size_t commonPrefix(std::string_view a, std::string_view b) {
+    auto size = static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
+    while (size > 0 && isDigit(a[size - 1])) {
+        --size;
+    }
+    return size;
+}
+
 /// Negative, 0 or positive as in strcmp.
 int compareNames(std::string_view a, std::string_view b) {
+    const std::size_t alike = commonPrefix(a, b);
+    a.remove_prefix(alike);
+    b.remove_prefix(alike);
     while (!a.empty() && !b.empty()) {
         if (isDigit(a.front()) && isDigit(b.front())) {
             const std::string_view m = takeNumber(a);

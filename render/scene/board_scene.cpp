@@ -35,9 +35,8 @@ shader::ShapeBound boundOf(const BoardModel& model, const AreaShape& piece) {
 }
 
 std::vector<shader::ShapeBound> boundsOf(const BoardModel& model) {
-    std::vector<shader::ShapeBound> bounds;
-    std::ranges::transform(model.shapes, std::back_inserter(bounds),
-                           [&](const AreaShape& shape) { return boundOf(model, shape); });
+    std::vector<shader::ShapeBound> bounds(model.shapes.size());
+    base::parallelFor(bounds.size(), [&](std::size_t row) { bounds[row] = boundOf(model, model.shapes[row]); });
     return bounds;
 }
 

@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <algorithm>
+#include <utility>
 
 #include "ui/common/cell_delegate.h"
 #include "ui/common/sorted_rows.h"
@@ -44,14 +45,28 @@ SortedRows& TableView::makeSortable() {
 }
 
 void TableView::fitColumns(int stretched) {
-    const auto fit = [this, stretched] {
-        resizeColumnsToContents();
-        if (stretched >= 0) {
-            horizontalHeader()->setSectionResizeMode(stretched, QHeaderView::Stretch);
+    m_stretched = stretched;
+    connect(model(), &QAbstractItemModel::modelReset, this, [this] {
+        m_isFitDue = !isVisible();  // measuring cells takes a while
+        if (!m_isFitDue) {
+            fit();
         }
-    };
-    connect(model(), &QAbstractItemModel::modelReset, this, fit);
+    });
     fit();
+}
+
+void TableView::fit() {
+    resizeColumnsToContents();
+    if (m_stretched >= 0) {
+        horizontalHeader()->setSectionResizeMode(m_stretched, QHeaderView::Stretch);
+    }
+}
+
+void TableView::showEvent(QShowEvent* event) {
+    QTableView::showEvent(event);
+    if (std::exchange(m_isFitDue, false)) {
+        fit();
+    }
 }
 
 QAction& TableView::addDelete(const QString& tip) {

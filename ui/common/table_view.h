@@ -39,12 +39,16 @@ signals:
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     [[nodiscard]] QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
                                                                        const QEvent* event) const override;
 
 private:
     [[nodiscard]] int rowOf(const QModelIndex& index) const;
+    void fit();
 
+    int m_stretched = -1;
+    bool m_isFitDue = false;  ///< once it is seen
     std::vector<int> m_buttonColumns;
 };
 

@@ -32,9 +32,10 @@ void Background::start(Work work, const char* phase) {
     m_current = std::make_unique<Job>();
     Job& job = *m_current;
     job.progress.beginPhase(phase);
-    job.thread = std::jthread([&job, run = std::move(work)] {
+    job.thread = std::jthread([this, &job, run = std::move(work)] {
         run(job.progress);
         job.isDone = true;
+        QMetaObject::invokeMethod(this, &Background::poll, Qt::QueuedConnection);  // at once, not at the next turn
     });
     m_timer.start();
     emit started();
