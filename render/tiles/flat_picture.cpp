@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "model/base/parallel.h"
 #include "render/culling/frame_plan.h"
@@ -296,7 +297,7 @@ bool FlatPicture::fillOver(const Window& window, const Budget& budget, bool isOu
     const auto isStale = [&](const Tile& tile) { return tile.overLook != m_overLook; };
     const std::vector<Task> stale = tasksOf(isStale);
     base::parallelFor(stale.size(), [&](std::size_t i) {
-        if (i == 0 || !budget.isSpent()) {
+        for (bool isFirst = i == 0; isStale(*stale[i].tile) && (isFirst || !budget.isSpent()); isFirst = false) {
             drawOver(*stale[i].tile, stale[i].map);
         }
     });
@@ -315,31 +316,39 @@ bool FlatPicture::fillOver(const Window& window, const Budget& budget, bool isOu
     return std::ranges::all_of(bare, [](const Task& task) { return task.tile->isOutlined; });
 }
 
-/// As it is, without its dark edge.
+/// A step of it as it is, without its dark edge: one of its paints.
 void FlatPicture::drawOver(Tile& tile, const PlaneMap& map) const {
     constexpr std::array<glm::dvec2, 1> kUnmoved{{{0.0, 0.0}}};
+    if (tile.drawn == nullptr || tile.drawn->look != m_overLook) {
+        tile.drawn = std::make_unique<OverWork>();
+        tile.drawn->look = m_overLook;
+    }
+    OverWork& work = *tile.drawn;
+    if (work.row < m_over.size()) {
+        const OverPaint& paint = m_over[work.row];
+        if (m_board.drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, kUnmoved, work.mask)) {
+            work.rows.push_back(work.row);
+            stamp(work.mask, paint.isBore, paint.byte, work.samples);
+            work.mask.fill(0);
+        }
+        ++work.row;
+    }
+    if (work.row == m_over.size()) {
+        takeOver(tile);
+    }
+}
+
+void FlatPicture::takeOver(Tile& tile) const {
     const bool wasBare = tile.over == nullptr;
     tile.overLook = m_overLook;
-    tile.overRows.clear();
+    tile.overRows = std::move(tile.drawn->rows);
+    tile.over = tile.overRows.empty() ? nullptr : std::make_unique<PixelTile>(tile.drawn->samples);
+    tile.drawn.reset();
     tile.outline.reset();
-    tile.over.reset();
-    auto samples = std::make_unique<PixelTile>();
-    auto mask = std::make_unique<MaskTile>();
-    for (std::uint32_t row = 0; row < m_over.size(); ++row) {
-        const OverPaint& paint = m_over[row];
-        mask->fill(0);
-        if (m_board.drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, kUnmoved, *mask)) {
-            tile.overRows.push_back(row);
-            stamp(*mask, paint.isBore, paint.byte, *samples);
-        }
-    }
-    if (!tile.overRows.empty()) {
-        tile.over = std::move(samples);
-    }
+    tile.isOutlined = tile.overRows.empty() || m_standingOut > kMostOutlined;
     if (!wasBare || tile.over != nullptr) {
         tile.pictureLook = 0;
     }
-    tile.isOutlined = tile.overRows.empty() || m_standingOut > kMostOutlined;
 }
 
 /// A step of the dark edge, or of what is widened over it: one of its layers, moved to the eight sides.
@@ -540,7 +549,7 @@ std::uint64_t FlatPicture::bytesOf(const Tile& tile) {
     const auto masks = std::ranges::count_if(tile.masks, [](const auto& mask) { return mask != nullptr; });
     return static_cast<std::uint64_t>(masks) * sizeof(MaskTile) +
            ((tile.over ? 1U : 0U) + (tile.picture ? 2U : 0U)) * sizeof(PixelTile) +
-           (tile.outline ? sizeof(OutlineWork) : 0U);
+           (tile.drawn ? sizeof(OverWork) : 0U) + (tile.outline ? sizeof(OutlineWork) : 0U);
 }
 
 std::uint64_t FlatPicture::bytes() const {
@@ -589,7 +598,9 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
     m_isBare = false;
     const bool isWhole = isPassing ? isFilled(*m_window) : fill(*m_window, budget);
     m_isOverShown = isWhole && fillOver(*m_window, budget, false);
-    const bool isOutlined = m_isOverShown && fillOver(*m_window, budget, true);
+    // What only now stands out is shown first, its dark edge with a later frame.
+    const bool isNew = budgetMs > 0.0 && std::exchange(m_edgedLook, m_overLook) != m_overLook && !m_standing.empty();
+    const bool isOutlined = m_isOverShown && !isNew && fillOver(*m_window, budget, true);
     if (isWhole) {
         paintWhole();
     } else {

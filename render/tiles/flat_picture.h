@@ -65,6 +65,14 @@ private:
         glm::dvec2 scale{0.0};
         glm::dvec2 phase{0.0};  ///< 0 to 1
     };
+    /// What stands out as it is, as far as it is drawn.
+    struct OverWork {
+        MaskTile mask{};
+        PixelTile samples{};
+        std::uint64_t look = 0;
+        std::uint32_t row = 0;
+        std::vector<std::uint32_t> rows;  ///< those with something here
+    };
     /// What stands out, widened and with a dark edge, as far as it is drawn.
     struct OutlineWork {
         MaskTile mask{};
@@ -76,6 +84,7 @@ private:
         std::vector<std::uint8_t> isDrawn;             ///< likewise
         std::unique_ptr<PixelTile> over;
         std::vector<std::uint32_t> overRows;   ///< of what stands out, those with something here
+        std::unique_ptr<OverWork> drawn;       ///< while it is drawn
         std::unique_ptr<OutlineWork> outline;  ///< while its dark edge is drawn
         bool isOutlined = false;               ///< `over` has all that it gets
         std::unique_ptr<PixelTile> samples;    ///< what is seen of the layers
@@ -126,6 +135,7 @@ private:
     bool fillOverview(const Budget& budget);
     void fillLayer(Tile& tile, const PlaneMap& map, std::uint32_t layer) const;
     void drawOver(Tile& tile, const PlaneMap& map) const;
+    void takeOver(Tile& tile) const;
     void outlineOver(Tile& tile, const PlaneMap& map) const;
     void paint(const Window& window, const RoughPicture* behind, std::uint32_t* pixels);
     void bringUpToDate(Tile& tile, const TilePart& part) const;
@@ -142,9 +152,10 @@ private:
     std::deque<Tiling> m_tilings;
     std::uint32_t m_lastTiling = 0;
     std::uint64_t m_use = 0;
-    std::uint64_t m_stack = 1;     ///< of what hides what
-    std::uint64_t m_look = 1;      ///< of what is painted, and in which colours
-    std::uint64_t m_overLook = 1;  ///< of what stands out
+    std::uint64_t m_stack = 1;      ///< of what hides what
+    std::uint64_t m_look = 1;       ///< of what is painted, and in which colours
+    std::uint64_t m_overLook = 1;   ///< of what stands out
+    std::uint64_t m_edgedLook = 1;  ///< the same, as of the frame before
     std::vector<Paint> m_paints;
     std::vector<glm::vec3> m_overColours;
     std::vector<OverPaint> m_over;
