@@ -33,7 +33,7 @@ Device::State::~State() {
     vkDestroyDevice(handle, nullptr);
 }
 
-VkResult Device::State::createDevice() {
+VkResult Device::State::createDevice(DeviceThreads threads) {
     Features features(choice.caps.hasMeshShader);
     for (const auto& [name, isWanted] : features.needed()) {
         *isWanted = VK_TRUE;
@@ -63,10 +63,10 @@ VkResult Device::State::createDevice() {
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     info.ppEnabledExtensionNames = extensions.data();
     const auto create = [&] { return vkCreateDevice(choice.physical, &info, nullptr, &handle); };
-    if (!choice.caps.isCpu) {
+    if (!choice.caps.isCpu || threads == DeviceThreads::Equal) {
         return create();
     }
-    // It draws in threads of its own, which the window would have to share its processors with.
+    // Its threads are like the one that makes it.
     return std::async(std::launch::async,
                       [&create] {
                           base::becomeBackground();
@@ -120,14 +120,14 @@ void Device::State::savePipelineCache() {
     }
 }
 
-base::Result<Device> Device::create(const Instance& instance, VkSurfaceKHR presentTo) {
+base::Result<Device> Device::create(const Instance& instance, VkSurfaceKHR presentTo, DeviceThreads threads) {
     ASSIGN_OR_RETURN(DeviceChoice choice, chooseDevice(instance.handle(), presentTo));
     auto state = std::make_unique<State>();
     state->choice = choice;
     state->choice.hasSwapchain = choice.hasSwapchain && instance.hasSurfaces();
     state->instance = instance.handle();
     const Caps& caps = state->choice.caps;
-    if (const VkResult result = state->createDevice(); result != VK_SUCCESS) {
+    if (const VkResult result = state->createDevice(threads); result != VK_SUCCESS) {
         state->handle = VK_NULL_HANDLE;
         return base::Error{base::ErrorCode::DeviceFailed,
                            "The Vulkan device " + caps.name + " could not be opened: " + toString(result) + "."};

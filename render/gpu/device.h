@@ -74,6 +74,12 @@ struct Submission {
     VkSemaphore signal = VK_NULL_HANDLE;
 };
 
+/// Of a device in software, which draws in threads of its own.
+enum class DeviceThreads : std::uint8_t {
+    Equal,     ///< they take their share of the processors
+    StepBack,  ///< others of the program, and of other programs, come first (base::becomeBackground)
+};
+
 /// A Vulkan 1.3 device with one queue that draws, computes, copies and (when requested) presents. Compiled pipelines
 /// are kept for the next start of the program (pipeline_cache_file.h). Everything on it happens on one thread.
 /// Move-only; resources and presenters refer to it, so it neither moves nor dies before them.
@@ -82,7 +88,8 @@ public:
     /// Takes the best device: discrete before integrated before software; COPPERSCOPE_DEVICE=text keeps only devices
     /// whose name contains the text. With `presentTo` only devices that can present to that surface count. Errors:
     /// DeviceFailed, naming the devices that were found and what they lack.
-    [[nodiscard]] static base::Result<Device> create(const Instance& instance, VkSurfaceKHR presentTo = VK_NULL_HANDLE);
+    [[nodiscard]] static base::Result<Device> create(const Instance& instance, VkSurfaceKHR presentTo = VK_NULL_HANDLE,
+                                                     DeviceThreads threads = DeviceThreads::Equal);
 
     [[nodiscard]] VkDevice handle() const { return m_state->handle; }
     [[nodiscard]] VkPhysicalDevice physical() const { return m_state->choice.physical; }
@@ -137,7 +144,7 @@ private:
         State(const State&) = delete;
         State& operator=(const State&) = delete;
         ~State();
-        VkResult createDevice();
+        VkResult createDevice(DeviceThreads threads);
         void createObjects(bool hasDebugUtils);
         void createPipelineCache();
         void savePipelineCache();

@@ -85,7 +85,8 @@ base::Status GpuContext::renewDevice() {
 }
 
 base::Status GpuContext::makeDevice(VkSurfaceKHR surface) {
-    ASSIGN_OR_RETURN(Device device, Device::create(*m_instance, surface));
+    // The window's own threads show what moves (decision 202).
+    ASSIGN_OR_RETURN(Device device, Device::create(*m_instance, surface, render::gpu::DeviceThreads::StepBack));
     m_device = std::make_unique<Device>(std::move(device));
     return base::Done{};
 }
