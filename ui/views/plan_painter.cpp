@@ -197,6 +197,7 @@ void PlanPainter::paintRulers(QPainter& painter, double step) const {
     QFont font = painter.font();
     font.setPixelSize(10);
     painter.setFont(font);
+    painter.setRenderHint(QPainter::Antialiasing, false);  // ticks are sharp
     painter.fillRect(QRectF(0, 0, size.width(), kRulerPixels), kRulerGround);
     painter.fillRect(QRectF(0, kRulerPixels, kRulerPixels, size.height()), kRulerGround);
     painter.setPen(kRulerInk);
