@@ -71,38 +71,49 @@ private:
 /// The holes that the outline crosses, and what they pass.
 class CrossedHoles {
 public:
-    CrossedHoles(const Document& document, std::vector<ElementId> holes, const Discretisation& how)
-        : m_document(document), m_holes(std::move(holes)), m_index(boxesOf(document, m_holes)) {
-        for (const ElementId hole : m_holes) {
-            m_edges.emplace_back(discretise(document, hole, how));
+    CrossedHoles(const Document& document, const std::vector<ElementId>& holes, const Discretisation& how)
+        : m_document(document), m_index(boxesOf(document, holes)) {
+        for (const ElementId hole : holes) {
+            PolygonSet region = unite(discretise(document, hole, how));  // tracks of a slot overlap where it turns
+            EdgeStrips edges(region);
+            m_holes.push_back({std::move(region), std::move(edges), document.heightsOf(hole)});
         }
     }
 
-    /// Those that may pass the element; rising. No hole passes another.
-    [[nodiscard]] std::vector<ElementId> through(ElementId element) const {
-        std::vector<ElementId> found;
+    /// Rows of those that reach into the box of an element, rising. No hole passes another.
+    [[nodiscard]] std::vector<std::uint32_t> through(ElementId element) const {
+        std::vector<std::uint32_t> found;
         if (m_holes.empty() || isHole(m_document, element)) {
             return found;
         }
         const ZRange heights = m_document.heightsOf(element);
         const Box box = m_document.boxOf(element);
         m_index.visit(box, [&](std::uint32_t row) {
-            const ZRange drilled = m_document.heightsOf(m_holes[row]);
-            const bool isInReach = heights.bottom <= drilled.top && drilled.bottom <= heights.top;
+            const Hole& hole = m_holes[row];
+            const bool isInReach = heights.bottom <= hole.heights.top && hole.heights.bottom <= heights.top;
             // Slots around a board have boxes as large as the board.
-            if (isInReach && (m_edges[row].meets(box) || m_edges[row].contains(box.min))) {
-                found.push_back(m_holes[row]);
+            if (isInReach && (hole.edges.meets(box) || hole.edges.contains(box.min))) {
+                found.push_back(row);
             }
         });
         std::ranges::sort(found);
         return found;
     }
 
+    /// What is open because of a hole.
+    [[nodiscard]] const PolygonSet& regionOf(std::uint32_t row) const { return m_holes[row].region; }
+
     [[nodiscard]] static bool isHole(const Document& document, ElementId element) {
         return (document.elements.flags[element.row()] & kHole) != 0;
     }
 
 private:
+    struct Hole {
+        PolygonSet region;
+        EdgeStrips edges;
+        ZRange heights;
+    };
+
     static std::vector<Box> boxesOf(const Document& document, const std::vector<ElementId>& holes) {
         std::vector<Box> boxes;
         std::ranges::transform(holes, std::back_inserter(boxes), [&](ElementId hole) { return document.boxOf(hole); });
@@ -110,9 +121,8 @@ private:
     }
 
     const Document& m_document;
-    std::vector<ElementId> m_holes;
     BoxIndex m_index;
-    std::vector<EdgeStrips> m_edges;  ///< of each hole
+    std::vector<Hole> m_holes;
 };
 
 class Miller {
@@ -195,8 +205,8 @@ private:
         if (CrossedHoles::isHole(m_document, element)) {
             open = discretiseOpening(m_document, element, m_how);
         }
-        for (const ElementId hole : holes.through(element)) {
-            open.append(polygonsOf(hole));
+        for (const std::uint32_t hole : holes.through(element)) {
+            open.append(holes.regionOf(hole));
         }
         const EdgeStrips opened(open);
         const bool isAcross = lieOf(element) == Lie::Across;

@@ -44,6 +44,15 @@ public:
         m_builder.addCircle({centre, diameter, inside}, flagged(model::kHole));
     }
 
+    /// A routed path with a round bit.
+    void slot(std::span<const Point> points, Nm width) {
+        std::vector<model::PathNode> nodes;
+        for (const Point point : points) {
+            nodes.emplace_back().point = point;
+        }
+        m_builder.addTrail(nodes, width, flagged(model::kHole));
+    }
+
     [[nodiscard]] model::MilledBoard found() const {
         return model::findMilled(m_builder.soFar(), model::kBooleanChords, {});
     }
@@ -64,6 +73,26 @@ class MillingTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// The tracks of a slot overlap where it turns; a box around all of it holds more than it passes.
+    void aSlotOpensWhatItReachesAndNoMore() {
+        Board board;
+        board.on(0);
+        board.disc({4 * kMm, 5 * kMm}, 200 * kUm);  // where the slot turns
+        board.disc({4 * kMm, 7 * kMm}, 200 * kUm);  // in one of its tracks
+        board.disc({2 * kMm, 8 * kMm}, 200 * kUm);  // in its box, beside it
+        board.disc({5 * kMm, 8 * kMm}, kMm);        // at its edge
+        board.on(3);
+        board.slot(std::array<Point, 3>{Point{-2 * kMm, 5 * kMm}, {4 * kMm, 5 * kMm}, {4 * kMm, 9 * kMm}}, 2 * kMm);
+        const std::vector<MilledElement> milled = board.milled();
+        QCOMPARE(milled.size(), 4U);
+        QCOMPARE(milled[0].element, ElementId{0});
+        QVERIFY(milled[0].rest.polygons.empty());
+        QCOMPARE(milled[1].element, ElementId{1});
+        QVERIFY(milled[1].rest.polygons.empty());
+        QCOMPARE(milled[2].element, ElementId{3});
+        QVERIFY(std::abs(areaMm2(milled[2].rest) - std::numbers::pi / 8) < 0.01);
+    }
+
     void whatLiesWithinIsNotListed() {
         Board board;
         board.on(0);
