@@ -28,14 +28,6 @@ void addCapsule(ShapeSketch& sketch, Point a, Point b, Nm width) {
     sketch.addNode(at(a, -1));
 }
 
-Box boxOf(const PolygonSet& set) {
-    Box box;
-    for (const Point& point : set.points) {
-        box.include(point);
-    }
-    return box;
-}
-
 }  // namespace
 
 void Cutouts::addRow(const PolygonSet& polygons, const Capsule& capsule) {
@@ -45,7 +37,7 @@ void Cutouts::addRow(const PolygonSet& polygons, const Capsule& capsule) {
     m_polygons.append(polygons);
     m_firstContour.push_back(static_cast<std::uint32_t>(m_contours.contourCount()));
     m_firstPolygon.push_back(static_cast<std::uint32_t>(m_polygons.polygons.size()));
-    m_boxes.push_back(boxOf(polygons));
+    m_boxes.push_back(boxOf(polygons.points));
     m_capsules.push_back(capsule);
 }
 

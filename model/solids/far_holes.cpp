@@ -1,7 +1,6 @@
 #include "model/solids/far_holes.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "model/geometry/boolean.h"
 #include "model/solids/region_distance.h"
@@ -9,12 +8,6 @@
 namespace model {
 
 namespace {
-
-Box boxOf(std::span<const Point> loop) {
-    Box box;
-    std::ranges::for_each(loop, [&box](Point point) { box.include(point); });
-    return box;
-}
 
 void copyLoops(const PolygonSet& from, const PolygonSet::Polygon& polygon, PolygonSet& to) {
     for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {

@@ -57,6 +57,14 @@ bool isCrossed(Point a, Point b, Point p) {
 
 }  // namespace
 
+Box boxOf(std::span<const Point> points) {
+    Box box;
+    for (const Point& point : points) {
+        box.include(point);
+    }
+    return box;
+}
+
 bool contains(const PolygonSet& set, std::span<const PolygonSet::Polygon> polygons, Point p) {
     bool isInside = false;
     for (const PolygonSet::Polygon& polygon : polygons) {
@@ -110,10 +118,7 @@ bool regionsTouch(const PolygonSet& set, std::span<const PolygonSet::Polygon> a,
     return contains(set, a, firstPoint(b)) || contains(set, b, firstPoint(a));
 }
 
-EdgeStrips::EdgeStrips(const PolygonSet& region) {
-    for (const Point& point : region.points) {
-        m_box.include(point);
-    }
+EdgeStrips::EdgeStrips(const PolygonSet& region) : m_box(boxOf(region.points)) {
     // About one edge per strip where edges are short and evenly spread.
     m_strips.resize(std::clamp<std::size_t>(region.points.size(), 1, 4096));
     forEachEdge(region, region.polygons, [this](Point a, Point b) {

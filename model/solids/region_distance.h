@@ -15,6 +15,8 @@ namespace model {
                                 std::span<const PolygonSet::Polygon> b, const Box& boxA, const Box& boxB,
                                 double margin);
 
+[[nodiscard]] Box boxOf(std::span<const Point> points);
+
 /// Is the point in one of these polygons?
 [[nodiscard]] bool contains(const PolygonSet& set, std::span<const PolygonSet::Polygon> polygons, Point p);
 
