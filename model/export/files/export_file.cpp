@@ -208,6 +208,7 @@ const ExportFormat* exportFormatOf(const fs::path& path) {
 
 Result<std::optional<StepEstimate>> estimateExport(const Document& board, const ExportFormat& format,
                                                    const ExportRequest& request, const Progress& progress) {
+    RETURN_IF_ERROR(checkKnown(format, request));
     if (!format.isStep) {
         return std::optional<StepEstimate>();
     }

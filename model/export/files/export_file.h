@@ -61,8 +61,8 @@ struct ExportFormat {
 /// By what the name ends with; nullptr if it is none of them.
 [[nodiscard]] const ExportFormat* exportFormatOf(const std::filesystem::path& path);
 
-/// About how large the file will be and how long it takes; no value for formats that cannot be told before. Errors: as
-/// planSolids.
+/// About how large the file will be and how long it takes; no value for formats that cannot be told before. Errors:
+/// BadUsage for choices that the format does not know; as planSolids.
 [[nodiscard]] base::Result<std::optional<StepEstimate>> estimateExport(const Document& board,
                                                                        const ExportFormat& format,
                                                                        const ExportRequest& request,
