@@ -23,24 +23,32 @@ std::array<glm::dvec2, std::size(kSides)> movesTo(double distance) {
 
 }  // namespace
 
+/// Begun anew when other things stand out.
+FlatPicture::OverWork& FlatPicture::workOn(Tile& tile) const {
+    if (tile.work == nullptr || tile.work->look != m_overLook) {
+        tile.work = std::make_unique<OverWork>();
+        tile.work->look = m_overLook;
+    }
+    return *tile.work;
+}
+
 /// A step of it as it is, without its dark edge: one of its paints.
 void FlatPicture::drawOver(Tile& tile, const PlaneMap& map) const {
     constexpr std::array<glm::dvec2, 1> kUnmoved{{{0.0, 0.0}}};
-    if (tile.drawn == nullptr || tile.drawn->look != m_overLook) {
-        tile.drawn = std::make_unique<OverWork>();
-        tile.drawn->look = m_overLook;
+    OverWork& work = workOn(tile);
+    if (work.step == 0) {
+        tile.overRows.clear();
     }
-    OverWork& work = *tile.drawn;
-    if (work.row < m_over.size()) {
-        const OverPaint& paint = m_over[work.row];
+    if (work.step < m_over.size()) {
+        const auto row = static_cast<std::uint32_t>(work.step++);
+        const OverPaint& paint = m_over[row];
         if (m_board.drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, kUnmoved, work.mask)) {
-            work.rows.push_back(work.row);
-            stamp(work.mask, paint.isBore, paint.byte, work.samples);
+            tile.overRows.push_back(row);
+            stamp(work.mask, paint.isBore, paint.byte, *work.samples);
             work.mask.fill(0);
         }
-        ++work.row;
     }
-    if (work.row == m_over.size()) {
+    if (work.step == m_over.size()) {
         takeOver(tile);
     }
 }
@@ -48,10 +56,8 @@ void FlatPicture::drawOver(Tile& tile, const PlaneMap& map) const {
 void FlatPicture::takeOver(Tile& tile) const {
     const bool wasBare = tile.over == nullptr;
     tile.overLook = m_overLook;
-    tile.overRows = std::move(tile.drawn->rows);
-    tile.over = tile.overRows.empty() ? nullptr : std::make_unique<PixelTile>(tile.drawn->samples);
-    tile.drawn.reset();
-    tile.outline.reset();
+    tile.over = tile.overRows.empty() ? nullptr : std::move(tile.work->samples);
+    tile.work.reset();
     tile.isOutlined = tile.overRows.empty() || m_standingOut > kMostOutlined;
     if (!wasBare || tile.over != nullptr) {
         tile.pictureLook = 0;
@@ -62,10 +68,7 @@ void FlatPicture::takeOver(Tile& tile) const {
 void FlatPicture::outlineOver(Tile& tile, const PlaneMap& map) const {
     constexpr std::size_t kEdgeSteps = std::size(kOutlinePx);
     constexpr std::size_t kWideSteps = std::size(kWidenPx);
-    if (tile.outline == nullptr) {
-        tile.outline = std::make_unique<OutlineWork>();
-    }
-    OutlineWork& work = *tile.outline;
+    OverWork& work = workOn(tile);
     const auto draw = [&](const OverPaint& paint, std::span<const glm::dvec2> moves) {
         (void)m_board.drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, moves, work.mask);
     };
@@ -76,8 +79,8 @@ void FlatPicture::outlineOver(Tile& tile, const PlaneMap& map) const {
             draw(paint, movesTo(kOutlinePx[step % kEdgeSteps]));
         }
         if (work.step == edge) {
-            stamp(work.mask, false, kSilhouetteByte, work.samples);
-            stamp(work.mask, true, kSilhouetteByte, work.samples);
+            stamp(work.mask, false, kSilhouetteByte, *work.samples);
+            stamp(work.mask, true, kSilhouetteByte, *work.samples);
             work.mask.fill(0);
         }
         return;
@@ -89,12 +92,12 @@ void FlatPicture::outlineOver(Tile& tile, const PlaneMap& map) const {
     }
     draw(paint, movesTo(kWidenPx[own % kWideSteps]));
     if (own % kWideSteps == kWideSteps - 1) {
-        stamp(work.mask, paint.isBore, paint.byte, work.samples);
+        stamp(work.mask, paint.isBore, paint.byte, *work.samples);
         work.mask.fill(0);
     }
     if (own + 1 == kWideSteps * tile.overRows.size()) {
-        *tile.over = work.samples;
-        tile.outline.reset();
+        tile.over = std::move(work.samples);
+        tile.work.reset();
         tile.isOutlined = true;
         tile.pictureLook = 0;
     }

@@ -460,7 +460,7 @@ std::uint64_t FlatPicture::bytesOf(const Tile& tile) {
     const auto masks = std::ranges::count_if(tile.masks, [](const auto& mask) { return mask != nullptr; });
     return static_cast<std::uint64_t>(masks) * sizeof(MaskTile) +
            ((tile.over ? 1U : 0U) + (tile.picture ? 2U : 0U)) * sizeof(PixelTile) +
-           (tile.drawn ? sizeof(OverWork) : 0U) + (tile.outline ? sizeof(OutlineWork) : 0U);
+           (tile.work ? sizeof(OverWork) + sizeof(PixelTile) : 0U);
 }
 
 std::uint64_t FlatPicture::bytes() const {

@@ -65,30 +65,22 @@ private:
         glm::dvec2 scale{0.0};
         glm::dvec2 phase{0.0};  ///< 0 to 1
     };
-    /// What stands out as it is, as far as it is drawn.
+    /// What stands out, as it is or widened and with a dark edge, as far as it is drawn.
     struct OverWork {
-        MaskTile mask{};
-        PixelTile samples{};
         std::uint64_t look = 0;
-        std::uint32_t row = 0;
-        std::vector<std::uint32_t> rows;  ///< those with something here
-    };
-    /// What stands out, widened and with a dark edge, as far as it is drawn.
-    struct OutlineWork {
-        MaskTile mask{};
-        PixelTile samples{};
         std::size_t step = 0;
+        MaskTile mask{};
+        std::unique_ptr<PixelTile> samples = std::make_unique<PixelTile>();
     };
     struct Tile {
         std::vector<std::unique_ptr<MaskTile>> masks;  ///< by layer
         std::vector<std::uint8_t> isDrawn;             ///< likewise
         std::unique_ptr<PixelTile> over;
-        std::vector<std::uint32_t> overRows;   ///< of what stands out, those with something here
-        std::unique_ptr<OverWork> drawn;       ///< while it is drawn
-        std::unique_ptr<OutlineWork> outline;  ///< while its dark edge is drawn
-        bool isOutlined = false;               ///< `over` has all that it gets
-        std::unique_ptr<PixelTile> samples;    ///< what is seen of the layers
-        std::unique_ptr<PixelTile> picture;    ///< the same in colours, with what stands out
+        std::vector<std::uint32_t> overRows;  ///< of what stands out, those with something here
+        std::unique_ptr<OverWork> work;       ///< while it, or then its dark edge, is drawn
+        bool isOutlined = false;              ///< `over` has all that it gets
+        std::unique_ptr<PixelTile> samples;   ///< what is seen of the layers
+        std::unique_ptr<PixelTile> picture;   ///< the same in colours, with what stands out
         std::uint64_t overLook = 0;
         std::uint64_t stack = 0;
         std::uint64_t pictureLook = 0;
@@ -135,6 +127,7 @@ private:
     bool fillOverview(const Budget& budget);
     void fillLayer(Tile& tile, const PlaneMap& map, std::uint32_t layer) const;
     void drawOver(Tile& tile, const PlaneMap& map) const;
+    [[nodiscard]] OverWork& workOn(Tile& tile) const;
     void takeOver(Tile& tile) const;
     void outlineOver(Tile& tile, const PlaneMap& map) const;
     void paint(const Window& window, const RoughPicture* behind, std::uint32_t* pixels);
