@@ -34,7 +34,7 @@ base::Result<std::shared_ptr<const BoardIndex>> indexBoard(std::shared_ptr<const
         if (progress.isCancelled()) {
             return base::Error{base::ErrorCode::Cancelled, "Cancelled"};
         }
-        index.elements.emplace_back(boxes);
+        index.elements.emplace_back(*step, boxes);
         Box& extent = index.extents.emplace_back();
         for (const Box& box : boxes) {
             extent.include(box);

@@ -6,7 +6,7 @@
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/board/copies.h"
-#include "model/geometry/box_index.h"
+#include "model/index/element_index.h"
 #include "model/index/pin_finder.h"
 
 namespace model {
@@ -16,9 +16,9 @@ namespace model {
 struct BoardIndex {
     std::shared_ptr<const Document> board;
     StepTree tree;
-    std::vector<BoxIndex> elements;  ///< per step of the tree; rows are ElementId
-    std::vector<Box> extents;        ///< per step, of its own elements
-    std::vector<PinFinder> pins;     ///< per step
+    std::vector<ElementIndex> elements;  ///< per step of the tree
+    std::vector<Box> extents;            ///< per step, of its own elements
+    std::vector<PinFinder> pins;         ///< per step
 
     [[nodiscard]] const Document& stepOf(std::uint32_t copy) const { return *tree.steps[tree.copies[copy].step]; }
     [[nodiscard]] const PinFinder& pinsOf(std::uint32_t copy) const { return pins[tree.copies[copy].step]; }

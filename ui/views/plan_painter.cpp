@@ -123,7 +123,6 @@ PlanPainter::PlanPainter(BoardView& view, Workspace& workspace, const NetStyles&
 
 void PlanPainter::setBoard(const LoadedBoard& board) {
     m_index = board.index;
-    m_nameable.reset();
     m_view.requestOverlay();
 }
 
@@ -238,38 +237,21 @@ model::LayerId PlanPainter::namedLayer() const {
     return nearest;
 }
 
-const PlanPainter::Nameable& PlanPainter::nameableOn(model::LayerId layer) const {
-    if (m_nameable && m_nameable->layer == layer) {
-        return *m_nameable;
-    }
-    const model::Document& board = *m_index->board;
-    std::vector<model::ElementId> found;
-    std::vector<model::Box> boxes;
-    const model::Range range = board.layer(layer).elements;
-    for (std::uint32_t row = range.first; row < range.first + range.count; ++row) {
-        if (board.elements.net[row].isValid() || (board.elements.flags[row] & model::kPad) != 0) {
-            found.emplace_back(row);
-            boxes.push_back(board.boxOf(found.back()));
-        }
-    }
-    return m_nameable.emplace(Nameable{layer, std::move(found), model::BoxIndex(boxes)});
-}
-
 std::vector<model::ElementId> PlanPainter::namedElements() const {
     const model::LayerId layer = namedLayer();
     if (!layer.isValid()) {
         return {};
     }
-    const Nameable& nameable = nameableOn(layer);
-    const auto isHidden = [this](model::ElementId element) {
-        const model::NetId net = m_index->board->elements.net[element.row()];
-        return net.isValid() && m_styles.isHidden({0, net});
+    const model::ElementTable& elements = m_index->board->elements;
+    const auto isNamed = [&](std::uint32_t row) {
+        const model::NetId net = elements.net[row];
+        const bool isHidden = net.isValid() && m_styles.isHidden({0, net});
+        return !isHidden && (net.isValid() || (elements.flags[row] & model::kPad) != 0);
     };
     std::vector<model::ElementId> inSight;
-    nameable.boxes.visit(shownBox(), [&](std::uint32_t row) {
-        const model::ElementId element = nameable.elements[row];
-        if (inSight.size() <= kMostInSight && !isHidden(element)) {
-            inSight.push_back(element);
+    m_index->elements.front().visit(layer, shownBox(), [&](std::uint32_t row) {
+        if (inSight.size() <= kMostInSight && isNamed(row)) {
+            inSight.emplace_back(row);
         }
     });
     if (inSight.size() > kMostInSight) {

@@ -2,7 +2,6 @@
 
 #include <QStringList>
 #include <memory>
-#include <optional>
 
 #include "model/index/board_index.h"
 #include "ui/nets/net_styles.h"
@@ -56,15 +55,6 @@ private:
     Workspace& m_workspace;
     const NetStyles& m_styles;
     std::shared_ptr<const model::BoardIndex> m_index;
-    /// What of one layer may be named, and where it is.
-    struct Nameable {
-        model::LayerId layer;
-        std::vector<model::ElementId> elements;
-        model::BoxIndex boxes;
-    };
-    [[nodiscard]] const Nameable& nameableOn(model::LayerId layer) const;
-
-    mutable std::optional<Nameable> m_nameable;  ///< of the layer that was last named
     bool m_hasGrid = true;
     bool m_hasNames = true;
     bool m_hasPinNames = true;
