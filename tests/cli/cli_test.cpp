@@ -68,8 +68,9 @@ private slots:
     }
 
     void noLimitOfMemoryIsACrash() {
-        // In the middle of this range a thread finds no room for its stack, beyond it the work is done.
-        for (const int mib : {4, 12, 13, 14, 15, 16, 17, 18, 19, 20, 24, 64}) {
+        // At first libarchive has no room, in the middle of this range a thread finds no room for its stack, beyond it
+        // the work is done.
+        for (const int mib : {2, 3, 4, 6, 9, 12, 13, 14, 15, 16, 17, 18, 19, 20, 24, 64}) {
             endsOrSaysThatMemoryRanOut({"info", locations::kSample}, mib);
         }
         const QTemporaryDir folder;

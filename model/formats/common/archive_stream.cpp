@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <functional>
+#include <new>
 #include <utility>
 
 namespace model::formats {
@@ -41,12 +43,14 @@ ArchiveStream::ArchiveStream(const std::filesystem::path& path, Formats formats)
     support(formats);
     m_isOpen = archive_read_open_filename(m_archive.get(), path.c_str(), kBlock) == ARCHIVE_OK;
     m_failed = !m_isOpen;
+    checkMemory();
 }
 
 ArchiveStream::ArchiveStream(std::string_view bytes, Formats formats) {
     support(formats);
     m_isOpen = archive_read_open_memory(m_archive.get(), bytes.data(), bytes.size()) == ARCHIVE_OK;
     m_failed = !m_isOpen;
+    checkMemory();
 }
 
 ArchiveStream::ArchiveStream(const FileBytes& unpacked, Formats formats)
@@ -54,6 +58,7 @@ ArchiveStream::ArchiveStream(const FileBytes& unpacked, Formats formats)
     support(formats);
     m_isOpen = archive_read_open(m_archive.get(), this, nullptr, giveBytes, nullptr) == ARCHIVE_OK;
     m_failed = !m_isOpen;
+    checkMemory();
 }
 
 la_ssize_t ArchiveStream::giveBytes(archive*, void* stream, const void** bytes) {
@@ -71,6 +76,9 @@ bool ArchiveStream::keeps(std::string_view piece) const {
 void ArchiveStream::support(Formats formats) {
     m_archive.reset(archive_read_new());
     archive* a = m_archive.get();
+    if (a == nullptr) {
+        throw std::bad_alloc();
+    }
     supportPackings(a);
     archive_read_support_format_zip(a);
     if (formats == Formats::Containers) {
@@ -81,6 +89,12 @@ void ArchiveStream::support(Formats formats) {
     }
 }
 
+void ArchiveStream::checkMemory() const {
+    if (archive_errno(m_archive.get()) == ENOMEM) {
+        throw std::bad_alloc();
+    }
+}
+
 bool ArchiveStream::next() {
     if (!m_isOpen) {
         return false;
@@ -88,6 +102,7 @@ bool ArchiveStream::next() {
     const int status = archive_read_next_header(m_archive.get(), &m_entry);
     // A warning is about names or times we do not use; the data that follows is sound.
     m_failed = status != ARCHIVE_OK && status != ARCHIVE_WARN && status != ARCHIVE_EOF;
+    checkMemory();
     const bool isEntry = status == ARCHIVE_OK || status == ARCHIVE_WARN;
     m_hasEntries = m_hasEntries || isEntry;
     return isEntry;
@@ -137,6 +152,7 @@ ArchiveStream::Reading ArchiveStream::read(Bytes& out, std::uint64_t limit) {
         copied.append(std::exchange(lone, {}));
         copied.append(piece);
     }
+    checkMemory();
     out = lone.empty() ? Bytes(std::move(copied)) : Bytes::borrow(lone);
     return isTooLarge ? Reading::TooLarge : status == ARCHIVE_EOF ? Reading::Whole : Reading::Broken;
 }

@@ -29,7 +29,8 @@ public:
     ArchiveStream(const ArchiveStream&) = delete;
     ArchiveStream& operator=(const ArchiveStream&) = delete;
 
-    /// Moves to the next entry. False at the end or on an error; `failed` says which.
+    /// Moves to the next entry. False at the end or on an error; `failed` says which. Throws std::bad_alloc, as all
+    /// that reads here does, where memory ran out: that says nothing about the archive.
     [[nodiscard]] bool next();
     [[nodiscard]] bool failed() const { return m_failed; }
     /// Was any entry found so far?
@@ -55,6 +56,7 @@ private:
     /// Hands libarchive all bytes at once.
     static la_ssize_t giveBytes(archive*, void* stream, const void** bytes);
     [[nodiscard]] bool keeps(std::string_view piece) const;
+    void checkMemory() const;
 
     std::string_view m_toGive;    ///< unpacked bytes that libarchive does not have yet
     std::string_view m_unpacked;  ///< what data may point into

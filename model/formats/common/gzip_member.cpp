@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <new>
 
 namespace model::formats {
 namespace {
@@ -49,10 +50,13 @@ std::optional<FileBytes> unpackGzip(std::string_view packed, std::uint64_t limit
     if (size > std::min(limit, kMostAtOneGo) || size / kMostPerByte > packed.size()) {
         return std::nullopt;
     }
-    FileBytes out(size);
     const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> inflate(
         libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
-    if (!out.holdsMemory() || inflate == nullptr) {
+    if (inflate == nullptr) {
+        throw std::bad_alloc();
+    }
+    FileBytes out(size);
+    if (!out.holdsMemory()) {
         return std::nullopt;
     }
     std::size_t read = 0;
