@@ -4,6 +4,7 @@ foreach(name IN ITEMS cli_test inspection_commands_test export_commands_test ben
     set_tests_properties(${name} PROPERTIES ENVIRONMENT "COPPERSCOPE_VALIDATION=abort")
 endforeach()
 target_compile_definitions(cli_test PRIVATE COPPERSCOPE_VERSION="${PROJECT_VERSION}")
+target_compile_definitions(bench_commands_test PRIVATE COPPERSCOPE_HAS_WORKBENCH=$<BOOL:${COPPERSCOPE_GUI}>)
 
 copperscope_test(kicad_raster_test cli/kicad_raster_test.cpp LABEL cli LINK copperscope_options PNG::PNG)
 add_dependencies(kicad_raster_test copperscope)
