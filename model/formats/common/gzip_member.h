@@ -37,7 +37,8 @@ inline constexpr std::uint64_t kMostAtOneGo = std::uint64_t{256} << 20;
 
 /// What was packed, if the bytes are one whole gzip member, sound by its checksum, and nothing else, and unpack to
 /// `limit` or kMostAtOneGo bytes at most. Everything else gives nothing, and is read and judged by libarchive
-/// (archive_stream.h): several members, bytes behind them, an early end, damage, no gzip at all.
+/// (archive_stream.h): several members, bytes behind them, an early end, damage, no gzip at all. Throws
+/// std::bad_alloc where there is no room for the work itself.
 [[nodiscard]] std::optional<FileBytes> unpackGzip(std::string_view packed, std::uint64_t limit);
 
 }  // namespace model::formats
