@@ -3,7 +3,7 @@
 # Builds without the workbench, runs the tests labelled `gpu` on the card with the validation layer, measures all back ends on generated
 # boards (t3, t7, t9, 4 × t9) and on BOARD... (default: two of the bundled ones), and the triangulators, up to a million vertices; writes
 # all tables to docs/performance-gpu.md. What would not fit into the time is named there as not run. Where there is a software device only,
-# nothing of that is about a card, and build/card/performance-gpu.md is written instead; --quick takes t3 alone there, to try the script.
+# nothing of that is about a card, and build/card/performance-gpu.md is written instead, as with --quick, which takes t3 alone, to try the script.
 set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 # shellcheck source-path=SCRIPTDIR
@@ -25,27 +25,33 @@ for board in "${boards[@]}"; do
 done
 
 sections=(build run test)
-page=$root/docs/performance-gpu.md
+scratch=$root/build/card/measured
+page=$root/build/card/performance-gpu.md
 if [ "$(vulkan_kind)" = hardware ]; then
     export COPPERSCOPE_TEST_GPU=1
+    [ -n "$quick" ] || page=$root/docs/performance-gpu.md
 else
     sections+=(software)
-    page=$root/build/card/performance-gpu.md
     say "no graphics card with a Vulkan driver is here: this tries the script on the software device"
 fi
 
 left() { echo $((kSeconds - SECONDS)); }
 
+# section TITLE: false, and said there, where no time is left for it.
+section() {
+    printf '\n## %s\n\n' "$1"
+    if [ "$(left)" -lt 10 ]; then
+        echo "Not run: the ten minutes were over."
+        return 1
+    fi
+    say "$1"
+}
+
 # table TITLE COMMAND...: a section with what the command prints, or why it is not there.
 table() {
     local title=$1 status=0 text
     shift
-    printf '\n## %s\n\n' "$title"
-    if [ "$(left)" -lt 10 ]; then
-        echo "Not run: the ten minutes were over."
-        return
-    fi
-    say "$title"
+    section "$title" || return 0
     text=$(timeout "$(left)" "$@" 2>"$scratch/errors") || status=$?
     # shellcheck disable=SC2016
     printf '`copperscope %s`\n\n```\n%s\n```\n' "$(sed "s|$scratch/||g; s|$root/||g" <<<"${*:2}")" "$text"
@@ -58,8 +64,7 @@ table() {
 
 tests() {
     local status=0
-    printf '\n## Tests\n\n'
-    say "tests labelled gpu"
+    section "Tests labelled gpu" || return 0
     (cd "$root" && timeout "$(left)" ctest --preset card --parallel 2) >"$root/build/card/tests.log" 2>&1 || status=$?
     # shellcheck disable=SC2016
     printf '`ctest --preset card`, with the validation layer: %s\n' "$(grep 'tests passed' "$root/build/card/tests.log" || echo "code $status")"
@@ -92,8 +97,7 @@ build_preset_target card copperscope
 build_preset_target card gpu_tests
 use_test_surroundings "$root/build/card/surroundings"
 program=$root/build/card/app/copperscope
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"; kill "$display_pid" 2>/dev/null || true' EXIT
+mkdir -p "$scratch"
 failed=()
 {
     # shellcheck disable=SC2016
