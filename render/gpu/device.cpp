@@ -10,6 +10,7 @@
 #include "render/gpu/check.h"
 #include "render/gpu/deferred_destroy.h"
 #include "render/gpu/device_select.h"
+#include "render/gpu/pipeline_store.h"
 
 namespace render::gpu {
 
@@ -24,6 +25,7 @@ Device::State::~State() {
         return;
     }
     vkDeviceWaitIdle(handle);  // a lost device is idle too: its result changes nothing here
+    pipelines.reset();
     if (deferred != nullptr) {
         deferred->collectAll();
     }
@@ -88,6 +90,7 @@ void Device::State::createObjects(bool hasDebugUtils) {
     VK_CHECK(vkCreateSemaphore(handle, &semaphore, nullptr, &timeline));
     createPipelineCache();
     deferred = std::make_unique<DeferredDestroy>(handle);
+    pipelines = std::make_unique<PipelineStore>();
 }
 
 void Device::State::createPipelineCache() {

@@ -15,6 +15,7 @@
 namespace render::gpu {
 
 class DeferredDestroy;
+class PipelineStore;
 
 /// What memory is spent on.
 enum class MemoryUse : std::uint8_t {
@@ -98,6 +99,7 @@ public:
     [[nodiscard]] const Caps& caps() const { return m_state->choice.caps; }
     [[nodiscard]] bool canPresentTo(VkSurfaceKHR surface) const;
     [[nodiscard]] VkPipelineCache pipelineCache() const { return m_state->pipelineCache; }
+    [[nodiscard]] PipelineStore& pipelines() const { return *m_state->pipelines; }
 
     /// Queues the commands and returns the number of this submission, or 0 if the device is lost.
     std::uint64_t submit(const Submission& submission);
@@ -139,6 +141,7 @@ private:
         Faults faults;
         PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;
         std::unique_ptr<DeferredDestroy> deferred;
+        std::unique_ptr<PipelineStore> pipelines;
 
         State();
         State(const State&) = delete;

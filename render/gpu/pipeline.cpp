@@ -58,39 +58,39 @@ VkPipelineColorBlendAttachmentState blendState(Pass pass) {
     return state;
 }
 
-}  // namespace
-
-void Pipeline::createLayout(Device& device, VkShaderStageFlags stages, std::uint32_t pushBytes,
-                            std::string_view label) {
-    m_stages = stages;
+Unique<VkPipelineLayout> createLayout(Device& device, VkShaderStageFlags stages, std::uint32_t pushBytes,
+                                      std::string_view label) {
     const VkPushConstantRange range{stages, 0, pushBytes};
     auto info = vkInfo<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
     info.pushConstantRangeCount = 1;
     info.pPushConstantRanges = &range;
     VkPipelineLayout handle = VK_NULL_HANDLE;
     VK_CHECK(vkCreatePipelineLayout(device.handle(), &info, nullptr, &handle));
-    m_layout = {device, handle, label};
+    return {device, handle, label};
 }
 
-Pipeline::Pipeline(Device& device, const ComputePipelineOptions& options)
-    : m_bindPoint(VK_PIPELINE_BIND_POINT_COMPUTE) {
-    createLayout(device, VK_SHADER_STAGE_COMPUTE_BIT, options.pushBytes, options.label);
+MadePipeline make(Device& device, const ComputePipelineOptions& options) {
+    MadePipeline made;
+    made.bindPoint = VK_PIPELINE_BIND_POINT_COMPUTE;
+    made.stages = VK_SHADER_STAGE_COMPUTE_BIT;
+    made.layout = createLayout(device, made.stages, options.pushBytes, options.label);
     const Unique<VkShaderModule> module = createModule(device, options.shader, options.label);
     auto info = vkInfo<VkComputePipelineCreateInfo>(VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO);
     info.stage = stageInfo(VK_SHADER_STAGE_COMPUTE_BIT, module.get());
-    info.layout = m_layout.get();
+    info.layout = made.layout.get();
     VkPipeline handle = VK_NULL_HANDLE;
     VK_CHECK(vkCreateComputePipelines(device.handle(), device.pipelineCache(), 1, &info, nullptr, &handle));
-    m_handle = {device, handle, options.label};
+    made.handle = {device, handle, options.label};
+    return made;
 }
 
-Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) {
+MadePipeline make(Device& device, const GraphicsPipelineOptions& options) {
+    MadePipeline made;
     const VkBool32 hasSection = options.hasSection ? VK_TRUE : VK_FALSE;
     const VkSpecializationMapEntry sectionConstant{0, 0, sizeof hasSection};
     const VkSpecializationInfo constants{1, &sectionConstant, sizeof hasSection, &hasSection};
     std::vector<Unique<VkShaderModule>> modules;
     std::vector<VkPipelineShaderStageCreateInfo> stages;
-    VkShaderStageFlags used = 0;
     for (const ShaderStage& stage : options.stages) {
         const bool onlyColours =
             options.pass == Pass::DepthOnly && options.cover == Cover::Triangles && !options.hasSection;
@@ -100,9 +100,9 @@ Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) {
         modules.push_back(createModule(device, stage.shader, options.label));
         stages.push_back(stageInfo(stage.stage, modules.back().get()));
         stages.back().pSpecializationInfo = stage.stage == VK_SHADER_STAGE_FRAGMENT_BIT ? &constants : nullptr;
-        used |= static_cast<VkShaderStageFlags>(stage.stage);
+        made.stages |= static_cast<VkShaderStageFlags>(stage.stage);
     }
-    createLayout(device, used, options.pushBytes, options.label);
+    made.layout = createLayout(device, made.stages, options.pushBytes, options.label);
 
     const auto noVertices =
         vkInfo<VkPipelineVertexInputStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
@@ -152,18 +152,51 @@ Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options) {
     info.pDepthStencilState = &depth;
     info.pColorBlendState = &colour;
     info.pDynamicState = &dynamic;
-    info.layout = m_layout.get();
+    info.layout = made.layout.get();
     VkPipeline handle = VK_NULL_HANDLE;
     VK_CHECK(vkCreateGraphicsPipelines(device.handle(), device.pipelineCache(), 1, &info, nullptr, &handle));
-    m_handle = {device, handle, options.label};
+    made.handle = {device, handle, options.label};
+    return made;
 }
 
+std::uint64_t numberOf(Spirv code) {
+    return reinterpret_cast<std::uintptr_t>(code.data());
+}
+
+PipelineStore::Key keyOf(const ComputePipelineOptions& options) {
+    return {numberOf(options.shader), options.pushBytes};
+}
+
+PipelineStore::Key keyOf(const GraphicsPipelineOptions& options) {
+    PipelineStore::Key key{options.pushBytes,
+                           static_cast<std::uint64_t>(options.pass),
+                           options.cullsBackFaces ? 1U : 0U,
+                           static_cast<std::uint64_t>(options.cover),
+                           static_cast<std::uint64_t>(options.colourFormat),
+                           static_cast<std::uint64_t>(options.depthFormat),
+                           static_cast<std::uint64_t>(options.samples),
+                           options.hasSection ? 1U : 0U};
+    for (const ShaderStage& stage : options.stages) {
+        key.push_back(static_cast<std::uint64_t>(stage.stage));
+        key.push_back(numberOf(stage.shader));
+    }
+    return key;
+}
+
+}  // namespace
+
+Pipeline::Pipeline(Device& device, const ComputePipelineOptions& options)
+    : m_made(&device.pipelines().get(keyOf(options), [&] { return make(device, options); })) {}
+
+Pipeline::Pipeline(Device& device, const GraphicsPipelineOptions& options)
+    : m_made(&device.pipelines().get(keyOf(options), [&] { return make(device, options); })) {}
+
 void Pipeline::bind(VkCommandBuffer commands) const {
-    vkCmdBindPipeline(commands, m_bindPoint, m_handle.get());
+    vkCmdBindPipeline(commands, m_made->bindPoint, m_made->handle.get());
 }
 
 void Pipeline::pushBytes(VkCommandBuffer commands, const void* data, std::uint32_t size) const {
-    vkCmdPushConstants(commands, m_layout.get(), m_stages, 0, size, data);
+    vkCmdPushConstants(commands, m_made->layout.get(), m_made->stages, 0, size, data);
 }
 
 }  // namespace render::gpu

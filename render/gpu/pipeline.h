@@ -3,10 +3,11 @@
 #include <array>
 #include <span>
 
-#include "render/gpu/deferred_destroy.h"
+#include "render/gpu/pipeline_store.h"
 
 namespace render::gpu {
 
+/// Code of a shader, which stays where it is as long as devices that use it.
 using Spirv = std::span<const std::uint32_t>;
 
 struct ComputePipelineOptions {
@@ -56,7 +57,8 @@ struct GraphicsPipelineOptions {
 };
 
 /// A compute or graphics pipeline. Its only interface to data are push constants (buffers go by address). Viewport,
-/// scissor, front face, stencil reference and blend constants are dynamic.
+/// scissor, front face, stencil reference and blend constants are dynamic. The device makes and keeps one of each kind
+/// (pipeline_store.h): this refers to it, and does not outlive the device.
 class Pipeline {
 public:
     Pipeline() = default;
@@ -79,16 +81,12 @@ public:
         vkCmdSetStencilReference(commands, VK_STENCIL_FACE_FRONT_AND_BACK, reference);
         vkCmdSetBlendConstants(commands, passed);
     }
-    explicit operator bool() const { return static_cast<bool>(m_handle); }
+    explicit operator bool() const { return m_made != nullptr; }
 
 private:
-    void createLayout(Device& device, VkShaderStageFlags stages, std::uint32_t pushBytes, std::string_view label);
     void pushBytes(VkCommandBuffer commands, const void* data, std::uint32_t size) const;
 
-    Unique<VkPipelineLayout> m_layout;
-    Unique<VkPipeline> m_handle;
-    VkShaderStageFlags m_stages = 0;
-    VkPipelineBindPoint m_bindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
+    const MadePipeline* m_made = nullptr;
 };
 
 }  // namespace render::gpu

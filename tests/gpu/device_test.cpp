@@ -3,6 +3,7 @@
 
 #include "render/gpu/barrier.h"
 #include "render/gpu/frame_ring.h"
+#include "render/gpu/pipeline_store.h"
 #include "tests/gpu/gpu_fixture.h"
 
 using namespace render;
@@ -74,6 +75,21 @@ private slots:
         const auto none = gpu::Device::create(*instance);
         QVERIFY(!none);
         QVERIFY2(none.error().text.find(name) != std::string::npos, none.error().text.c_str());
+    }
+
+    /// Windows and pictures that come and go make none again.
+    void pipelinesAreMadeOnceForADevice() {
+        const auto countAfterAPicture = [] {
+            test::Gpu& gpu = test::Gpu::get();
+            const BoardModel nothing;
+            BoardScene scene(gpu.device, nothing);
+            OffscreenPresenter presenter(gpu.device);
+            const auto image = presenter.render(scene, Camera(), {}, 64, 64);
+            return image ? gpu.device.pipelines().count() : 0;
+        };
+        const std::size_t count = countAfterAPicture();
+        QVERIFY(count > 0);
+        QCOMPARE(countAfterAPicture(), count);
     }
 
     void uploadsLargerThanTheStagingMemoryArriveWhole() {

@@ -113,7 +113,7 @@ private slots:
             std::uint32_t rank;
         };
         const std::vector<cases::Question> questions = cases::predicateQuestions();
-        const std::vector<std::uint32_t> code = compile(COPPERSCOPE_PREDICATES_SHADER);
+        static const std::vector<std::uint32_t> code = compile(COPPERSCOPE_PREDICATES_SHADER);  // the device keeps it
         QVERIFY(!code.empty());
         struct Push {
             VkDeviceAddress questions, answers;
