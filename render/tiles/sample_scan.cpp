@@ -98,6 +98,9 @@ void SampleScan::cover(int row, std::size_t sample, glm::ivec2 columns) {
 }
 
 void SampleScan::track(glm::dvec2 a, glm::dvec2 b, double radius, double inner) {
+    if (isBeside(std::min(a.x, b.x) - radius, std::max(a.x, b.x) + radius)) {
+        return;
+    }
     const Track outline(a, b, radius);
     const Track hole(a, b, inner);
     forRows(std::min(a.y, b.y) - radius, std::max(a.y, b.y) + radius, [&](int row, std::size_t sample, double at) {
@@ -114,6 +117,10 @@ void SampleScan::track(glm::dvec2 a, glm::dvec2 b, double radius, double inner) 
 }
 
 void SampleScan::polygon(std::span<const glm::dvec2> corners, glm::dvec2 centre, double radius) {
+    const auto [left, right] = std::ranges::minmax(corners, {}, &glm::dvec2::x);
+    if (isBeside(left.x, right.x)) {
+        return;
+    }
     std::array<Edge, 4> edges;
     std::size_t count = 0;
     double low = 1e30;

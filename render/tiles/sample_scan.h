@@ -51,8 +51,11 @@ private:
     };
 
     void polygon(std::span<const glm::dvec2> corners, glm::dvec2 centre, double radius);
+    /// Rows of samples that what lies between `low` and `high` may cover.
     template <class Visit>
     static void forRows(double low, double high, const Visit& visit);
+    /// Beside the tile it covers nothing.
+    [[nodiscard]] static bool isBeside(double left, double right) { return right < -1.0 || left > kTilePixels + 1.0; }
     /// Columns of a sample within a span, as [first, end).
     [[nodiscard]] static glm::ivec2 columns(Span span, std::size_t sample);
     void cover(int row, std::size_t sample, glm::ivec2 columns);
@@ -71,7 +74,10 @@ void SampleScan::forRows(double low, double high, const Visit& visit) {
     const int end = static_cast<int>(glm::clamp(high + 1.0, 0.0, double{kTilePixels}));
     for (int row = first; row < end; ++row) {
         for (std::size_t sample = 0; sample < kSamplePlaces.size(); ++sample) {
-            visit(row, sample, row + kSamplePlaces[sample].y);
+            const double y = row + kSamplePlaces[sample].y;
+            if (y >= low - 2.0 * kBesideSample && y <= high + 2.0 * kBesideSample) {
+                visit(row, sample, y);
+            }
         }
     }
 }
