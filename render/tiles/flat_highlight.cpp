@@ -54,14 +54,10 @@ void FlatPicture::drawOver(Tile& tile, const PlaneMap& map) const {
 }
 
 void FlatPicture::takeOver(Tile& tile) const {
-    const bool wasBare = tile.over == nullptr;
     tile.overLook = m_overLook;
     tile.over = tile.overRows.empty() ? nullptr : std::move(tile.work->samples);
     tile.work.reset();
     tile.isOutlined = tile.overRows.empty() || m_standingOut > kMostOutlined;
-    if (!wasBare || tile.over != nullptr) {
-        tile.pictureLook = 0;
-    }
 }
 
 /// A step of the dark edge, or of what is widened over it: one of its layers, moved to the eight sides.
@@ -99,7 +95,6 @@ void FlatPicture::outlineOver(Tile& tile, const PlaneMap& map) const {
         tile.over = std::move(work.samples);
         tile.work.reset();
         tile.isOutlined = true;
-        tile.pictureLook = 0;
     }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "model/base/parallel.h"
@@ -20,6 +21,8 @@ constexpr double kExactPx = 0.002;
 /// While a view moves, its picture may lie this far beside it.
 constexpr double kMovingPx = 0.51;
 constexpr std::size_t kMostTilings = 32;
+/// Where other colours take most of the time of a frame, this is left for what is to be drawn.
+constexpr double kLeastMs = 1.0;
 
 constexpr glm::vec3 kSilhouette(0.0015F);  // as in highlight_pass.cpp
 
@@ -40,6 +43,27 @@ bool isLevel(const FramePlan& plan) {
 /// But for their colours.
 bool isAlike(const Paint& a, const Paint& b) {
     return a.layer == b.layer && a.isBore == b.isBore && a.isOpaque() == b.isOpaque();
+}
+
+/// By state how many elements are in it. Most follow many in the same state: eight are looked at together.
+std::array<std::size_t, 256> countStates(std::span<const std::vector<ElementState>> lists) {
+    std::array<std::size_t, 256> counts{};
+    for (const std::vector<ElementState>& list : lists) {
+        for (std::size_t from = 0; from < list.size();) {
+            std::array<ElementState, 8> eight{};
+            eight.fill(list[from]);
+            std::size_t to = from + 1;
+            while (to + eight.size() <= list.size() && std::memcmp(&list[to], eight.data(), sizeof(eight)) == 0) {
+                to += eight.size();
+            }
+            while (to < list.size() && list[to] == list[from]) {
+                ++to;
+            }
+            counts[list[from]] += to - from;
+            from = to;
+        }
+    }
+    return counts;
 }
 
 glm::vec3 colourOf(const ElementColours& palette, ElementState state) {
@@ -91,28 +115,25 @@ void FlatPicture::setStates(std::span<const std::vector<ElementState>> states) {
     if (std::ranges::equal(states, m_states)) {
         return;
     }
-    const auto hidden = [](ElementState state) { return (state & kHidden) != 0; };
-    const auto anyHidden = [&](const auto& lists) {
-        return std::ranges::any_of(lists, [&](const auto& list) { return std::ranges::any_of(list, hidden); });
-    };
-    if (anyHidden(states) || anyHidden(m_states)) {
-        clearTiles();
-    }
     m_states.assign(states.begin(), states.end());
-    std::array<bool, 256> isThere{};
+    const std::array<std::size_t, 256> counts = countStates(m_states);
+    const bool wasAnyHidden = m_isAnyHidden;
+    m_isAnyHidden = false;
     m_standingOut = 0;
-    for (const std::vector<ElementState>& list : m_states) {
-        for (const ElementState state : list) {
-            isThere[state] = true;
-            m_standingOut += standsOut(state) ? 1 : 0;
+    m_standing.clear();
+    for (std::size_t row = 0; row < counts.size(); ++row) {
+        const auto state = static_cast<ElementState>(row);
+        const bool isHidden = (state & kHidden) != 0;
+        m_isAnyHidden = m_isAnyHidden || (isHidden && counts[row] > 0);
+        if (counts[row] > 0 && standsOut(state)) {
+            m_standingOut += counts[row];
+            if (!isHidden) {
+                m_standing.push_back(state);
+            }
         }
     }
-    m_standing.clear();
-    for (std::uint32_t state = 0; state < isThere.size(); ++state) {
-        const auto own = static_cast<ElementState>(state);
-        if (isThere[state] && standsOut(own) && !hidden(own)) {
-            m_standing.push_back(own);
-        }
+    if (wasAnyHidden || m_isAnyHidden) {
+        clearTiles();
     }
     ++m_overLook;
 }
@@ -336,13 +357,18 @@ void FlatPicture::paint(const Window& window, const RoughPicture* behind, std::u
 
 /// The picture of a tile whose layers are drawn.
 void FlatPicture::bringUpToDate(Tile& tile, const TilePart& part) const {
-    if (tile.overLook != m_overLook && tile.over != nullptr) {  // of what stood out before
-        tile.over.reset();
-        tile.pictureLook = 0;
+    if (tile.overLook != m_overLook) {
+        tile.over.reset();  // of what stood out before
     }
-    if (tile.pictureLook == m_look && tile.painted.holds(part)) {
-        return;
+    if (tile.pictureLook != m_look || !tile.painted.holds(part)) {
+        paintAnew(tile, part);
+    } else if (tile.paintedOver != tile.over) {
+        repaintPixels(*m_colours, *tile.samples, tile.paintedOver.get(), tile.over.get(), tile.painted, *tile.picture);
     }
+    tile.paintedOver = tile.over;
+}
+
+void FlatPicture::paintAnew(Tile& tile, const TilePart& part) const {
     const bool isNew = tile.pictureLook != m_look;
     tile.painted = isNew ? part : TilePart{};
     tile.pictureLook = m_look;
@@ -393,7 +419,8 @@ bool FlatPicture::prepare(double budgetMs) {
     const Window around{m_window->tiling, m_window->origin - kTilePixels, m_window->size + 2 * kTilePixels};
     std::vector<glm::ivec2> places;
     forTiles(around, [&](Tile& tile, glm::ivec2 at, const TilePart&) {
-        if (tile.pictureLook != m_look || tile.overLook != m_overLook || !tile.painted.holds(TilePart{})) {
+        if (tile.pictureLook != m_look || tile.overLook != m_overLook || tile.paintedOver != tile.over ||
+            !tile.painted.holds(TilePart{})) {
             places.push_back(at);
         }
     });
@@ -458,8 +485,9 @@ void FlatPicture::evict() {
 
 std::uint64_t FlatPicture::bytesOf(const Tile& tile) {
     const auto masks = std::ranges::count_if(tile.masks, [](const auto& mask) { return mask != nullptr; });
+    const std::size_t overs = (tile.over ? 1U : 0U) + (tile.paintedOver && tile.paintedOver != tile.over ? 1U : 0U);
     return static_cast<std::uint64_t>(masks) * sizeof(MaskTile) +
-           ((tile.over ? 1U : 0U) + (tile.picture ? 2U : 0U)) * sizeof(PixelTile) +
+           (overs + (tile.picture ? 2U : 0U)) * sizeof(PixelTile) +
            (tile.work ? sizeof(OverWork) + sizeof(PixelTile) : 0U);
 }
 
@@ -505,7 +533,8 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
     // A hand that zooms goes on to the next scale: tiles of this one would be drawn for nothing.
     const bool isPassing = budgetMs > 0.0 && !m_isResting && m_window->tiling.id != m_settled && isLastUsable();
     m_isResting = false;
-    const Budget budget(budgetMs);
+    const bool isRepainted = m_last.look != m_look && budgetMs > 0.0;
+    const Budget budget(isRepainted ? std::max(budgetMs - m_repaintMs, kLeastMs) : budgetMs);
     m_isBare = false;
     const bool isWhole = isPassing ? isFilled(*m_window) : fill(*m_window, budget);
     m_isOverShown = isWhole && fillOver(*m_window, budget, false);
@@ -513,7 +542,9 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
     const bool isNew = budgetMs > 0.0 && std::exchange(m_edgedLook, m_overLook) != m_overLook && !m_standing.empty();
     const bool isOutlined = m_isOverShown && !isNew && fillOver(*m_window, budget, true);
     if (isWhole) {
+        const base::Stopwatch watch;
         paintWhole();
+        m_repaintMs = isRepainted ? watch.milliseconds() : m_repaintMs;
     } else {
         paintRough(budget);
     }

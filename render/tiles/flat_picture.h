@@ -49,6 +49,8 @@ public:
     [[nodiscard]] Quality draw(const FlatRequest& request, double budgetMs);
     /// The last frame, width * height of 0xffRRGGBB, rows from the top; until the next `draw`.
     [[nodiscard]] std::span<const std::uint32_t> pixels() const { return m_isLastShown ? m_last.pixels : m_rough; }
+    /// Some of it may be background only because nothing of the board is drawn there yet, not even coarsely.
+    [[nodiscard]] bool isPartial() const { return m_window && !m_isLastShown && !isOverviewThere(); }
     /// Goes on with the last frame for about `budgetMs`. True: another `draw` would show more than the last one did.
     [[nodiscard]] bool refine(double budgetMs);
     /// After a frame that was exact: for about `budgetMs` what the next ones may need, tiles around what is seen and
@@ -75,12 +77,13 @@ private:
     struct Tile {
         std::vector<std::unique_ptr<MaskTile>> masks;  ///< by layer
         std::vector<std::uint8_t> isDrawn;             ///< likewise
-        std::unique_ptr<PixelTile> over;
+        std::shared_ptr<const PixelTile> over;
         std::vector<std::uint32_t> overRows;  ///< of what stands out, those with something here
         std::unique_ptr<OverWork> work;       ///< while it, or then its dark edge, is drawn
         bool isOutlined = false;              ///< `over` has all that it gets
         std::unique_ptr<PixelTile> samples;   ///< what is seen of the layers
-        std::unique_ptr<PixelTile> picture;   ///< the same in colours, with what stands out
+        std::unique_ptr<PixelTile> picture;   ///< the same in colours, with what stood out
+        std::shared_ptr<const PixelTile> paintedOver;
         std::uint64_t overLook = 0;
         std::uint64_t stack = 0;
         std::uint64_t pictureLook = 0;
@@ -132,6 +135,7 @@ private:
     void outlineOver(Tile& tile, const PlaneMap& map) const;
     void paint(const Window& window, const RoughPicture* behind, std::uint32_t* pixels);
     void bringUpToDate(Tile& tile, const TilePart& part) const;
+    void paintAnew(Tile& tile, const TilePart& part) const;
     [[nodiscard]] bool isLastUsable() const;
     void paintWhole();
     void paintRough(const Budget& budget);
@@ -155,6 +159,7 @@ private:
     glm::vec3 m_background{0.0F};
     std::optional<SampleColours> m_colours;
     std::vector<std::vector<ElementState>> m_states;
+    bool m_isAnyHidden = false;
     std::size_t m_standingOut = 0;
     std::vector<ElementState> m_standing;  ///< the states that stand out, each once
     bool m_isFabricated = false;
@@ -167,6 +172,7 @@ private:
     Sheet m_last;                    ///< the last frame that its tiles drew
     std::vector<std::uint32_t> m_rough;
     bool m_isLastShown = false;
+    double m_repaintMs = 0.0;  ///< how long all pixels in other colours took last
     Sheet m_overview;
 };
 

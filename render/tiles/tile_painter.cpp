@@ -98,23 +98,69 @@ void paintEight(std::span<const Plane> planes, std::size_t at, std::uint64_t* se
     }
 }
 
-void putOver(const SampleColours& colours, const std::uint32_t* over, int from, int to, std::uint32_t* samples) {
-    for (int x = from; x < to; ++x) {
-        for (std::uint32_t shift = 0; shift < 32 && over[x] != 0; shift += 8) {
-            if (const std::uint32_t row = over[x] >> shift & 0xffU; row != 0) {
-                samples[x] = (samples[x] & ~(0xffU << shift)) | std::uint32_t{colours.over()[row - 1]} << shift;
+/// Pixels of a part of a tile in colours, eight at a time.
+class PixelPainter {
+public:
+    explicit PixelPainter(const SampleColours& colours) : m_colours(colours) { m_mixed.fill({0, colours.pixel(0)}); }
+
+    /// `over` may be null.
+    void paint(const std::uint32_t* samples, const std::uint32_t* over, std::uint32_t* pixels) {
+        std::array<std::uint32_t, kStep> own{};
+        std::copy_n(samples, kStep, own.begin());
+        if (over != nullptr && !areAll(over, 0)) {
+            putOver(over, own);
+        }
+        if (areAll(own.data(), own[0])) {
+            std::fill_n(pixels, kStep, pixel(own[0]));
+            return;
+        }
+        std::ranges::transform(own, pixels, [this](std::uint32_t four) { return pixel(four); });
+    }
+
+    static bool areAll(const std::uint32_t* eight, std::uint32_t value) {
+        std::uint32_t other = 0;
+        for (int i = 0; i < kStep; ++i) {
+            other |= eight[i] ^ value;
+        }
+        return other == 0;
+    }
+
+private:
+    void putOver(const std::uint32_t* over, std::array<std::uint32_t, kStep>& samples) const {
+        for (std::size_t x = 0; x < samples.size(); ++x) {
+            for (std::uint32_t shift = 0; shift < 32 && over[x] != 0; shift += 8) {
+                if (const std::uint32_t row = over[x] >> shift & 0xffU; row != 0) {
+                    samples[x] = (samples[x] & ~(0xffU << shift)) | std::uint32_t{m_colours.over()[row - 1]} << shift;
+                }
             }
         }
     }
-}
 
-/// Columns of a part in whole steps.
-int firstStep(const TilePart& part) {
-    return part.from.x / kStep * kStep;
-}
+    /// Along edges the same mixtures come again and again.
+    std::uint32_t pixel(std::uint32_t samples) {
+        Mixed& known = m_mixed[samples * 0x9e3779b1U >> 24U];
+        if (known.samples != samples) {
+            known = {samples, m_colours.pixel(samples)};
+        }
+        return known.pixel;
+    }
 
-int endStep(const TilePart& part) {
-    return (part.to.x + kStep - 1) / kStep * kStep;
+    struct Mixed {
+        std::uint32_t samples;
+        std::uint32_t pixel;
+    };
+    const SampleColours& m_colours;
+    std::array<Mixed, 256> m_mixed{};
+};
+
+/// Visits the first of each eight pixels of a part, whose columns are rounded to whole steps.
+template <class Visit>
+void forSteps(const TilePart& part, const Visit& visit) {
+    for (int y = part.from.y; y < part.to.y; ++y) {
+        for (int x = part.from.x / kStep * kStep; x < part.to.x; x += kStep) {
+            visit(static_cast<std::size_t>(y) * kRow + static_cast<std::size_t>(x));
+        }
+    }
 }
 
 }  // namespace
@@ -140,37 +186,28 @@ void paintSamples(std::span<const Paint> paints, const SampleColours& colours,
         }
     }
     std::vector<std::uint64_t> seen(planes.size());
-    for (int y = part.from.y; y < part.to.y; ++y) {
-        const std::size_t start = static_cast<std::size_t>(y) * kRow;
-        for (int x = firstStep(part); x < endStep(part); x += kStep) {
-            const std::size_t at = start + static_cast<std::size_t>(x);
-            paintEight(planes, at, seen.data(), samples.data() + at);
-        }
-    }
+    forSteps(part, [&](std::size_t at) { paintEight(planes, at, seen.data(), &samples[at]); });
 }
 
 void paintPixels(const SampleColours& colours, const PixelTile& samples, const PixelTile* over, const TilePart& part,
                  PixelTile& picture) {
-    const int from = firstStep(part);
-    const int to = endStep(part);
-    std::array<std::uint32_t, kRow> row{};
-    for (int y = part.from.y; y < part.to.y; ++y) {
-        const std::size_t start = static_cast<std::size_t>(y) * kRow;
-        std::copy(samples.begin() + start + from, samples.begin() + start + to, row.begin() + from);
-        if (over != nullptr) {
-            putOver(colours, over->data() + start, from, to, row.data());
+    PixelPainter painter(colours);
+    forSteps(part, [&](std::size_t at) {
+        painter.paint(&samples[at], over != nullptr ? &(*over)[at] : nullptr, &picture[at]);
+    });
+}
+
+void repaintPixels(const SampleColours& colours, const PixelTile& samples, const PixelTile* before,
+                   const PixelTile* over, const TilePart& part, PixelTile& picture) {
+    constexpr std::array<std::uint32_t, kStep> kNothing{};
+    PixelPainter painter(colours);
+    forSteps(part, [&](std::size_t at) {
+        const std::uint32_t* then = before != nullptr ? &(*before)[at] : kNothing.data();
+        const std::uint32_t* now = over != nullptr ? &(*over)[at] : kNothing.data();
+        if (std::memcmp(then, now, sizeof(kNothing)) != 0) {
+            painter.paint(&samples[at], now, &picture[at]);
         }
-        std::uint32_t last = 0;
-        std::uint32_t pixel = colours.pixel(last);
-        for (int x = from; x < to; ++x) {
-            const std::uint32_t own = row[static_cast<std::size_t>(x)];
-            if (own != last) {
-                last = own;
-                pixel = colours.pixel(own);
-            }
-            picture[start + static_cast<std::size_t>(x)] = pixel;
-        }
-    }
+    });
 }
 
 }  // namespace render

@@ -32,4 +32,8 @@ void paintSamples(std::span<const Paint> paints, const SampleColours& colours,
 void paintPixels(const SampleColours& colours, const PixelTile& samples, const PixelTile* over, const TilePart& part,
                  PixelTile& picture);
 
+/// The same where only what lies over it is another than `before`.
+void repaintPixels(const SampleColours& colours, const PixelTile& samples, const PixelTile* before,
+                   const PixelTile* over, const TilePart& part, PixelTile& picture);
+
 }  // namespace render

@@ -120,6 +120,31 @@ private slots:
         }
     }
 
+    /// What was painted with something over it, and then with something else, is as if painted with that at once.
+    void isRepaintedWhereWhatStandsOutChanges() {
+        const std::vector<std::unique_ptr<MaskTile>> masks = randomMasks();
+        const std::vector<Paint> all = paints();
+        const std::vector<glm::vec3> over{{1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}};
+        const std::optional<SampleColours> colours = SampleColours::make(kGround, all, over);
+        auto samples = std::make_unique<PixelTile>();
+        paintSamples(all, *colours, masks, {}, *samples);
+        std::vector<std::unique_ptr<PixelTile>> overs(3);  // the last has nothing
+        for (std::size_t i = 0; i < 2; ++i) {
+            overs[i] = std::make_unique<PixelTile>();
+            stamp(*masks[i], false, static_cast<std::uint8_t>(i + 1), *overs[i]);
+        }
+        auto repainted = std::make_unique<PixelTile>();
+        auto anew = std::make_unique<PixelTile>();
+        paintPixels(*colours, *samples, nullptr, {}, *repainted);
+        const PixelTile* before = nullptr;
+        for (const std::unique_ptr<PixelTile>& now : overs) {
+            repaintPixels(*colours, *samples, before, now.get(), {}, *repainted);
+            paintPixels(*colours, *samples, now.get(), {}, *anew);
+            QVERIFY(*repainted == *anew);
+            before = now.get();
+        }
+    }
+
     void onlyTheWantedPartIsPainted() {
         const std::vector<std::unique_ptr<MaskTile>> masks(kLayers);
         const std::vector<Paint> all = paints();
