@@ -64,6 +64,7 @@ struct FrameStats {
     double gpuMs = 0.0;               ///< by timestamps, 0 if the device has none
     Backend backend = Backend::Auto;  ///< the one that drew
     bool isOverlayAlone = false;      ///< the board was the cached one
+    bool isPartial = false;           ///< parts of the board are missing, and come with a later frame
 };
 
 /// 8-bit sRGB RGBA, rows from the top.

@@ -57,6 +57,7 @@ private slots:
         const QJsonObject board = onlyOne(report["boards"]);
         QCOMPARE(board["name"].toString(), QFileInfo(locations::kSample).fileName());
         QVERIFY(board["first_frame_ms"].toDouble() > 0.0);
+        QVERIFY(board["first_whole_ms"].toDouble() >= board["first_frame_ms"].toDouble());
         QStringList runs;
         for (const QJsonValue& value : board["runs"].toArray()) {
             const QJsonObject one = value.toObject();

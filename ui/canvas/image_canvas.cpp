@@ -12,11 +12,11 @@ namespace ui {
 namespace {
 
 /// A frame at 60 Hz has room for this much drawing of tiles, and a hand that moves on is answered after a piece.
-constexpr double kTilesMs = 5.0;
+constexpr double kTilesMs = 4.0;
 constexpr double kPieceMs = 8.0;
 constexpr int kRestMs = 40;
 constexpr int kLongRestMs = 200;
-constexpr int kWholeShare = 2;       // a picture of all of the board is so many times smaller
+constexpr int kWholeShare = 2;  // a picture of all of the board is so many times smaller
 constexpr double kMuchDrawnOut = 1.6;
 
 /// No copy: while the pixels are there.
@@ -138,7 +138,8 @@ bool ImageCanvas::drawTiles(QSize pixels) {
         m_image = imageOf(m_picture.flat->pixels(), pixels);
         m_isDue = false;
         m_isExact = quality == Quality::Exact;
-        m_goOn.start(m_isExact ? kLongRestMs : kRestMs);
+        stats.isPartial = m_picture.flat->isPartial();
+        m_goOn.start(m_isExact ? kLongRestMs : stats.isPartial ? 0 : kRestMs);
         stats.cpuMs = watch.milliseconds();
     }
     announce(stats);

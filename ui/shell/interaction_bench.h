@@ -43,7 +43,9 @@ struct InteractionRun {
 
 struct InteractionReport {
     std::string device;
-    double firstFrameMs = 0.0;  ///< from the model being ready to the first picture of the board in the 2D view
+    /// From the model being ready to the first picture in the 2D view, and to the first that shows all of the board.
+    double firstFrameMs = 0.0;
+    double firstWholeMs = 0.0;
     std::vector<InteractionRun> runs;
 };
 
