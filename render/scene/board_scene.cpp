@@ -3,7 +3,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "render/gpu/barrier.h"
@@ -17,6 +16,10 @@ namespace {
 
 using gpu::Buffer;
 using gpu::MemoryUse;
+
+/// Bytes of lists of what is seen.
+constexpr std::uint64_t kManyLists = 128ULL << 20U;
+constexpr std::uint64_t kFewLists = 4ULL << 20U;
 
 /// The smallest circle around the box of what a piece draws.
 shader::ShapeBound boundOf(const BoardModel& model, const AreaShape& piece) {
@@ -80,12 +83,11 @@ std::uint32_t elementCount(const BoardModel& model) {
 }
 
 /// A box around everything a step draws.
-Box2 reachOf(const BoardModel& model) {
+Box2 reachOf(const BoardModel& model, std::span<const shader::ShapeBound> bounds) {
     Box2 reach;
     for (const shader::Cluster& cluster : model.clusters) {
         reach.include(Box2{cluster.boxMin, cluster.boxMax});
     }
-    const std::vector<shader::ShapeBound> bounds = boundsOf(model);
     for (const shader::AreaInstance& area : model.instances) {
         // However the area is rotated, its circle lies within this far of its origin.
         const shader::ShapeBound& bound = bounds[area.shape];
@@ -119,11 +121,8 @@ std::vector<LayerInSubstrate> inSubstrate(const BoardModel& model) {
     return hasFlipped ? std::vector<LayerInSubstrate>(layers.size()) : layers;
 }
 
-std::vector<LayerInSubstrate> inSubstrate(const StandardModel&) {
-    return {};
-}
-
-GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const std::vector<ElementState>& states) {
+GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model,
+                             const std::vector<shader::ShapeBound>& bounds, const std::vector<ElementState>& states) {
     SceneLoader loader(device);
     GeometryBuffers b;
     b.lets = loader.load("lets", model.lets);
@@ -133,7 +132,7 @@ GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const
     b.indices = loader.load("indices", model.indices);
     b.instances = loader.load("instances", model.instances);
     b.drawOfInstance = loader.load("drawOfInstance", drawOfInstance(model));
-    b.bounds = loader.load("bounds", boundsOf(model));
+    b.bounds = loader.load("bounds", bounds);
     b.elementStates = loader.load("element states", states);
     b.capDraws = loader.load("capDraws", capDraws(model));
     b.wallDraws = loader.load("wallDraws", wallDraws(model));
@@ -172,11 +171,19 @@ StandardBuffers loadParts(gpu::Device& device, const StandardModel& model, std::
     return buffers;
 }
 
-template <class Model>
-std::vector<SceneStep> loadSteps(gpu::Device& device, const Model& board) {
+std::vector<SceneStep> makeSteps(const BoardModel& board) {
+    std::vector<SceneStep> steps;
+    steps.emplace_back(board, board.layers.size());
+    for (const BoardModel& step : board.steps) {
+        steps.emplace_back(step, board.layers.size());
+    }
+    return steps;
+}
+
+std::vector<SceneStep> loadSteps(gpu::Device& device, const StandardModel& board) {
     std::vector<SceneStep> steps;
     steps.emplace_back(device, board, board.layers.size());
-    for (const Model& step : board.steps) {
+    for (const StandardModel& step : board.steps) {
         steps.emplace_back(device, step, board.layers.size());
     }
     return steps;
@@ -238,10 +245,6 @@ bool hasShadows(const BoardModel& board) {
            std::ranges::any_of(board.steps, [](const BoardModel& step) { return !step.shadows.isEmpty(); });
 }
 
-bool hasShadows(const StandardModel&) {
-    return false;
-}
-
 DrawLists takeLists(const SceneStep& step, Parts& parts) {
     constexpr std::uint64_t kWord = sizeof(std::uint32_t);
     const std::uint64_t batches = 1 + step.layers.size();
@@ -258,17 +261,22 @@ DrawLists takeLists(const SceneStep& step, Parts& parts) {
 
 }  // namespace
 
-SceneStep::SceneStep(gpu::Device& device, const BoardModel& model, std::size_t layerCount)
+SceneStep::SceneStep(const BoardModel& model, std::size_t layerCount)
     : layers(layersOfStep(model, layerCount)),
-      reach(reachOf(model)),
       letCount(static_cast<std::uint32_t>(model.lets.size())),
       clusterCount(static_cast<std::uint32_t>(model.clusters.size())),
       instanceCount(static_cast<std::uint32_t>(model.instances.size())),
       areaDrawCount(static_cast<std::uint32_t>(model.areaBatches.size())),
       states(plainStates(elementCount(model))),
-      geometry(loadGeometry(device, model, states)),
       topShadows(model.shadows.top),
       bottomShadows(model.shadows.bottom) {}
+
+void SceneStep::load(gpu::Device& device, const BoardModel& model) {
+    const std::vector<shader::ShapeBound> bounds = boundsOf(model);
+    reach = reachOf(model, bounds);
+    geometry = loadGeometry(device, model, bounds, states);
+    unsent = {};
+}
 
 SceneStep::SceneStep(gpu::Device& device, const StandardModel& model, std::size_t layerCount)
     : layers(layerCount),
@@ -318,65 +326,110 @@ void SceneStep::setShadows(shader::FrameData& data, bool isTop) const {
     data.shadows.height = map.height;
 }
 
-template <class Model>
-BoardScene::Impl::Impl(gpu::Device& owner, const Model& model, std::uint64_t mostListBytes)
+BoardScene::Impl::Impl(gpu::Device& owner, const BoardModel& model)
+    : device(&owner), layers(model), steps(makeSteps(model)), copies(model.copies) {
+    layers.inSubstrate = inSubstrate(model);
+    layers.hasShadows = hasShadows(model);
+}
+
+BoardScene::Impl::Impl(gpu::Device& owner, const StandardModel& model)
     : device(&owner),
       layers(model),
       steps(loadSteps(owner, model)),
       copies(model.copies),
-      lists(makeLists(owner, steps, copies, mostListBytes)) {
-    layers.inSubstrate = inSubstrate(model);
-    layers.hasShadows = hasShadows(model);
-    if constexpr (std::is_same_v<Model, BoardModel>) {
+      lists(makeLists(owner, steps, copies, 0)) {}
+
+void BoardScene::Impl::load(const BoardModel& model, std::uint64_t mostListBytes) {
+    try {
+        steps.front().load(*device, model);
+        for (std::size_t i = 0; i < model.steps.size(); ++i) {
+            steps[i + 1].load(*device, model.steps[i]);
+        }
+        lists = makeLists(*device, steps, copies, mostListBytes);
         letTables = makeLetTables();
-        letIndices = SceneLoader(owner).load("letIndices", letTables.indices);
+        letIndices = SceneLoader(*device).load("letIndices", letTables.indices);
+    } catch (const gpu::OutOfMemory&) {
+        for (SceneStep& step : steps) {
+            step.geometry = {};
+        }
+        lists = {};
+        throw;
     }
 }
 
+void BoardScene::Impl::loadIfDue() {
+    if (unloaded != nullptr) {
+        load(*unloaded, kFewLists);
+        unloaded.reset();
+    }
+}
+
+BoardScene::BoardScene(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 BoardScene::BoardScene(gpu::Device& device, const BoardModel& model, std::uint64_t mostListBytes)
-    : m_impl(std::make_unique<Impl>(device, model, mostListBytes)) {}
+    : m_impl(std::make_unique<Impl>(device, model)) {
+    m_impl->load(model, mostListBytes);
+}
 BoardScene::BoardScene(gpu::Device& device, const StandardModel& model)
-    : m_impl(std::make_unique<Impl>(device, model, 0)) {}
+    : m_impl(std::make_unique<Impl>(device, model)) {}
 BoardScene::~BoardScene() = default;
 BoardScene::BoardScene(BoardScene&&) noexcept = default;
 BoardScene& BoardScene::operator=(BoardScene&&) noexcept = default;
 
 namespace {
 
-constexpr std::uint64_t kManyLists = 128ULL << 20U;
-constexpr std::uint64_t kFewLists = 4ULL << 20U;
-
-/// Calls `make`, with what it throws and a lost device as errors.
-template <class Make>
-base::Result<BoardScene> tryToMake(gpu::Device& device, const Make& make) {
+/// Calls `load`, with what it throws and a lost device as errors.
+template <class Load>
+base::Status tryToLoad(gpu::Device& device, const Load& load) {
     const std::string& name = device.caps().name;
     try {
-        BoardScene scene = make();
-        if (device.isLost()) {
-            return base::Error{base::ErrorCode::DeviceFailed,
-                               "The Vulkan device " + name + " was lost while the board was loaded."};
-        }
-        return scene;
+        load();
     } catch (const gpu::OutOfMemory& shortage) {
         device.waitIdle();  // frees what was made before
         return base::Error{base::ErrorCode::DeviceFailed, "The board does not fit in the memory of " + name +
                                                               ": there is no room for " + shortage.what + "."};
     }
+    if (device.isLost()) {
+        return base::Error{base::ErrorCode::DeviceFailed,
+                           "The Vulkan device " + name + " was lost while the board was loaded."};
+    }
+    return base::Done{};
+}
+
+base::Status load(BoardScene::Impl& scene, const BoardModel& model) {
+    const base::Status status = tryToLoad(*scene.device, [&] { scene.load(model, kManyLists); });
+    if (status || scene.device->isLost()) {
+        return status;
+    }
+    spdlog::warn("{} Trying with shorter lists of what is seen.", status.error().text);
+    return tryToLoad(*scene.device, [&] { scene.load(model, kFewLists); });
 }
 
 }  // namespace
 
 base::Result<BoardScene> BoardScene::make(gpu::Device& device, const BoardModel& model) {
-    base::Result<BoardScene> scene = tryToMake(device, [&] { return BoardScene(device, model, kManyLists); });
-    if (scene || device.isLost()) {
-        return scene;
-    }
-    spdlog::warn("{} Trying with shorter lists of what is seen.", scene.error().text);
-    return tryToMake(device, [&] { return BoardScene(device, model, kFewLists); });
+    BoardScene scene(std::make_unique<Impl>(device, model));
+    RETURN_IF_ERROR(render::load(*scene.m_impl, model));
+    return scene;
 }
 
 base::Result<BoardScene> BoardScene::make(gpu::Device& device, const StandardModel& model) {
-    return tryToMake(device, [&] { return BoardScene(device, model); });
+    std::unique_ptr<Impl> made;
+    RETURN_IF_ERROR(tryToLoad(device, [&] { made = std::make_unique<Impl>(device, model); }));
+    return BoardScene(std::move(made));
+}
+
+BoardScene BoardScene::makeUnloaded(gpu::Device& device, std::shared_ptr<const BoardModel> model) {
+    BoardScene scene(std::make_unique<Impl>(device, *model));
+    scene.m_impl->unloaded = std::move(model);
+    return scene;
+}
+
+base::Status BoardScene::load() {
+    if (m_impl->unloaded != nullptr) {
+        RETURN_IF_ERROR(render::load(*m_impl, *m_impl->unloaded));
+        m_impl->unloaded.reset();
+    }
+    return base::Done{};
 }
 
 void BoardScene::setStyles(std::span<const LayerStyle> styles) {

@@ -26,6 +26,10 @@ public:
     /// DeviceFailed, saying what there was no room for, or that the device was lost on the way.
     [[nodiscard]] static base::Result<BoardScene> make(gpu::Device& device, const BoardModel& model);
     [[nodiscard]] static base::Result<BoardScene> make(gpu::Device& device, const StandardModel& model);
+    /// One that says how the board looks, and is on the device once it is loaded, or with the first frame of it.
+    [[nodiscard]] static BoardScene makeUnloaded(gpu::Device& device, std::shared_ptr<const BoardModel> model);
+    /// Does nothing where that was done. Errors: those of `make`; the scene stays as it is.
+    [[nodiscard]] base::Status load();
 
     /// Both throw gpu::OutOfMemory (render/gpu/check.h).
     ///
@@ -58,6 +62,8 @@ public:
     [[nodiscard]] Impl& impl() { return *m_impl; }
 
 private:
+    explicit BoardScene(std::unique_ptr<Impl> impl);
+
     std::unique_ptr<Impl> m_impl;
 };
 

@@ -83,8 +83,9 @@ struct SceneStep {
     ShadowGrid bottomShadows;
     std::optional<StandardBuffers> standard;  ///< then there is nothing but this and the states of elements
 
-    /// `layerCount` of the board; a step has the same rows or fewer.
-    SceneStep(gpu::Device& device, const BoardModel& model, std::size_t layerCount);
+    /// `layerCount` of the board; a step has the same rows or fewer. Nothing is on the device before `load`.
+    SceneStep(const BoardModel& model, std::size_t layerCount);
+    void load(gpu::Device& device, const BoardModel& model);
     SceneStep(gpu::Device& device, const StandardModel& model, std::size_t layerCount);
     [[nodiscard]] bool isEmpty() const { return clusterCount == 0 && instanceCount == 0 && !standard; }
     /// Bytes of the draw lists of one copy; the standard pipeline has none.
@@ -106,8 +107,16 @@ struct BoardScene::Impl {
     /// Draw lists of as many copies as fit. One buffer serves all views: they draw one after the other on one queue.
     gpu::Buffer lists;
 
-    template <class Model>
-    Impl(gpu::Device& owner, const Model& model, std::uint64_t mostListBytes);
+    /// What is not on the device yet; null: all is there.
+    std::shared_ptr<const BoardModel> unloaded;
+
+    /// Nothing is on the device before `load`.
+    Impl(gpu::Device& owner, const BoardModel& model);
+    Impl(gpu::Device& owner, const StandardModel& model);
+    /// All or nothing. Throws gpu::OutOfMemory.
+    void load(const BoardModel& model, std::uint64_t mostListBytes);
+    /// Before a frame. Throws gpu::OutOfMemory.
+    void loadIfDue();
     /// States of elements that have changed, before what `frame` draws.
     void sendStates(gpu::Frame& frame);
     /// A frame that had them was not submitted: all go with the next one.

@@ -14,10 +14,20 @@ constexpr std::uint32_t kHeight = 120;
 /// More than one normal run makes of either.
 constexpr std::uint64_t kMost = 200;
 
+enum class Loaded { AtOnce, WithTheFrame };
+
+base::Result<BoardScene> sceneOf(gpu::Device& device, const std::shared_ptr<const BoardModel>& model, Loaded when) {
+    if (when == Loaded::AtOnce) {
+        return BoardScene::make(device, *model);
+    }
+    return BoardScene::makeUnloaded(device, model);
+}
+
 /// Loads a board and draws it once.
-base::Result<Image> loadAndDraw(gpu::Device& device, const SyntheticBoard& board) {
-    const BoardModel model = board.build();
-    base::Result<BoardScene> scene = BoardScene::make(device, model);
+base::Result<Image> loadAndDraw(gpu::Device& device, const SyntheticBoard& board, Loaded when = Loaded::AtOnce) {
+    const auto shared = std::make_shared<const BoardModel>(board.build());
+    const BoardModel& model = *shared;
+    base::Result<BoardScene> scene = sceneOf(device, shared, when);
     if (!scene) {
         return scene.error();
     }
@@ -51,11 +61,15 @@ class FaultsTest : public QObject {
 private slots:
     void wheneverMemoryRunsOutThereIsAPictureOrAnError_data() {
         QTest::addColumn<bool>("isLasting");
-        QTest::newRow("once") << false;
-        QTest::newRow("for good") << true;
+        QTest::addColumn<Loaded>("when");
+        QTest::newRow("once") << false << Loaded::AtOnce;
+        QTest::newRow("for good") << true << Loaded::AtOnce;
+        QTest::newRow("once, loaded with the frame") << false << Loaded::WithTheFrame;
+        QTest::newRow("for good, loaded with the frame") << true << Loaded::WithTheFrame;
     }
     void wheneverMemoryRunsOutThereIsAPictureOrAnError() {
         QFETCH(bool, isLasting);
+        QFETCH(Loaded, when);
         const SyntheticBoard board = everything();
         gpu::Device device = freshDevice();
         const base::Result<Image> expected = loadAndDraw(device, board);
@@ -68,7 +82,7 @@ private slots:
         for (bool wasReached = true; wasReached; ++n) {
             QVERIFY(n < kMost);
             device.inject({n, isLasting, 0});
-            const base::Result<Image> image = loadAndDraw(device, board);
+            const base::Result<Image> image = loadAndDraw(device, board, when);
             wasReached = isLasting ? !image : device.faults().failAllocation == 0;
             device.inject({});
             if (!image) {
@@ -86,8 +100,8 @@ private slots:
             QCOMPARE(device.memoryReport().total(), atRest);
         }
         qInfo() << n - 2 << "allocations," << failures << "errors," << rescues << "pictures with less";
-        QVERIFY(isLasting ? failures > 10 : failures > 1 && rescues > 8);
-        const base::Result<Image> again = loadAndDraw(device, board);
+        QVERIFY(isLasting || when == Loaded::WithTheFrame ? failures > 10 : failures > 1 && rescues > 8);
+        const base::Result<Image> again = loadAndDraw(device, board, when);
         QVERIFY(again);
         QCOMPARE(differingPixels(*again, *expected, 0), std::size_t{0});
     }
@@ -116,6 +130,20 @@ private slots:
         }
         qInfo() << errors << "errors," << pictures << "pictures";
         QVERIFY(errors > 3 && pictures > 3);
+    }
+
+    /// A scene that could not be loaded can be later.
+    void whatDidNotFitIsLoadedOnceItDoes() {
+        const SyntheticBoard board = everything();
+        gpu::Device device = freshDevice();
+        BoardScene scene = BoardScene::makeUnloaded(device, std::make_shared<const BoardModel>(board.build()));
+        device.inject({.mostBytes = 64});
+        const base::Status first = scene.load();
+        QVERIFY(!first && isPlain(first.error()));
+        QCOMPARE(scene.geometryBytes(), std::uint64_t{0});
+        device.inject({});
+        QVERIFY(scene.load());
+        QVERIFY(scene.geometryBytes() > 0);
     }
 
     void wheneverTheDeviceIsLostThereIsAnError() {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kExplodeMs = 250;
 constexpr int kEdge = 2;  // pixels: the edge that marks the view in use
+constexpr int kLoadLatestMs = 500;
 
 }  // namespace
 
@@ -31,6 +32,13 @@ BoardViews::BoardViews(GpuContext& context, QWidget* parent)
         watch(*view);
     }
     connect(m_splitter, &QSplitter::splitterMoved, this, qOverload<>(&QWidget::update));
+    m_load.setSingleShot(true);
+    connect(&m_load, &QTimer::timeout, this, &BoardViews::loadScene);
+    connect(&flat(), &BoardView::timed, this, [this](const render::FrameStats& stats) {
+        if (m_load.isActive() && !stats.isOverlayAlone && !stats.isPartial) {
+            m_load.start(0);
+        }
+    });
     m_explosion.setDuration(kExplodeMs);
     m_explosion.setEasingCurve(QEasingCurve::OutCubic);
     connect(&m_explosion, &QVariantAnimation::valueChanged, this,
@@ -108,27 +116,50 @@ void BoardViews::applyHeights() {
     solid().setBoard(scaled.min, scaled.max);
 }
 
+/// Flat pictures of a software device need nothing of it there (render::FlatPicture): the first is shown before.
 void BoardViews::makeScene() {
+    dropScene();  // before the new one is made: the device may not have room for both
+    if (m_context.device().isLost()) {
+        return;  // that was told
+    }
+    m_scene =
+        std::make_unique<render::BoardScene>(render::BoardScene::makeUnloaded(m_context.device(), m_board->model));
+    m_scene->setHeights(render::frameOf(*m_board->document));  // they may have been set since
+    applyStates();
+    if (m_context.device().caps().isCpu && flat().isVisible()) {
+        showScene(flat());
+        m_load.start(kLoadLatestMs);
+    } else {
+        loadScene();
+    }
+}
+
+void BoardViews::loadScene() {
+    m_load.stop();
+    if (const base::Status loaded = m_scene->load(); !loaded) {
+        dropScene();
+        emit troubled(QString::fromStdString(loaded.error().text));
+        return;
+    }
+    for (BoardView* view : m_views) {
+        if (!view->hasScene()) {
+            showScene(*view);
+        }
+    }
+}
+
+void BoardViews::showScene(BoardView& view) {
+    view.setModel(m_board->model);
+    view.setScene(m_scene.get(), stylesOf(view));
+}
+
+void BoardViews::dropScene() {
+    m_load.stop();
     for (BoardView* view : m_views) {
         view->setScene(nullptr, {});
         view->setModel(nullptr);
     }
-    m_scene.reset();  // before the new one is made: the device may not have room for both
-    if (m_context.device().isLost()) {
-        return;  // that was told
-    }
-    base::Result<render::BoardScene> scene = render::BoardScene::make(m_context.device(), *m_board->model);
-    if (!scene) {
-        emit troubled(QString::fromStdString(scene.error().text));
-        return;
-    }
-    m_scene = std::make_unique<render::BoardScene>(std::move(*scene));
-    m_scene->setHeights(render::frameOf(*m_board->document));  // they may have been set since
-    applyStates();
-    for (BoardView* view : m_views) {
-        view->setModel(m_board->model);
-        view->setScene(m_scene.get(), stylesOf(*view));
-    }
+    m_scene.reset();
 }
 
 std::vector<render::LayerStyle> BoardViews::stylesOf(const BoardView& view) const {
@@ -277,6 +308,7 @@ void BoardViews::onDeviceLost() {
         emit troubled(tr("The graphics device keeps failing. Please start Copperscope again."));
         return;
     }
+    m_load.stop();
     for (BoardView* view : m_views) {
         view->setScene(nullptr, {});
         view->releaseDevice();

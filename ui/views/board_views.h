@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QVariantAnimation>
 #include <QWidget>
 #include <algorithm>
@@ -81,7 +82,7 @@ public:
     /// The view that commands are for; it is always shown.
     [[nodiscard]] BoardView& active() { return *m_active; }
     void setActive(BoardView& view);
-    /// Null while no board is on the device.
+    /// Null while no board is shown. Where the device is software it gets there after the first flat picture.
     [[nodiscard]] render::BoardScene* scene() { return m_scene.get(); }
 
 signals:
@@ -98,6 +99,9 @@ private:
     void watch(BoardView& view);
     void onPointed(BoardView& view);
     void makeScene();
+    void loadScene();
+    void dropScene();
+    void showScene(BoardView& view);
     void applyHeights();
     void applyExplode(float by);
     [[nodiscard]] std::optional<float> anchorHeight();
@@ -110,6 +114,7 @@ private:
 
     GpuContext& m_context;
     std::unique_ptr<render::BoardScene> m_scene;
+    QTimer m_load;  ///< runs while the scene is still to be brought to the device
     std::optional<LoadedBoard> m_board;
     std::vector<LayerAppearance> m_styles;
     ElementStateLists m_states;
