@@ -11,6 +11,7 @@ namespace render {
 struct ZRange {
     float z0 = 0.0F;
     float z1 = 0.0F;
+    bool operator==(const ZRange&) const = default;
 };
 
 /// One layer before explosion.

@@ -14,6 +14,7 @@ namespace render {
 struct SectionPlane {
     glm::dvec2 start{0.0};           ///< mm, in the model's coordinates (BoardFrame::origin)
     glm::dvec2 direction{1.0, 0.0};  ///< of length 1
+    bool operator==(const SectionPlane&) const = default;
 };
 
 /// A trapezoid with level edges of what the plane cuts: a rectangle, but for the walls of laser vias.

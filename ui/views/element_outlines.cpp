@@ -63,7 +63,8 @@ void ElementOutlines::watch(BoardView& view, std::optional<QPointF>& pointer) {
         pointer = at;
         const auto isPerforated = [](const Outline& outline) { return outline.runs.isPerforated(); };
         if (isPerforated(m_hovered) || std::ranges::any_of(m_selected, isPerforated)) {
-            view.requestOverlay();  // other openings are near the pointer
+            ++m_change;  // other openings are near the pointer
+            view.requestOverlay();
         }
     };
     connect(&view.controller(), &CameraController::hovered, this, setPointer);
@@ -82,10 +83,12 @@ void ElementOutlines::updateHovered() {
     const auto at = m_selection.hovered();
     std::size_t pointsToUnite = kMostToUnite;
     m_hovered = at ? outlineOf(*at, pointsToUnite) : Outline();
+    ++m_change;
     m_views.requestOverlay();
 }
 
 void ElementOutlines::updateSelected() {
+    const bool wasEmpty = m_selected.empty();
     m_selected.clear();
     std::size_t pointsToUnite = kMostToUnite;
     std::size_t nodes = 0;
@@ -100,13 +103,13 @@ void ElementOutlines::updateSelected() {
             m_selected.back().isNear = elements == &m_selection.nearby();
         }
     }
+    m_change += wasEmpty && m_selected.empty() ? 0 : 1;
     m_views.requestOverlay();
 }
 
 OutlineStrokes ElementOutlines::strokesOver(const BoardView& view) const {
-    const std::size_t index = &view == m_views.both()[0] ? 0 : 1;
     OutlineSight sight{
-        view.controller().clipFromBoard(), view.controller().viewport(), view.position(), {}, m_pointers[index]};
+        view.controller().clipFromBoard(), view.controller().viewport(), view.position(), {}, m_pointers[rowOf(view)]};
     if (view.cut() != nullptr) {
         sight.cut = view.cut()->plane;
     }
@@ -130,8 +133,28 @@ OutlineStrokes ElementOutlines::strokesOver(const BoardView& view) const {
     return strokes;
 }
 
-void ElementOutlines::paint(QPainter& painter, const BoardView& view) const {
-    const OutlineStrokes strokes = strokesOver(view);
+ElementOutlines::Looks ElementOutlines::looksOf(const BoardView& view) const {
+    Looks looks{m_change, view.controller().clipFromBoard(), view.controller().viewport(), view.drawnHeights(), {}, {}};
+    if (view.cut() != nullptr) {
+        looks.cut = view.cut()->plane;
+    }
+    std::ranges::transform(view.styles(), std::back_inserter(looks.visibility), &render::LayerStyle::isVisible);
+    return looks;
+}
+
+void ElementOutlines::paint(QPainter& painter, const BoardView& view) {
+    if (m_hovered.runs.isEmpty() && m_selected.empty()) {
+        return;
+    }
+    KeptPicture<Looks>& picture = m_pictures[rowOf(view)];
+    const Looks looks = looksOf(view);
+    if (!picture.show(painter, looks)) {
+        const OutlineStrokes strokes = strokesOver(view);
+        picture.paint(painter, looks, strokes.box(2.0 * kWidth), [&](QPainter& own) { paintStrokes(own, strokes); });
+    }
+}
+
+void ElementOutlines::paintStrokes(QPainter& painter, const OutlineStrokes& strokes) {
     for (const Ink ink : {Near, Selected, Hovered}) {
         for (const auto& [colour, width] : {std::pair(kShadow, 2.0 * kWidth), std::pair(kInks[ink], kWidth)}) {
             painter.setPen(QPen(colour, width));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/common/kept_picture.h"
 #include "ui/views/board_views.h"
 #include "ui/views/outline_strokes.h"
 #include "ui/workspace/workspace.h"
@@ -43,17 +44,34 @@ public:
     [[nodiscard]] OutlineStrokes strokesOver(const BoardView& view) const;
 
 private:
+    /// What is painted over a view.
+    struct Looks {
+        std::uint64_t change = 0;  ///< of what is outlined
+        glm::mat4 clipFromBoard{1.0F};
+        QSizeF viewport;
+        std::vector<render::ZRange> heights;
+        std::vector<bool> visibility;  ///< of layers
+        std::optional<render::SectionPlane> cut;
+        bool operator==(const Looks&) const = default;
+    };
+
     void watch(BoardView& view, std::optional<QPointF>& pointer);
     void updateHovered();
     void updateSelected();
     [[nodiscard]] Outline outlineOf(const model::BoardElement& at, std::size_t& pointsToUnite) const;
-    void paint(QPainter& painter, const BoardView& view) const;
+    [[nodiscard]] std::size_t rowOf(const BoardView& view) const { return &view == m_views.both()[0] ? 0 : 1; }
+    [[nodiscard]] Looks looksOf(const BoardView& view) const;
+    void paint(QPainter& painter, const BoardView& view);
+    static void paintStrokes(QPainter& painter, const OutlineStrokes& strokes);
 
     BoardViews& m_views;
     SelectionModel& m_selection;
     Outline m_hovered;
     std::vector<Outline> m_selected;
     std::array<std::optional<QPointF>, 2> m_pointers;  ///< over each of the views
+    std::uint64_t m_change = 0;
+    std::array<KeptPicture<Looks>, 2> m_pictures{KeptPicture<Looks>(Keep::WhenRepeated),
+                                                 KeptPicture<Looks>(Keep::WhenRepeated)};  ///< of each of the views
 };
 
 }  // namespace ui

@@ -181,6 +181,14 @@ void OutlineStrokes::thin() {
     m_lines.erase(std::ranges::find_if(m_lines, isTooMuch), m_lines.end());
 }
 
+QRect OutlineStrokes::box(double width) const {
+    QRectF box;
+    for (const Line& line : m_lines) {
+        box |= line.points.boundingRect().adjusted(-width, -width, width, width);  // joins may be as long
+    }
+    return (box & QRectF({0.0, 0.0}, m_sight.viewport)).toAlignedRect();
+}
+
 std::size_t OutlineStrokes::segmentCount() const {
     std::size_t segments = 0;
     for (const Line& line : m_lines) {

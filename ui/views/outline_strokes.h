@@ -2,6 +2,7 @@
 
 #include <QPointF>
 #include <QPolygonF>
+#include <QRect>
 #include <QSizeF>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -95,6 +96,8 @@ public:
     };
     [[nodiscard]] const std::vector<Line>& lines() const { return m_lines; }
     [[nodiscard]] std::size_t segmentCount() const;
+    /// Of the canvas, what pens of this width paint.
+    [[nodiscard]] QRect box(double width) const;
     /// How many points and boxes were looked at: what the work is proportional to.
     [[nodiscard]] std::size_t visited() const { return m_visited; }
 

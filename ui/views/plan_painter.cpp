@@ -11,7 +11,7 @@ namespace ui {
 
 namespace {
 
-constexpr double kRulerPixels = 18.0;
+constexpr int kRulerPixels = 18;
 constexpr double kTickPixels = 64.0;   // between numbers of the rulers
 constexpr double kSmallestName = 8.0;  // pixels high; smaller ones cannot be read
 constexpr double kLargestName = 18.0;
@@ -27,26 +27,24 @@ constexpr QColor kAxisColour(190, 200, 215, 130);
 constexpr QColor kRulerGround(24, 26, 31, 240);
 constexpr QColor kRulerInk(190, 195, 205);
 
-/// A line of the grid as a picture, a pixel wide. Qt blends one at once, but a line in a translucent colour in threads
-/// that it wakes for each: that took a quarter of a frame.
-class GridLine {
-public:
-    explicit GridLine(QSize pixels) : m_plain(filled(pixels, kGridColour)), m_axis(filled(pixels, kAxisColour)) {}
-    /// Of the coordinate `at`; those through the origin stand out.
-    [[nodiscard]] const QImage& at(double at, double step) const {
-        return std::abs(at) < step / 2.0 ? m_axis : m_plain;
-    }
+constexpr int kGridRows = 64;  // of the picture of upright lines: as many as a processor keeps at hand
 
-private:
-    static QImage filled(QSize pixels, const QColor& colour) {
-        QImage line(pixels, QImage::Format_ARGB32_Premultiplied);
-        line.fill(colour);
-        return line;
-    }
+/// Lines of the grid are painted as pictures. Qt blends those at once and passes over where nothing is; a line in a
+/// translucent colour it blends in threads that it wakes for each, which took a quarter of a frame.
+QImage transparent(QSize size) {
+    QImage image(size, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    return image;
+}
 
-    QImage m_plain;
-    QImage m_axis;
-};
+QString number(double nm, LengthUnit unit) {
+    return QString::number(nm / nmPer(unit), 'g', 6);
+}
+
+/// Those through the origin stand out.
+QColor gridColour(double at, double step) {
+    return std::abs(at) < step / 2.0 ? kAxisColour : kGridColour;
+}
 
 /// The stretch of an element that a name can be written along, in nm.
 struct Stretch {
@@ -180,44 +178,72 @@ void PlanPainter::paint(QPainter& painter) const {
 void PlanPainter::paintGrid(QPainter& painter, double step) const {
     const model::Box box = shownBox();
     const QSize size = m_view.controller().viewport().toSize();
-    const GridLine upright({1, size.height()});
+    QImage upright = transparent({size.width(), kGridRows});
+    QPainter lines(&upright);
     for (double x = std::ceil(box.min.x / step) * step; x <= box.max.x; x += step) {
-        painter.drawImage(QPointF(std::floor(screenOf(x, box.min.y).x()), 0.0), upright.at(x, step));
+        lines.fillRect(QRectF(std::floor(screenOf(x, box.min.y).x()), 0.0, 1.0, kGridRows), gridColour(x, step));
     }
-    const GridLine level({size.width(), 1});
+    lines.end();
+    for (int y = 0; y < size.height(); y += kGridRows) {
+        painter.drawImage(QPoint(0, y), upright, QRect(0, 0, size.width(), std::min(kGridRows, size.height() - y)));
+    }
+    QImage level = transparent({size.width(), 1});
     for (double y = std::ceil(box.min.y / step) * step; y <= box.max.y; y += step) {
-        painter.drawImage(QPointF(0.0, std::floor(screenOf(box.min.x, y).y())), level.at(y, step));
+        level.fill(gridColour(y, step));
+        painter.drawImage(QPointF(0.0, std::floor(screenOf(box.min.x, y).y())), level);
     }
 }
 
 void PlanPainter::paintRulers(QPainter& painter, double step) const {
-    const model::Box box = shownBox();
-    const QSizeF size = m_view.controller().viewport();
     QFont font = painter.font();
     font.setPixelSize(10);
     painter.setFont(font);
     painter.setRenderHint(QPainter::Antialiasing, false);  // ticks are sharp
-    painter.fillRect(QRectF(0, 0, size.width(), kRulerPixels), kRulerGround);
-    painter.fillRect(QRectF(0, kRulerPixels, kRulerPixels, size.height()), kRulerGround);
-    painter.setPen(kRulerInk);
-    const auto number = [&](double nm) { return QString::number(nm / nmPer(m_workspace.unit()), 'g', 6); };
-    for (double x = std::ceil(box.min.x / step) * step; x <= box.max.x; x += step) {
-        const double at = screenOf(x, box.min.y).x();
-        painter.drawLine(QPointF(at, kRulerPixels - 5), QPointF(at, kRulerPixels));
-        painter.drawText(QPointF(at + 3, kRulerPixels - 6), number(x));
+    const model::Box box = shownBox();
+    const QSize size = m_view.controller().viewport().toSize();
+    const RulerKey key{box, screenOf(box.min.x, box.min.y), step, m_workspace.unit(), size, font};
+    if (!m_upperRuler.show(painter, key)) {
+        m_upperRuler.paint(painter, key, QRect(0, 0, size.width(), kRulerPixels),
+                           [&](QPainter& own) { paintUpperRuler(own, key); });
     }
-    for (double y = std::ceil(box.min.y / step) * step; y <= box.max.y; y += step) {
-        const double at = screenOf(box.min.x, y).y();
+    if (!m_leftRuler.show(painter, key)) {
+        m_leftRuler.paint(painter, key, QRect(0, kRulerPixels, kRulerPixels, size.height() - kRulerPixels),
+                          [&](QPainter& own) { paintLeftRuler(own, key); });
+    }
+}
+
+/// With the unit in the corner.
+void PlanPainter::paintUpperRuler(QPainter& painter, const RulerKey& key) const {
+    painter.fillRect(QRect(0, 0, key.size.width(), kRulerPixels), kRulerGround);
+    painter.setPen(kRulerInk);
+    for (double x = std::ceil(key.box.min.x / key.step) * key.step; x <= key.box.max.x; x += key.step) {
+        const double at = screenOf(x, key.box.min.y).x();
+        if (at < kRulerPixels) {
+            continue;
+        }
+        painter.drawLine(QPointF(at, kRulerPixels - 5), QPointF(at, kRulerPixels));
+        painter.drawText(QPointF(at + 3, kRulerPixels - 6), number(x, key.unit));
+    }
+    painter.drawText(QRect(0, 0, kRulerPixels, kRulerPixels), Qt::AlignCenter, QLatin1String(unitName(key.unit)));
+}
+
+/// Below the upper one.
+void PlanPainter::paintLeftRuler(QPainter& painter, const RulerKey& key) const {
+    const QRect all(0, kRulerPixels, kRulerPixels, key.size.height() - kRulerPixels);
+    painter.save();
+    painter.setClipRect(all);
+    painter.fillRect(all, kRulerGround);
+    painter.setPen(kRulerInk);
+    for (double y = std::ceil(key.box.min.y / key.step) * key.step; y <= key.box.max.y; y += key.step) {
+        const double at = screenOf(key.box.min.x, y).y();
         painter.drawLine(QPointF(kRulerPixels - 5, at), QPointF(kRulerPixels, at));
         painter.save();
         painter.translate(kRulerPixels - 6, at - 3);
         painter.rotate(-90);
-        painter.drawText(QPointF(0, 0), number(y));
+        painter.drawText(QPointF(0, 0), number(y, key.unit));
         painter.restore();
     }
-    painter.fillRect(QRectF(0, 0, kRulerPixels, kRulerPixels), kRulerGround);
-    painter.drawText(QRectF(0, 0, kRulerPixels, kRulerPixels), Qt::AlignCenter,
-                     QLatin1String(unitName(m_workspace.unit())));
+    painter.restore();
 }
 
 model::LayerId PlanPainter::namedLayer() const {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QFont>
 #include <QStringList>
 #include <memory>
 
 #include "model/index/board_index.h"
+#include "ui/common/kept_picture.h"
 #include "ui/nets/net_styles.h"
 #include "ui/views/board_position.h"
 #include "ui/views/board_view.h"
@@ -41,10 +43,23 @@ public:
     [[nodiscard]] std::vector<Label> labels() const;
 
 private:
+    /// What rulers look like.
+    struct RulerKey {
+        model::Box box;
+        QPointF corner;  ///< where its least coordinates are seen
+        double step = 0.0;
+        LengthUnit unit = LengthUnit::Millimetre;
+        QSize size;
+        QFont font;
+        bool operator==(const RulerKey&) const = default;
+    };
+
     void setBoard(const LoadedBoard& board);
     void paint(QPainter& painter) const;
     void paintGrid(QPainter& painter, double step) const;
     void paintRulers(QPainter& painter, double step) const;
+    void paintUpperRuler(QPainter& painter, const RulerKey& key) const;
+    void paintLeftRuler(QPainter& painter, const RulerKey& key) const;
     void paintNames(QPainter& painter) const;
     [[nodiscard]] std::vector<model::ElementId> namedElements() const;
     [[nodiscard]] QStringList pinNames(model::ElementId element) const;
@@ -55,6 +70,8 @@ private:
     Workspace& m_workspace;
     const NetStyles& m_styles;
     std::shared_ptr<const model::BoardIndex> m_index;
+    mutable KeptPicture<RulerKey> m_upperRuler{Keep::AtOnce};  // letters take their time
+    mutable KeptPicture<RulerKey> m_leftRuler{Keep::AtOnce};
     bool m_hasGrid = true;
     bool m_hasNames = true;
     bool m_hasPinNames = true;
