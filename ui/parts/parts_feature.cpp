@@ -1,5 +1,7 @@
 #include "ui/parts/parts_feature.h"
 
+#include <QDockWidget>
+
 #include "ui/common/table_text.h"
 
 namespace ui {
@@ -12,6 +14,8 @@ PartsFeature::PartsFeature(FeatureContext& context)
       m_pinsPanel(new PinsPanel(m_pins, context.parts, context.workspace.selection())) {
     context.addPanel({ActionId::ShowPartsDock, "parts", tr("Parts"), Qt::BottomDockWidgetArea}, *m_partsPanel);
     context.addPanel({ActionId::ShowPinsDock, "pins", tr("Pins"), Qt::LeftDockWidgetArea}, *m_pinsPanel);
+    connect(qobject_cast<QDockWidget*>(m_pinsPanel->parentWidget()), &QDockWidget::visibilityChanged, m_pinsPanel,
+            &PinsPanel::setSeen);
     connectFollowing(context);
     connectExports(context);
     connect(&context.workspace, &Workspace::boardOpened, this, [this](const LoadedBoard& board) {

@@ -34,8 +34,8 @@ PinsPanel::PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& select
     layOut();
     connect(m_table, &LinkedTable::rowsSelected, this, &PinsPanel::takeRows);
     connect(m_table, &QTableView::activated, this, [this] { m_parts.showSelected(); });
-    connect(&parts, &PartPicking::changed, this, &PinsPanel::followParts);
-    connect(&selection, &SelectionModel::netsChanged, this, &PinsPanel::followNets);
+    connect(&parts, &PartPicking::changed, this, [this] { follow(Due::Parts); });
+    connect(&selection, &SelectionModel::netsChanged, this, [this] { follow(Due::Nets); });
 }
 
 void PinsPanel::layOut() {
@@ -63,13 +63,28 @@ void PinsPanel::layOut() {
 void PinsPanel::setBoard(std::shared_ptr<const model::BoardIndex> board) {
     m_model.setBoard(std::move(board));
     m_table->setColumnHidden(PinModel::Step, !m_model.hasSeveralSteps());
-    listAllPins();
+    follow(Due::Parts);
 }
 
-void PinsPanel::followParts() {
+void PinsPanel::follow(Due what) {
     if (m_isTaking) {
         return;
     }
+    m_due = what;
+    if (m_isSeen) {
+        what == Due::Parts ? followParts() : followNets();
+    }
+}
+
+void PinsPanel::setSeen(bool isSeen) {
+    m_isSeen = isSeen;
+    if (isSeen && m_due != Due::Nothing) {
+        follow(m_due);
+    }
+}
+
+void PinsPanel::followParts() {
+    m_due = Due::Nothing;
     const auto current = m_selection.current();
     const auto net = current ? m_selection.netOf(*current) : std::nullopt;
     if (!m_parts.parts().empty()) {
@@ -85,9 +100,7 @@ void PinsPanel::followParts() {
 }
 
 void PinsPanel::followNets() {
-    if (m_isTaking) {
-        return;
-    }
+    m_due = Due::Nothing;
     if (m_selection.nets().empty()) {
         followParts();
         return;

@@ -23,12 +23,19 @@ public:
     void setBoard(std::shared_ptr<const model::BoardIndex> board);
     /// Whether choosing a row also shows the pin in the views.
     void setShowsChosen(bool isOn) { m_showsChosen = isOn; }
+    /// While it is not seen, behind another panel for one, the list stays as it is: listing thousands of pins takes
+    /// part of a frame.
+    void setSeen(bool isSeen);
     [[nodiscard]] LinkedTable& table() { return *m_table; }
 
 signals:
     void exportRequested();
 
 private:
+    /// What the list follows once it is seen.
+    enum class Due { Nothing, Parts, Nets };
+
+    void follow(Due what);
     void layOut();
     void followParts();
     void followNets();
@@ -44,6 +51,8 @@ private:
     SelectionModel& m_selection;
     LinkedTable* m_table;
     QLabel* m_whose;
+    Due m_due = Due::Nothing;
+    bool m_isSeen = true;
     bool m_isTaking = false;  ///< what is selected or highlighted becomes the rows
     bool m_showsChosen = false;
 };
