@@ -86,6 +86,7 @@ base::Status OffscreenPresenter::begin(BoardScene& scene, const Camera& camera, 
                                        std::uint32_t width, std::uint32_t height) {
     RETURN_IF_ERROR(checkSize(width, height, m_device->caps()));
     try {
+    RETURN_IF_ERROR(scene.load());
         return submit(scene, camera, settings, {width, height}) ? base::Status(base::Done{}) : lostDevice();
     } catch (const gpu::OutOfMemory& shortage) {
         m_device->waitIdle();  // what was begun is freed

@@ -208,7 +208,6 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
 
 Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour,
                               BoardScene& scene, const Camera& camera, const ViewSettings& settings) {
-    scene.impl().loadIfDue();
     scene.impl().sendStates(frame);
     FramePlan plan = planFrame(scene.impl().layers, camera, settings, extent.width, extent.height);
     const bool isStandard = scene.impl().steps.front().standard.has_value();

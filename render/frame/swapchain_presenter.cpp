@@ -51,6 +51,11 @@ bool SwapchainPresenter::tryToDraw(BoardScene* scene, const Camera& camera, cons
 }
 
 bool SwapchainPresenter::draw(BoardScene* scene, const Camera& camera, const ViewSettings& settings) {
+    if (const base::Status loaded = scene != nullptr ? scene->load() : base::Done{}; !loaded) {
+        spdlog::error("{}", loaded.error().text);
+        m_device->markLost();
+        return false;
+    }
     try {
         return tryToDraw(scene, camera, settings);
     } catch (const gpu::OutOfMemory& shortage) {

@@ -17,10 +17,6 @@ namespace {
 using gpu::Buffer;
 using gpu::MemoryUse;
 
-/// Bytes of lists of what is seen.
-constexpr std::uint64_t kManyLists = 128ULL << 20U;
-constexpr std::uint64_t kFewLists = 4ULL << 20U;
-
 /// The smallest circle around the box of what a piece draws.
 shader::ShapeBound boundOf(const BoardModel& model, const AreaShape& piece) {
     Box2 box;
@@ -357,13 +353,6 @@ void BoardScene::Impl::load(const BoardModel& model, std::uint64_t mostListBytes
     }
 }
 
-void BoardScene::Impl::loadIfDue() {
-    if (unloaded != nullptr) {
-        load(*unloaded, kFewLists);
-        unloaded.reset();
-    }
-}
-
 BoardScene::BoardScene(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 BoardScene::BoardScene(gpu::Device& device, const BoardModel& model, std::uint64_t mostListBytes)
     : m_impl(std::make_unique<Impl>(device, model)) {
@@ -376,6 +365,9 @@ BoardScene::BoardScene(BoardScene&&) noexcept = default;
 BoardScene& BoardScene::operator=(BoardScene&&) noexcept = default;
 
 namespace {
+
+constexpr std::uint64_t kManyLists = 128ULL << 20U;
+constexpr std::uint64_t kFewLists = 4ULL << 20U;
 
 /// Calls `load`, with what it throws and a lost device as errors.
 template <class Load>

@@ -26,7 +26,8 @@ public:
     /// DeviceFailed, saying what there was no room for, or that the device was lost on the way.
     [[nodiscard]] static base::Result<BoardScene> make(gpu::Device& device, const BoardModel& model);
     [[nodiscard]] static base::Result<BoardScene> make(gpu::Device& device, const StandardModel& model);
-    /// One that says how the board looks, and is on the device once it is loaded, or with the first frame of it.
+    /// One that says how the board looks, and is on the device once it is loaded: by presenters before they draw it, if
+    /// nobody did before.
     [[nodiscard]] static BoardScene makeUnloaded(gpu::Device& device, std::shared_ptr<const BoardModel> model);
     /// Does nothing where that was done. Errors: those of `make`; the scene stays as it is.
     [[nodiscard]] base::Status load();

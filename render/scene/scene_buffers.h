@@ -115,8 +115,6 @@ struct BoardScene::Impl {
     Impl(gpu::Device& owner, const StandardModel& model);
     /// All or nothing. Throws gpu::OutOfMemory.
     void load(const BoardModel& model, std::uint64_t mostListBytes);
-    /// Before a frame. Throws gpu::OutOfMemory.
-    void loadIfDue();
     /// States of elements that have changed, before what `frame` draws.
     void sendStates(gpu::Frame& frame);
     /// A frame that had them was not submitted: all go with the next one.

@@ -100,7 +100,7 @@ private slots:
             QCOMPARE(device.memoryReport().total(), atRest);
         }
         qInfo() << n - 2 << "allocations," << failures << "errors," << rescues << "pictures with less";
-        QVERIFY(isLasting || when == Loaded::WithTheFrame ? failures > 10 : failures > 1 && rescues > 8);
+        QVERIFY(isLasting ? failures > 10 : failures > 1 && rescues > 8);
         const base::Result<Image> again = loadAndDraw(device, board, when);
         QVERIFY(again);
         QCOMPARE(differingPixels(*again, *expected, 0), std::size_t{0});

@@ -308,12 +308,10 @@ void BoardViews::onDeviceLost() {
         emit troubled(tr("The graphics device keeps failing. Please start Copperscope again."));
         return;
     }
-    m_load.stop();
+    dropScene();
     for (BoardView* view : m_views) {
-        view->setScene(nullptr, {});
         view->releaseDevice();
     }
-    m_scene.reset();
     emit deviceGoes();
     if (const base::Status renewed = m_context.renewDevice(); !renewed) {
         emit troubled(tr("The graphics device failed. %1").arg(QString::fromStdString(renewed.error().text)));
