@@ -21,8 +21,6 @@ constexpr double kExactPx = 0.002;
 /// While a view moves, its picture may lie this far beside it.
 constexpr double kMovingPx = 0.51;
 constexpr std::size_t kMostTilings = 32;
-/// Where other colours take most of the time of a frame, this is left for what is to be drawn.
-constexpr double kLeastMs = 1.0;
 
 constexpr glm::vec3 kSilhouette(0.0015F);  // as in highlight_pass.cpp
 
@@ -533,8 +531,7 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
     // A hand that zooms goes on to the next scale: tiles of this one would be drawn for nothing.
     const bool isPassing = budgetMs > 0.0 && !m_isResting && m_window->tiling.id != m_settled && isLastUsable();
     m_isResting = false;
-    const bool isRepainted = m_last.look != m_look && budgetMs > 0.0;
-    const Budget budget(isRepainted ? std::max(budgetMs - m_repaintMs, kLeastMs) : budgetMs);
+    const Budget budget(budgetMs);
     m_isBare = false;
     const bool isWhole = isPassing ? isFilled(*m_window) : fill(*m_window, budget);
     m_isOverShown = isWhole && fillOver(*m_window, budget, false);
@@ -542,9 +539,7 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
     const bool isNew = budgetMs > 0.0 && std::exchange(m_edgedLook, m_overLook) != m_overLook && !m_standing.empty();
     const bool isOutlined = m_isOverShown && !isNew && fillOver(*m_window, budget, true);
     if (isWhole) {
-        const base::Stopwatch watch;
         paintWhole();
-        m_repaintMs = isRepainted ? watch.milliseconds() : m_repaintMs;
     } else {
         paintRough(budget);
     }

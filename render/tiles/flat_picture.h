@@ -49,8 +49,8 @@ public:
     [[nodiscard]] Quality draw(const FlatRequest& request, double budgetMs);
     /// The last frame, width * height of 0xffRRGGBB, rows from the top; until the next `draw`.
     [[nodiscard]] std::span<const std::uint32_t> pixels() const { return m_isLastShown ? m_last.pixels : m_rough; }
-    /// Some of it may be background only because nothing of the board is drawn there yet, not even coarsely.
-    [[nodiscard]] bool isPartial() const { return m_window && !m_isLastShown && !isOverviewThere(); }
+    /// Where its tiles are missing there was nothing to stretch: that is background.
+    [[nodiscard]] bool isPartial() const { return m_isBare; }
     /// Goes on with the last frame for about `budgetMs`. True: another `draw` would show more than the last one did.
     [[nodiscard]] bool refine(double budgetMs);
     /// After a frame that was exact: for about `budgetMs` what the next ones may need, tiles around what is seen and
@@ -172,7 +172,6 @@ private:
     Sheet m_last;                    ///< the last frame that its tiles drew
     std::vector<std::uint32_t> m_rough;
     bool m_isLastShown = false;
-    double m_repaintMs = 0.0;  ///< how long all pixels in other colours took last
     Sheet m_overview;
 };
 
