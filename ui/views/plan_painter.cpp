@@ -29,8 +29,6 @@ constexpr QColor kRulerInk(190, 195, 205);
 
 constexpr int kGridRows = 64;  // of the picture of upright lines: as many as a processor keeps at hand
 
-/// Lines of the grid are painted as pictures. Qt blends those at once and passes over where nothing is; a line in a
-/// translucent colour it blends in threads that it wakes for each, which took a quarter of a frame.
 QImage transparent(QSize size) {
     QImage image(size, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
@@ -175,6 +173,8 @@ void PlanPainter::paint(QPainter& painter) const {
     }
 }
 
+/// Lines are painted as pictures. Qt blends those at once and passes over where nothing is; a line in a translucent
+/// colour it blends in threads that it wakes for each, which took a quarter of a frame.
 void PlanPainter::paintGrid(QPainter& painter, double step) const {
     const model::Box box = shownBox();
     const QSize size = m_view.controller().viewport().toSize();
@@ -218,13 +218,12 @@ void PlanPainter::paintUpperRuler(QPainter& painter, const RulerKey& key) const 
     painter.setPen(kRulerInk);
     for (double x = std::ceil(key.box.min.x / key.step) * key.step; x <= key.box.max.x; x += key.step) {
         const double at = screenOf(x, key.box.min.y).x();
-        if (at < kRulerPixels) {
-            continue;
-        }
         painter.drawLine(QPointF(at, kRulerPixels - 5), QPointF(at, kRulerPixels));
         painter.drawText(QPointF(at + 3, kRulerPixels - 6), number(x, key.unit));
     }
-    painter.drawText(QRect(0, 0, kRulerPixels, kRulerPixels), Qt::AlignCenter, QLatin1String(unitName(key.unit)));
+    const QRect corner(0, 0, kRulerPixels, kRulerPixels);
+    painter.fillRect(corner, kRulerGround);
+    painter.drawText(corner, Qt::AlignCenter, QLatin1String(unitName(key.unit)));
 }
 
 /// Below the upper one.
