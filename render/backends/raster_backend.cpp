@@ -61,7 +61,7 @@ private:
     void clear(const Recording& recording) {
         const std::uint64_t bytes = rasterBytes(recording.plan);
         if (m_pixels.size() < bytes) {
-            m_pixels = gpu::Buffer(*m_device, {"raster", bytes, gpu::MemoryUse::Targets, false});
+            m_pixels = gpu::Buffer(*m_device, {"raster", bytes, gpu::MemoryUse::Targets});
         }
         vkCmdFillBuffer(recording.commands(), m_pixels.handle(), 0, bytes, 0);
         gpu::memoryBarrier(recording.commands(), gpu::kCopyWrite, gpu::kCompute);

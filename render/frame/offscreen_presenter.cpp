@@ -50,7 +50,7 @@ void OffscreenPresenter::copyPicture(VkCommandBuffer commands) {
     const VkExtent2D extent = m_target.extent();
     const std::uint64_t bytes = std::uint64_t{extent.width} * extent.height * kBytesPerPixel;
     if (m_readback.size() < bytes) {
-        m_readback = gpu::Buffer(*m_device, {"readback", bytes, gpu::MemoryUse::Staging, true});
+        m_readback = gpu::Buffer(*m_device, {"readback", bytes, gpu::MemoryUse::Staging, gpu::HostAccess::Reads});
     }
     VkBufferImageCopy region{};
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};

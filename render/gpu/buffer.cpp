@@ -26,9 +26,9 @@ Unique<VkBuffer> createBuffer(Device& device, const BufferOptions& options) {
 MemoryOptions memoryFor(Device& device, VkBuffer buffer, const BufferOptions& options) {
     MemoryOptions memory;
     vkGetBufferMemoryRequirements(device.handle(), buffer, &memory.requirements);
-    memory.required = options.isHostVisible ? kMappable : 0;
-    // Cached: images are read back from host-visible buffers.
-    memory.wanted = options.isHostVisible ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+    memory.required = options.host != HostAccess::None ? kMappable : 0;
+    memory.wanted =
+        options.host == HostAccess::Reads ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
     memory.use = options.use;
     memory.hasAddress = true;
     memory.label = options.label;
@@ -44,7 +44,7 @@ Buffer::Buffer(Device& device, const BufferOptions& options)
     auto info = vkInfo<VkBufferDeviceAddressInfo>(VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO);
     info.buffer = handle();
     m_address = vkGetBufferDeviceAddress(device.handle(), &info);
-    if (options.isHostVisible) {
+    if (options.host != HostAccess::None) {
         void* mapped = nullptr;
         VK_CHECK(vkMapMemory(device.handle(), m_memory.get(), 0, VK_WHOLE_SIZE, 0, &mapped));
         m_mapped = static_cast<std::byte*>(mapped);

@@ -7,11 +7,18 @@
 
 namespace render::gpu {
 
+/// What the program does with a buffer, which is mapped for good then.
+enum class HostAccess : std::uint8_t {
+    None,
+    Writes,  ///< it lies in the device's own memory where the program reaches that, so that the device reads it fast
+    Reads    ///< it lies where the program reads it fast
+};
+
 struct BufferOptions {
     std::string_view label;
     std::uint64_t size = 0;  ///< bytes; 0 makes a small buffer, so that an empty board needs no special case
     MemoryUse use = MemoryUse::Geometry;
-    bool isHostVisible = false;  ///< mapped for good; else only the device reaches it
+    HostAccess host = HostAccess::None;
 };
 
 /// A buffer that may serve as anything: storage by address, vertex indices, indirect commands, copies.
@@ -23,7 +30,7 @@ public:
     [[nodiscard]] VkBuffer handle() const { return m_handle.get(); }
     [[nodiscard]] VkDeviceAddress address() const { return m_address; }
     [[nodiscard]] std::uint64_t size() const { return m_size; }
-    /// The whole buffer; empty unless host visible.
+    /// The whole buffer; empty unless the program reaches it.
     [[nodiscard]] std::span<std::byte> mapped() const { return {m_mapped, m_mapped == nullptr ? 0 : m_size}; }
 
 private:

@@ -21,7 +21,7 @@ Frame::Slice Frame::allocate(std::uint64_t size) {
     if (m_used + rounded > m_memory.size()) {
         // What was handed out of the old buffer stays valid: DeferredDestroy keeps it until this frame is done.
         const std::uint64_t bigger = std::max({kFirstSize, 2 * m_memory.size(), rounded});
-        m_memory = Buffer(*m_device, {"frame memory", bigger, MemoryUse::Staging, true});
+        m_memory = Buffer(*m_device, {"frame memory", bigger, MemoryUse::Staging, HostAccess::Writes});
         m_used = 0;
     }
     const Slice slice{m_memory.mapped().subspan(m_used, size), m_memory.handle(), m_used, m_memory.address() + m_used};
@@ -143,7 +143,7 @@ bool download(Device& device, FrameRing& ring, VkBuffer from, std::span<std::byt
     if (to.empty()) {
         return !device.isLost();
     }
-    const Buffer host(device, {"readback", to.size(), MemoryUse::Staging, true});
+    const Buffer host(device, {"readback", to.size(), MemoryUse::Staging, HostAccess::Reads});
     Frame* frame = ring.begin();
     if (frame == nullptr) {
         return false;

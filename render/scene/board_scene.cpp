@@ -193,7 +193,7 @@ Buffer makeLists(gpu::Device& device, const std::vector<SceneStep>& steps, const
         all += steps[copy.step].listBytes();
         largest = std::max(largest, steps[copy.step].listBytes());
     }
-    return {device, {"draw lists", std::max(largest, std::min(all, most)), MemoryUse::Transient, false}};
+    return {device, {"draw lists", std::max(largest, std::min(all, most)), MemoryUse::Transient}};
 }
 
 /// The words of a list that differ.

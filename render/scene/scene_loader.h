@@ -16,7 +16,8 @@ public:
     template <class T>
     [[nodiscard]] gpu::Buffer load(std::string_view label, const std::vector<T>& column) {
         const auto bytes = std::as_bytes(std::span(column));
-        gpu::Buffer buffer(m_device, {label, bytes.size(), gpu::MemoryUse::Geometry, m_device.caps().isCpu});
+        gpu::Buffer buffer(m_device, {label, bytes.size(), gpu::MemoryUse::Geometry,
+                                      m_device.caps().isCpu ? gpu::HostAccess::Writes : gpu::HostAccess::None});
         if (buffer.mapped().empty()) {
             gpu::upload(m_ring, buffer, bytes);
         } else {

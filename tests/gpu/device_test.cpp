@@ -97,8 +97,8 @@ private slots:
         gpu::FrameRing ring(device, 2, "test");
         std::vector<std::uint32_t> values(9'000'000);  // 36 MB: three pieces, the last one partly filled
         std::iota(values.begin(), values.end(), 17U);
-        const gpu::Buffer there(device, {"there", values.size() * 4, gpu::MemoryUse::Geometry, false});
-        const gpu::Buffer back(device, {"back", values.size() * 4, gpu::MemoryUse::Staging, true});
+        const gpu::Buffer there(device, {"there", values.size() * 4, gpu::MemoryUse::Geometry});
+        const gpu::Buffer back(device, {"back", values.size() * 4, gpu::MemoryUse::Staging, gpu::HostAccess::Reads});
         QVERIFY(gpu::upload(ring, there, std::as_bytes(std::span(values))));
         gpu::Frame* frame = ring.begin();
         QVERIFY(frame != nullptr);
@@ -136,7 +136,7 @@ private slots:
         device.waitIdle();
         const std::uint64_t before = device.memoryReport().of(gpu::MemoryUse::Transient);
         {
-            const gpu::Buffer buffer(device, {"short-lived", 1 << 20, gpu::MemoryUse::Transient, false});
+            const gpu::Buffer buffer(device, {"short-lived", 1 << 20, gpu::MemoryUse::Transient});
             QVERIFY(device.memoryReport().of(gpu::MemoryUse::Transient) >= before + (1 << 20));
         }
         QVERIFY(device.memoryReport().of(gpu::MemoryUse::Transient) > before);  // a frame being recorded may use it

@@ -122,8 +122,10 @@ private slots:
         const render::gpu::Pipeline pipeline(*m_device,
                                              render::gpu::ComputePipelineOptions{"test", code, sizeof(Push)});
         const auto use = render::gpu::MemoryUse::Transient;
-        const render::gpu::Buffer in(*m_device, {"questions", sizeof(questions[0]) * questions.size(), use, true});
-        const render::gpu::Buffer out(*m_device, {"answers", sizeof(Answer) * questions.size(), use, true});
+        const render::gpu::Buffer in(
+            *m_device, {"questions", sizeof(questions[0]) * questions.size(), use, render::gpu::HostAccess::Writes});
+        const render::gpu::Buffer out(
+            *m_device, {"answers", sizeof(Answer) * questions.size(), use, render::gpu::HostAccess::Reads});
         std::memcpy(in.mapped().data(), questions.data(), in.mapped().size());
         render::gpu::FrameRing ring(*m_device, 1, "test");
         const VkCommandBuffer commands = ring.begin()->commands();
