@@ -1,23 +1,27 @@
 #!/usr/bin/env bash
-# One call for a machine with a graphics card, under ten minutes: scripts/gpu-check.sh [--quick] [BOARD]...
+# One call for a machine with a graphics card, under ten minutes: scripts/gpu-check.sh [--quick] [--built] [BOARD]...
 # Builds without the workbench, runs the tests labelled `gpu` on the card with the validation layer, measures all back ends on generated
 # boards (t3, t7, t9, 4 × t9) and on BOARD... (default: two of the bundled ones), and the triangulators, up to a million vertices; writes
 # all tables to docs/performance-gpu.md. What would not fit into the time is named there as not run. Where there is a software device only,
 # nothing of that is about a card, and build/card/performance-gpu.md is written instead, as with --quick, which takes t3 alone, to try the script.
+# --built: build/card was built on another machine and copied to the same path here; nothing is installed or built.
 set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 # shellcheck source-path=SCRIPTDIR
 . "$root/scripts/setup.sh"
 . "$root/scripts/build.sh"
 . "$root/scripts/testing.sh"
-. "$root/scripts/reliability.sh"
 
 readonly kSeconds=590  # from start to end
-quick=""
-if [ "${1:-}" = --quick ]; then
-    quick=yes
+quick="" built=""
+while true; do
+    case ${1:-} in
+        --quick) quick=yes ;;
+        --built) built=yes ;;
+        *) break ;;
+    esac
     shift
-fi
+done
 boards=("$@")
 [ ${#boards[@]} -gt 0 ] || boards=("$root"/resources/sample/*.tgz "$root"/tests/data/boards/opencellular_sync.tgz)
 for board in "${boards[@]}"; do
@@ -87,21 +91,23 @@ tables() {
         return
     fi
     table "Both pipelines" "$program" bench "$(generated t3 --like t3)" "$(generated t7 --like t7)" "${boards[@]}"
-    table "Both pipelines, t9" "$program" bench "$(generated t9 --like t9)" --only-culled --frames 5
-    table "The hybrid pipeline, 4 × t9" "$program" bench "$(generated t9x4 --like t9 --scale 4)" --pipeline hybrid --only-culled --frames 5
+    table "Both pipelines, t9" "$program" bench "$(generated t9 --like t9)" --only-culled --stages --frames 5
+    table "The hybrid pipeline, 4 × t9" "$program" bench "$(generated t9x4 --like t9 --scale 4)" --pipeline hybrid --only-culled --stages --frames 5
     table "Triangulators" "$program" bench --triangulation --triangulators parallel,gpu --huge "${boards[@]}"
 }
 
-setup_machine "${sections[@]}"
-build_preset_target card copperscope
-build_preset_target card gpu_tests
-use_test_surroundings "$root/build/card/surroundings"
+if [ -z "$built" ]; then
+    setup_machine "${sections[@]}"
+    build_preset_target card copperscope
+    build_preset_target card gpu_tests
+fi
+use_windowless_surroundings "$root/build/card/surroundings"
 program=$root/build/card/app/copperscope
 mkdir -p "$scratch"
 failed=()
 {
     # shellcheck disable=SC2016
-    printf '# Performance on a graphics card\n\nWritten by `scripts/gpu-check.sh`. %s\n' "$(measured_at card)"
+    printf '# Performance on a graphics card\n\nWritten by `scripts/gpu-check.sh` on %s: preset card, %s cores.\n' "$(date -u +%Y-%m-%d)" "$(nproc)"
     tests
     tables
 } >"$scratch/page.md"

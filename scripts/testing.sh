@@ -3,10 +3,15 @@
 
 # Display, device and settings of their own for everything that runs after this.
 use_test_surroundings() {
+    use_windowless_surroundings "$1"
+    start_display "$1"
+}
+
+# The same without a display.
+use_windowless_surroundings() {
     local scratch=$1
     mkdir -p "$scratch/config" "$scratch/data" "$scratch/runtime"
     use_utf8
-    start_display "$scratch"
     use_software_device
     # Settings written by the tests stay out of the user's own.
     export XDG_CONFIG_HOME=$scratch/config XDG_DATA_HOME=$scratch/data XDG_RUNTIME_DIR=$scratch/runtime
