@@ -58,7 +58,11 @@ public:
           m_levels(levelsOf(arguments.levels)),
           m_onlyCulled(arguments.onlyCulled),
           m_hasComponents(arguments.hasComponents),
-          m_frames(arguments.frames) {}
+          m_frames(arguments.frames) {
+        if (arguments.hasStages) {
+            m_presenter.timeStages();
+        }
+    }
 
     [[nodiscard]] bool hasComponents() const { return m_hasComponents; }
 
@@ -107,6 +111,7 @@ private:
         const render::Camera camera = cameraFor(frame, view);
         const render::ViewSettings settings = settingsFor(backend, m_levels, isCulled);
         std::vector<double> times;
+        std::map<std::string, std::vector<double>> stages;
         render::Image picture;
         for (int i = 0; i < kWarmUp + m_frames; ++i) {
             const base::Stopwatch watch;
@@ -114,6 +119,9 @@ private:
             const render::FrameStats stats = m_presenter.stats();
             if (i >= kWarmUp) {
                 times.push_back(stats.gpuMs > 0.0 ? stats.gpuMs : watch.milliseconds());
+                for (const auto& [name, ms] : m_presenter.stages()) {
+                    stages[name].push_back(ms);
+                }
             }
             picture = std::move(image);
         }
@@ -122,6 +130,9 @@ private:
         result.backend = nameOf(m_presenter.stats().backend);
         result.isCulled = isCulled;
         result.ms = medianOf(times);
+        for (const auto& [name, ms] : stages) {
+            result.stageMs[name] = medianOf(ms);
+        }
         const Backend drew = m_presenter.stats().backend;
         result.triangles = trianglesOf(scene, camera, settings, drew);
         result.isAuto = drew == autoBackend(scene, camera, view);

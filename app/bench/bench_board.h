@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct FrameResult {
     bool isAuto = false;   ///< the one that `--backend auto` takes
     bool isCulled = true;  ///< frustum culling and level of detail
     double ms = 0.0;
+    std::map<std::string, double> stageMs;  ///< medians by stage, where they were timed
     std::uint64_t triangles = 0;
     double greyMse = -1.0;  ///< against the standard pipeline's picture; -1 if that was not drawn
 };

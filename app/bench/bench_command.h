@@ -16,6 +16,7 @@ struct BenchArguments {
     bool onlyCulled = false;        ///< leaves out frames without culling and level of detail
     bool hasComponents = false;     ///< with the bodies of the components
     int frames = 7;                 ///< per median
+    bool hasStages = false;         ///< times the stages of frames too
     bool asJson = false;
 };
 

@@ -34,6 +34,9 @@ ordered_json framesJson(const std::vector<FrameResult>& frames) {
         if (frame.greyMse >= 0.0) {
             entry["grey_mse"] = frame.greyMse;
         }
+        if (!frame.stageMs.empty()) {
+            entry["stages_ms"] = frame.stageMs;
+        }
     }
     return json;
 }
@@ -106,6 +109,15 @@ std::string modellingTable(const BenchReport& report) {
     return text;
 }
 
+/// Nothing where none were timed.
+std::string stagesLine(const FrameResult& frame) {
+    std::string text;
+    for (const auto& [name, ms] : frame.stageMs) {
+        text += model::formatted("%s%s %.3f", text.empty() ? "    " : ", ", name.c_str(), ms);
+    }
+    return text.empty() ? text : text + "\n";
+}
+
 std::string frameTable(const BenchReport& report) {
     std::string text = "\nFrames of 1920x1080, median ms (Table 5); * is what auto takes\n";
     text += model::formatted("%-32s %-6s %-10s %-8s %10s %12s %10s\n", "board", "view", "back end", "culling", "ms",
@@ -117,6 +129,7 @@ std::string frameTable(const BenchReport& report) {
                                          (f.backend + (f.isAuto ? " *" : "")).c_str(), f.isCulled ? "yes" : "no", f.ms,
                                          static_cast<unsigned long long>(f.triangles));
                 text += f.greyMse >= 0.0 ? model::formatted(" %10.6f\n", f.greyMse) : "\n";
+                text += stagesLine(f);
             }
         }
     }

@@ -130,6 +130,7 @@ Run measureRun(const Set& set, Triangulator triangulator, int threads, const Opt
     if (triangulator == Triangulator::Gpu) {
         const gpu::Tally& tally = options.device->tally();
         run.deviceMs = tally.deviceMs;
+        run.steps = tally.steps;
         run.onDevice = tally.onDevice;
         run.flagged = tally.flagged;
         run.bytesPerVertex = static_cast<double>(tally.deviceBytes) / static_cast<double>(set.vertexCount());
@@ -174,18 +175,18 @@ bool isAllEqual(const std::vector<SetReport>& reports) {
 
 std::string toTable(const std::vector<SetReport>& reports) {
     std::string table =
-        "set          polygons  vertices triangles  triangulator threads        ms    cpu ms  Mv/s  x CGAL "
+        "set          polygons  vertices triangles  triangulator threads        ms    cpu ms    gpu ms  Mv/s  x CGAL "
         "B/vertex  verified  hash\n";
     for (const SetReport& report : reports) {
         const auto cgal = std::ranges::find_if(
             report.runs, [](const Run& r) { return r.triangulator == Triangulator::Cgal && r.threads == 1; });
         for (const Run& run : report.runs) {
-            table += model::formatted("%-12s %8zu %9zu %9zu  %-12s %7d %9.2f %9.2f %5.2f %7.2f %8.0f  %-8s  %016llx\n",
-                                      report.name.c_str(), report.polygons, report.vertices, report.triangles,
-                                      std::string(nameOf(run.triangulator)).c_str(), run.threads, run.ms, run.cpuMs,
-                                      1e-6 * verticesPerSecond(report, run),
-                                      cgal == report.runs.end() ? 0.0 : cgal->ms / run.ms, run.bytesPerVertex,
-                                      run.isVerified ? "yes" : "NO", static_cast<unsigned long long>(run.hash));
+            table += model::formatted(
+                "%-12s %8zu %9zu %9zu  %-12s %7d %9.2f %9.2f %9.2f %5.2f %7.2f %8.0f  %-8s  %016llx\n",
+                report.name.c_str(), report.polygons, report.vertices, report.triangles,
+                std::string(nameOf(run.triangulator)).c_str(), run.threads, run.ms, run.cpuMs, run.deviceMs,
+                1e-6 * verticesPerSecond(report, run), cgal == report.runs.end() ? 0.0 : cgal->ms / run.ms,
+                run.bytesPerVertex, run.isVerified ? "yes" : "NO", static_cast<unsigned long long>(run.hash));
         }
     }
     return table;
@@ -205,7 +206,10 @@ std::string toJson(const std::vector<SetReport>& reports, const std::string& dev
                                   {"hash", model::formatted("%016llx", static_cast<unsigned long long>(run.hash))},
                                   {"verified", run.isVerified}};
             if (run.triangulator == Triangulator::Gpu) {
-                row.update({{"device_ms", run.deviceMs}, {"on_device", run.onDevice}, {"flagged", run.flagged}});
+                row.update({{"device_ms", run.deviceMs},
+                            {"steps", run.steps},
+                            {"on_device", run.onDevice},
+                            {"flagged", run.flagged}});
             }
             runs.push_back(std::move(row));
         }

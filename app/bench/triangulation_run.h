@@ -21,6 +21,7 @@ struct Run {
     double bytesPerVertex = 0.0;
     std::uint64_t hash = 0;    ///< of all triangle sets
     bool isVerified = false;   ///< verify() found no fault in any of them
+    std::uint32_t steps = 0;   ///< Gpu: of growing the forest
     std::size_t onDevice = 0;  ///< Gpu: polygons that needed no help
     std::size_t flagged = 0;   ///< Gpu: polygons that the CPU had to do
 };

@@ -21,6 +21,7 @@ public:
 
     void cull(std::span<const Recording> group) override {
         VkCommandBuffer commands = group.front().commands();
+        group.front().frame.beginStage("cull areas");
         // Draw lists are shared by all groups and frames: the one before must be done with them.
         gpu::memoryBarrier(commands, gpu::kAnything, gpu::kCopyWrite);
         for (const Recording& recording : group) {
@@ -36,11 +37,16 @@ public:
     }
 
     void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) override {
+        recording.frame.beginStage("areas");
         m_areas.draw(recording, batch, pass);
+        recording.frame.beginStage("lets");
         m_lets->draw(recording, batch, pass);
     }
 
-    void finishOpaque(std::span<const Recording> group) override { m_lets->finishOpaque(group); }
+    void finishOpaque(std::span<const Recording> group) override {
+        group.front().frame.beginStage("resolve");
+        m_lets->finishOpaque(group);
+    }
 
 private:
     AreaDrawer m_areas;

@@ -43,18 +43,23 @@ void PullBackend::reset(const Recording& recording) {
 }
 
 void PullBackend::cull(std::span<const Recording> recordings) {
+    gpu::Frame& frame = recordings.front().frame;
+    frame.beginStage("cull clusters");
     for (const Recording& recording : recordings) {
         recording.bind(m_cullClusters);
         const std::uint32_t groups =
             (recording.step.clusterCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
         vkCmdDispatch(recording.commands(), groups, 1, 1);
     }
+    frame.beginStage("cull lets");
     dispatchForClusters(m_cullLets, recordings);
-    gpu::memoryBarrier(recordings.front().commands(), gpu::kCompute, gpu::kAnyRead);
+    frame.beginStage("line up draws");
+    gpu::memoryBarrier(frame.commands(), gpu::kCompute, gpu::kAnyRead);
     for (const Recording& recording : recordings) {
         recording.bind(m_lineUpDraws);
         vkCmdDispatch(recording.commands(), 1, 1, 1);
     }
+    frame.beginStage("place lets");
     dispatchForClusters(m_placeLets, recordings);
 }
 

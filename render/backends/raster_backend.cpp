@@ -21,6 +21,7 @@ public:
 
     void cull(std::span<const Recording> recordings) override {
         PullBackend::cull(recordings);
+        recordings.front().frame.beginStage("rasterise");
         clear(recordings.front());
         m_copies = putCopies(recordings);
         m_rasterise.bind(recordings.front().commands());

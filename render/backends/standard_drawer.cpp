@@ -16,6 +16,7 @@ public:
     void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) override {
         const gpu::Pipeline& pipeline = m_pipelines[passRow(pass)];
         const StandardBuffers& buffers = *recording.step.standard;
+        recording.frame.beginStage("triangles");
         pipeline.bind(recording.commands());
         for (const std::uint32_t layer : recording.layers.batches[batch]) {
             const LayerRun run = buffers.partsOfLayer[layer];

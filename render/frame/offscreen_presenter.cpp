@@ -70,6 +70,7 @@ bool OffscreenPresenter::submit(BoardScene& scene, const Camera& camera, const V
     }
     m_stats.backend = m_renderer.record(*frame, m_target, extent, gpu::kColourFormat, &scene, camera, settings);
     m_stats.isOverlayAlone = m_renderer.drewOverlayAlone();
+    frame->beginStage("read back");
     copyPicture(frame->commands());
     const bool isSubmitted = m_ring.end();
     m_stats.cpuMs = watch.milliseconds();
@@ -85,8 +86,8 @@ FrameStats OffscreenPresenter::stats() const {
 base::Status OffscreenPresenter::begin(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
                                        std::uint32_t width, std::uint32_t height) {
     RETURN_IF_ERROR(checkSize(width, height, m_device->caps()));
-    try {
     RETURN_IF_ERROR(scene.load());
+    try {
         return submit(scene, camera, settings, {width, height}) ? base::Status(base::Done{}) : lostDevice();
     } catch (const gpu::OutOfMemory& shortage) {
         m_device->waitIdle();  // what was begun is freed

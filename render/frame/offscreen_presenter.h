@@ -26,6 +26,9 @@ public:
     void take(std::span<std::uint32_t> pixels) const;
     /// Of the frame that is done.
     [[nodiscard]] FrameStats stats() const;
+    /// As FrameRing::timeStages, and the stages of the frame that is done.
+    void timeStages() { m_ring.timeStages(); }
+    [[nodiscard]] std::span<const gpu::StageTime> stages() const { return m_ring.stages(); }
     /// As Renderer::makeReady.
     void makeReady(Backend backend, bool isSmoothed);
 

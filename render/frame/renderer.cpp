@@ -236,6 +236,7 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
         over.data.flags |= flags;
         drawStandingOut(frame, target, drawer, over, scene.impl(), settings.levels);
     }
+    frame.beginStage("end of the board");
     target.end(frame.commands());
     return backend;
 }

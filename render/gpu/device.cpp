@@ -80,8 +80,13 @@ VkResult Device::State::createDevice(DeviceThreads threads) {
 void Device::State::createObjects(bool hasDebugUtils) {
     vkGetDeviceQueue(handle, choice.queueFamily, 0, &queue);
     if (hasDebugUtils) {
-        setName = reinterpret_cast<PFN_vkSetDebugUtilsObjectNameEXT>(
-            vkGetInstanceProcAddr(instance, "vkSetDebugUtilsObjectNameEXT"));
+        const auto find = [this](auto& function, const char* name) {
+            function =
+                reinterpret_cast<std::remove_reference_t<decltype(function)>>(vkGetInstanceProcAddr(instance, name));
+        };
+        find(setName, "vkSetDebugUtilsObjectNameEXT");
+        find(beginLabel, "vkCmdBeginDebugUtilsLabelEXT");
+        find(endLabel, "vkCmdEndDebugUtilsLabelEXT");
     }
     auto type = vkInfo<VkSemaphoreTypeCreateInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO);
     type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
@@ -239,6 +244,20 @@ void Device::name(VkObjectType type, std::uint64_t object, std::string_view labe
     info.objectHandle = object;
     info.pObjectName = text.c_str();
     VK_CHECK(m_state->setName(handle(), &info));
+}
+
+void Device::beginLabel(VkCommandBuffer commands, const char* label) const {
+    if (m_state->beginLabel != nullptr) {
+        auto info = vkInfo<VkDebugUtilsLabelEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT);
+        info.pLabelName = label;
+        m_state->beginLabel(commands, &info);
+    }
+}
+
+void Device::endLabel(VkCommandBuffer commands) const {
+    if (m_state->endLabel != nullptr) {
+        m_state->endLabel(commands);
+    }
 }
 
 }  // namespace render::gpu

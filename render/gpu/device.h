@@ -126,6 +126,9 @@ public:
 
     /// Gives a Vulkan object the name that validation messages and frame debuggers show.
     void name(VkObjectType type, std::uint64_t handle, std::string_view label) const;
+    /// Names the commands between, for frame debuggers.
+    void beginLabel(VkCommandBuffer commands, const char* label) const;
+    void endLabel(VkCommandBuffer commands) const;
 
 private:
     struct State {
@@ -139,7 +142,9 @@ private:
         std::uint64_t submitted = 0;
         bool isLost = false;
         Faults faults;
-        PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;
+        PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;  ///< null, as the next two: nobody listens
+        PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;
+        PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;
         std::unique_ptr<DeferredDestroy> deferred;
         std::unique_ptr<PipelineStore> pipelines;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "render/gpu/barrier.h"
 #include "render/gpu/check.h"
@@ -29,6 +30,28 @@ Frame::Slice Frame::allocate(std::uint64_t size) {
     return slice;
 }
 
+void Frame::beginStage(const char* name) {
+    endStage();
+    m_device->beginLabel(m_commands, name);
+    m_hasStage = true;
+    if (m_areStagesTimed && stampCount() < kMostStamps) {
+        stamp(stampCount(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT);
+        m_stages.push_back(name);
+    }
+}
+
+void Frame::endStage() {
+    if (std::exchange(m_hasStage, false)) {
+        m_device->endLabel(m_commands);
+    }
+}
+
+void Frame::stamp(std::uint32_t query, VkPipelineStageFlags2 after) const {
+    if (m_device->caps().hasTimestamps) {
+        vkCmdWriteTimestamp2(m_commands, after, m_times.get(), query);
+    }
+}
+
 FrameRing::FrameRing(Device& device, std::uint32_t slots, std::string_view label) : m_device(&device), m_frames(slots) {
     for (Frame& frame : m_frames) {
         frame.m_device = &device;
@@ -44,7 +67,7 @@ FrameRing::FrameRing(Device& device, std::uint32_t slots, std::string_view label
         VK_CHECK(vkAllocateCommandBuffers(device.handle(), &commands, &frame.m_commands));
         auto times = vkInfo<VkQueryPoolCreateInfo>(VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO);
         times.queryType = VK_QUERY_TYPE_TIMESTAMP;
-        times.queryCount = 2;
+        times.queryCount = Frame::kMostStamps;
         VkQueryPool queries = VK_NULL_HANDLE;
         VK_CHECK(vkCreateQueryPool(device.handle(), &times, nullptr, &queries));
         frame.m_times = {device, queries, label};
@@ -55,11 +78,26 @@ void FrameRing::readTimes(Frame& frame) {
     if (!m_device->caps().hasTimestamps) {
         return;
     }
-    std::uint64_t ticks[2] = {0, 0};
-    const VkResult result = vkGetQueryPoolResults(m_device->handle(), frame.m_times.get(), 0, 2, sizeof(ticks), ticks,
-                                                  sizeof(ticks[0]), VK_QUERY_RESULT_64_BIT);
-    if (result == VK_SUCCESS) {
-        m_gpuMs = static_cast<double>(ticks[1] - ticks[0]) * m_device->caps().timestampPeriodNs * 1e-6;
+    std::uint64_t ticks[Frame::kMostStamps] = {};
+    const std::uint32_t count = frame.stampCount();
+    const VkResult result =
+        vkGetQueryPoolResults(m_device->handle(), frame.m_times.get(), 0, count, count * sizeof(ticks[0]), ticks,
+                              sizeof(ticks[0]), VK_QUERY_RESULT_64_BIT);
+    if (result != VK_SUCCESS) {
+        return;
+    }
+    const auto msBetween = [&](std::uint64_t from, std::uint64_t to) {
+        return static_cast<double>(to - from) * m_device->caps().timestampPeriodNs * 1e-6;
+    };
+    m_gpuMs = msBetween(ticks[0], ticks[1]);
+    m_stages.clear();
+    for (std::uint32_t stage = Frame::kFirstStage; stage < count; ++stage) {
+        const std::string_view name = frame.m_stages[stage - Frame::kFirstStage];
+        auto sum = std::ranges::find(m_stages, name, [](const StageTime& time) { return std::string_view(time.name); });
+        if (sum == m_stages.end()) {
+            sum = m_stages.insert(sum, {name.data(), 0.0});
+        }
+        sum->ms += msBetween(ticks[stage], stage + 1 < count ? ticks[stage + 1] : ticks[1]);
     }
 }
 
@@ -85,22 +123,24 @@ Frame* FrameRing::begin() {
     }
     frame.m_used = 0;
     frame.m_isTimed = true;
+    frame.m_areStagesTimed = m_areStagesTimed;
+    frame.m_hasStage = false;
+    frame.m_stages.clear();
     VK_CHECK(vkResetCommandPool(m_device->handle(), frame.m_pool.get(), 0));
     auto info = vkInfo<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     VK_CHECK(vkBeginCommandBuffer(frame.m_commands, &info));
     if (m_device->caps().hasTimestamps) {
-        vkCmdResetQueryPool(frame.m_commands, frame.m_times.get(), 0, 2);
-        vkCmdWriteTimestamp2(frame.m_commands, VK_PIPELINE_STAGE_2_TOP_OF_PIPE_BIT, frame.m_times.get(), 0);
+        vkCmdResetQueryPool(frame.m_commands, frame.m_times.get(), 0, Frame::kMostStamps);
     }
+    frame.stamp(0, VK_PIPELINE_STAGE_2_TOP_OF_PIPE_BIT);
     return &frame;
 }
 
 bool FrameRing::end(const FrameSemaphores& semaphores) {
     Frame& frame = m_frames[m_current];
-    if (m_device->caps().hasTimestamps) {
-        vkCmdWriteTimestamp2(frame.m_commands, VK_PIPELINE_STAGE_2_BOTTOM_OF_PIPE_BIT, frame.m_times.get(), 1);
-    }
+    frame.endStage();
+    frame.stamp(1, VK_PIPELINE_STAGE_2_BOTTOM_OF_PIPE_BIT);
     VK_CHECK(vkEndCommandBuffer(frame.m_commands));
     frame.m_number = m_device->submit({frame.m_commands, semaphores.waitFor, semaphores.signal});
     return frame.m_number != 0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/gpu/buffer.h"
+#include "render/gpu/stage_time.h"
 
 namespace render::gpu {
 
@@ -24,6 +25,9 @@ public:
     [[nodiscard]] VkCommandBuffer commands() const { return m_commands; }
     /// Its time is not measured: FrameRing::gpuMs stays that of the frames before.
     void leaveUntimed() { m_isTimed = false; }
+    /// What is recorded from here on, up to the next stage, goes by this name, a literal: in frame debuggers, and where
+    /// FrameRing::timeStages was called. Beyond 126 stages the last one goes on.
+    void beginStage(const char* name);
     /// A copy of the values, aligned to 16.
     template <std::ranges::contiguous_range Values>
     Slice put(const Values& values) {
@@ -36,6 +40,13 @@ public:
 private:
     friend class FrameRing;
     [[nodiscard]] Slice allocate(std::uint64_t size);
+    [[nodiscard]] std::uint32_t stampCount() const { return kFirstStage + static_cast<std::uint32_t>(m_stages.size()); }
+    void endStage();
+    void stamp(std::uint32_t query, VkPipelineStageFlags2 after) const;
+
+    /// Of the query pool: when it began and ended, then when its stages began.
+    static constexpr std::uint32_t kFirstStage = 2;
+    static constexpr std::uint32_t kMostStamps = 128;
 
     Device* m_device = nullptr;
     Unique<VkCommandPool> m_pool;
@@ -45,6 +56,9 @@ private:
     std::uint64_t m_used = 0;
     std::uint64_t m_number = 0;  ///< of the submission last made from here
     bool m_isTimed = true;
+    bool m_areStagesTimed = false;
+    bool m_hasStage = false;
+    std::vector<const char*> m_stages;  ///< those that are timed, in their order
 };
 
 /// Semaphores around a submission; see Submission.
@@ -69,6 +83,10 @@ public:
     [[nodiscard]] bool poll(std::uint64_t patienceNs = 0);
     /// GPU time of the last timed frame that is known to be done, 0 without timestamps.
     [[nodiscard]] double gpuMs() const { return m_gpuMs; }
+    /// Times stages of the frames to come too. Then less of a frame runs side by side.
+    void timeStages() { m_areStagesTimed = true; }
+    /// Those of the frame of gpuMs, in the order in which they first began.
+    [[nodiscard]] std::span<const StageTime> stages() const { return m_stages; }
 
 private:
     void readTimes(Frame& frame);
@@ -78,6 +96,8 @@ private:
     std::vector<Frame> m_frames;
     std::size_t m_current = 0;
     double m_gpuMs = 0.0;
+    bool m_areStagesTimed = false;
+    std::vector<StageTime> m_stages;
 };
 
 /// Copies `bytes` to `to` from byte `at` on (both multiples of 4), in pieces through the ring's frames. The copy is

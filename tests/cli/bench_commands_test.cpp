@@ -14,7 +14,7 @@ class BenchCommandsTest : public QObject {
 
 private slots:
     void benchMeasuresBothPipelines() {
-        const Outcome run = copperscope({"bench", locations::kSample, "--frames", "1", "--json"});
+        const Outcome run = copperscope({"bench", locations::kSample, "--frames", "1", "--stages", "--json"});
         QCOMPARE(run.exitCode, 0);
         const QJsonObject report = QJsonDocument::fromJson(run.out).object();
         QVERIFY(!report["device"].toString().isEmpty());
@@ -34,6 +34,7 @@ private slots:
                 views.insert(frame["view"].toString());
                 QVERIFY(frame["ms"].toDouble() > 0.0 && frame["triangles"].toInt() > 0);
                 QVERIFY(frame["grey_mse"].toDouble() <= 0.001);
+                QVERIFY(frame["stages_ms"].toObject().contains("read back"));
             }
             QCOMPARE(views, QSet<QString>({"whole", "5x", "30x"}));
         }

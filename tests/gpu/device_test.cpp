@@ -110,6 +110,41 @@ private slots:
         QVERIFY(std::memcmp(back.mapped().data(), values.data(), values.size() * 4) == 0);
     }
 
+    void stagesOfAFrameAreTimedWhereAsked() {
+        gpu::Device& device = test::Gpu::get().device;
+        gpu::FrameRing ring(device, 1, "test");
+        const auto draw = [&] {
+            gpu::Frame* frame = ring.begin();
+            for (const char* stage : {"first", "second", "first"}) {
+                frame->beginStage(stage);
+            }
+            return ring.end() && ring.wait();
+        };
+        QVERIFY(draw());
+        QVERIFY(ring.stages().empty());
+        ring.timeStages();
+        QVERIFY(draw());
+        if (!device.caps().hasTimestamps) {
+            QVERIFY(ring.stages().empty());
+            return;
+        }
+        QCOMPARE(ring.stages().size(), std::size_t{2});
+        QCOMPARE(ring.stages()[0].name, "first");
+        QCOMPARE(ring.stages()[1].name, "second");
+        QVERIFY(ring.stages()[0].ms + ring.stages()[1].ms <= ring.gpuMs() * 1.0001);
+    }
+
+    void aFrameOfManyStagesTimesTheFirst() {
+        gpu::FrameRing ring(test::Gpu::get().device, 1, "test");
+        ring.timeStages();
+        gpu::Frame* frame = ring.begin();
+        for (int i = 0; i < 1000; ++i) {
+            frame->beginStage(i < 100 ? "first" : "last");
+        }
+        QVERIFY(ring.end() && ring.wait());
+        QCOMPARE(ring.stages().size(), test::Gpu::get().device.caps().hasTimestamps ? std::size_t{2} : std::size_t{0});
+    }
+
     void memoryHandedOutInAFrameStaysApart() {
         gpu::Device& device = test::Gpu::get().device;
         gpu::FrameRing ring(device, 1, "test");
