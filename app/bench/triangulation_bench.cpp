@@ -77,6 +77,9 @@ bench::Options optionsFor(const TriangulationBenchArguments& arguments, std::opt
     if (device) {
         options.triangulators.push_back(tri::Triangulator::Gpu);
         options.device = device->triangulator.get();
+        if (arguments.hasStages) {
+            options.device->timeStages();
+        }
     }
     return options;
 }

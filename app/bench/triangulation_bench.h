@@ -15,6 +15,7 @@ struct TriangulationBenchArguments {
     int repeats = 3;
     std::vector<std::string> sets;  ///< empty: all; "none": only the boards
     bool withHuge = false;
+    bool hasStages = false;  ///< times the kernels of the device by themselves too
 };
 
 /// `copperscope bench --triangulation [BOARD...]`: every triangulator over the areas of the boards and over generated

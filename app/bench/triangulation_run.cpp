@@ -124,12 +124,15 @@ Run measureRun(const Set& set, Triangulator triangulator, int threads, const Opt
         if (i == 0 || ms.count() < run.ms) {
             run.ms = ms.count();
             run.cpuMs = processCpuMs() - cpuStart;
+            if (triangulator == Triangulator::Gpu) {
+                run.deviceMs = options.device->tally().deviceMs;
+                run.stageMs = options.device->tally().stageMs;
+            }
         }
     }
     run.hash = hashOf(triangles);
     if (triangulator == Triangulator::Gpu) {
         const gpu::Tally& tally = options.device->tally();
-        run.deviceMs = tally.deviceMs;
         run.steps = tally.steps;
         run.onDevice = tally.onDevice;
         run.flagged = tally.flagged;
@@ -210,6 +213,9 @@ std::string toJson(const std::vector<SetReport>& reports, const std::string& dev
                             {"steps", run.steps},
                             {"on_device", run.onDevice},
                             {"flagged", run.flagged}});
+                if (!run.stageMs.empty()) {
+                    row["stages_ms"] = run.stageMs;
+                }
             }
             runs.push_back(std::move(row));
         }

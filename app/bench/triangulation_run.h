@@ -13,8 +13,9 @@ namespace tri::bench {
 struct Run {
     Triangulator triangulator = Triangulator::Cpu;
     int threads = 1;
-    double ms = 0.0;        ///< best of the repeats, from input to triangles
-    double deviceMs = 0.0;  ///< Gpu: time of the kernels in the last repeat
+    double ms = 0.0;                          ///< best of the repeats, from input to triangles
+    double deviceMs = 0.0;                    ///< Gpu: time of the kernels in that repeat
+    std::map<std::string, double> stageMs{};  ///< Gpu: by kernel, where they were timed
     double cpuMs = 0.0;  ///< processor time of all threads in that repeat; far from ms * threads: the machine was busy
     /// How much the process grew at its peak, output included; for Gpu the device's memory. What earlier runs gave back
     /// is used again first, so only the first run of a process shows all of it.

@@ -480,7 +480,7 @@ void addBench(CLI::App& parent, Command& chosen) {
     addLevels(command, arguments.levels);
     command.add_flag("--only-culled", arguments.onlyCulled, "no frames without culling and level of detail");
     command.add_flag("--components", arguments.hasComponents, "with the bodies of the components");
-    command.add_flag("--stages", arguments.hasStages, "also how long the device takes for the stages of a frame");
+    command.add_flag("--stages", arguments.hasStages, "also how long the device takes for each stage of a frame, or kernel of a triangulation");
     addNumber(command, "--frames", arguments.frames, 1, 1000, "frames per median");
     command.add_flag("--json", arguments.asJson, "as JSON");
     addInputOptions(command, arguments.modelling.request);
@@ -491,6 +491,7 @@ void addBench(CLI::App& parent, Command& chosen) {
             throw CLI::RequiredError("BOARD");
         }
         all->triangulation.boards = all->interaction.boards = all->frames.boards;
+        all->triangulation.hasStages = all->frames.hasStages;
         all->triangulation.asJson = all->interaction.asJson = all->frames.asJson;
         all->interaction.request.board = all->frames.modelling.request;
         if (command.get_option("--frames")->count() > 0) {

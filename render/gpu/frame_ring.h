@@ -26,7 +26,7 @@ public:
     /// Its time is not measured: FrameRing::gpuMs stays that of the frames before.
     void leaveUntimed() { m_isTimed = false; }
     /// What is recorded from here on, up to the next stage, goes by this name, a literal: in frame debuggers, and where
-    /// FrameRing::timeStages was called. Beyond 126 stages the last one goes on.
+    /// FrameRing::timeStages was called. Beyond 510 stages the last one goes on.
     void beginStage(const char* name);
     /// A copy of the values, aligned to 16.
     template <std::ranges::contiguous_range Values>
@@ -46,7 +46,7 @@ private:
 
     /// Of the query pool: when it began and ended, then when its stages began.
     static constexpr std::uint32_t kFirstStage = 2;
-    static constexpr std::uint32_t kMostStamps = 128;
+    static constexpr std::uint32_t kMostStamps = 512;
 
     Device* m_device = nullptr;
     Unique<VkCommandPool> m_pool;

@@ -138,7 +138,7 @@ private slots:
         gpu::FrameRing ring(test::Gpu::get().device, 1, "test");
         ring.timeStages();
         gpu::Frame* frame = ring.begin();
-        for (int i = 0; i < 1000; ++i) {
+        for (int i = 0; i < 2000; ++i) {
             frame->beginStage(i < 100 ? "first" : "last");
         }
         QVERIFY(ring.end() && ring.wait());

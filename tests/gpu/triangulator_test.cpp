@@ -162,11 +162,11 @@ private slots:
         const tri::gpu::DeviceForest forest(*m_device, ring, data);
         int steps = 0;
         for (bool isMore = true; isMore; ++steps) {
-            const render::gpu::Frame* frame = ring.begin();
+            render::gpu::Frame* frame = ring.begin();
             if (steps == 0) {
-                forest.recordInit(frame->commands(), kernels);
+                forest.recordInit(*frame, kernels);
             }
-            forest.recordStep(frame->commands(), kernels);
+            forest.recordStep(*frame, kernels);
             QVERIFY(ring.end());
             isMore = oracle.step();
             QVERIFY2(isSameMesh(forest, oracle), qPrintable(QString::number(steps)));

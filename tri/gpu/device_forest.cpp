@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string>
 
 #include "model/base/assert.h"
 #include "render/gpu/barrier.h"
@@ -13,12 +14,13 @@ namespace kernel = shader::tri;
 namespace spirv = shader::spirv;
 
 using render::gpu::Buffer;
-using render::gpu::Pipeline;
+using render::gpu::Frame;
 
 namespace {
 
-Pipeline make(render::gpu::Device& device, const char* label, spirv::Code code) {
-    return {device, render::gpu::ComputePipelineOptions{label, code, sizeof(kernel::Push)}};
+Kernel make(render::gpu::Device& device, const char* name, spirv::Code code) {
+    const std::string label = std::string("tri ") + name;
+    return {name, {device, render::gpu::ComputePipelineOptions{label, code, sizeof(kernel::Push)}}};
 }
 
 /// Every kernel sees what those before it did; the numbers of workgroups are among that.
@@ -32,25 +34,25 @@ void finishBefore(VkCommandBuffer commands) {
 }  // namespace
 
 Kernels::Kernels(render::gpu::Device& device)
-    : init(make(device, "tri init", spirv::kTriInitComp)),
-      small(make(device, "tri small", spirv::kTriSmallComp)),
-      advance(make(device, "tri advance", spirv::kTriAdvanceComp)),
-      vote(make(device, "tri vote", spirv::kTriVoteComp)),
-      claimPlace(make(device, "tri claim place", spirv::kTriClaimPlaceComp)),
-      split(make(device, "tri split", spirv::kTriSplitComp)),
-      relocateInserted(make(device, "tri relocate inserted", spirv::kTriRelocateInsertedComp)),
-      findContours(make(device, "tri find contours", spirv::kTriFindContoursComp)),
-      claimCorridor(make(device, "tri claim corridor", spirv::kTriClaimCorridorComp)),
-      rebuildCorridor(make(device, "tri rebuild corridor", spirv::kTriRebuildCorridorComp)),
-      testEdges(make(device, "tri test edges", spirv::kTriTestEdgesComp)),
-      flip(make(device, "tri flip", spirv::kTriFlipComp)),
-      relocateFlipped(make(device, "tri relocate flipped", spirv::kTriRelocateFlippedComp)),
-      fixLinks(make(device, "tri fix links", spirv::kTriFixLinksComp)),
-      decide(make(device, "tri decide", spirv::kTriDecideComp)),
-      prove(make(device, "tri prove", spirv::kTriProveComp)),
-      countKept(make(device, "tri count kept", spirv::kTriCountKeptComp)),
-      sumKept(make(device, "tri sum kept", spirv::kTriSumKeptComp)),
-      writeKept(make(device, "tri write kept", spirv::kTriWriteKeptComp)) {}
+    : init(make(device, "init", spirv::kTriInitComp)),
+      small(make(device, "small", spirv::kTriSmallComp)),
+      advance(make(device, "advance", spirv::kTriAdvanceComp)),
+      vote(make(device, "vote", spirv::kTriVoteComp)),
+      claimPlace(make(device, "claim place", spirv::kTriClaimPlaceComp)),
+      split(make(device, "split", spirv::kTriSplitComp)),
+      relocateInserted(make(device, "relocate inserted", spirv::kTriRelocateInsertedComp)),
+      findContours(make(device, "find contours", spirv::kTriFindContoursComp)),
+      claimCorridor(make(device, "claim corridor", spirv::kTriClaimCorridorComp)),
+      rebuildCorridor(make(device, "rebuild corridor", spirv::kTriRebuildCorridorComp)),
+      testEdges(make(device, "test edges", spirv::kTriTestEdgesComp)),
+      flip(make(device, "flip", spirv::kTriFlipComp)),
+      relocateFlipped(make(device, "relocate flipped", spirv::kTriRelocateFlippedComp)),
+      fixLinks(make(device, "fix links", spirv::kTriFixLinksComp)),
+      decide(make(device, "decide", spirv::kTriDecideComp)),
+      prove(make(device, "prove", spirv::kTriProveComp)),
+      countKept(make(device, "count kept", spirv::kTriCountKeptComp)),
+      sumKept(make(device, "sum kept", spirv::kTriSumKeptComp)),
+      writeKept(make(device, "write kept", spirv::kTriWriteKeptComp)) {}
 
 DeviceForest::DeviceForest(render::gpu::Device& device, render::gpu::FrameRing& ring, const ForestData& data)
     : m_device(&device), m_ring(&ring), m_record(recordOf(data)) {
@@ -75,9 +77,11 @@ const Buffer& DeviceForest::column(std::size_t offset) const {
     return m_columns[static_cast<std::size_t>(found - m_offsets.begin())];
 }
 
-void DeviceForest::dispatch(VkCommandBuffer commands, const Pipeline& pipeline, std::uint32_t groups) const {
-    pipeline.bind(commands);
-    pipeline.push(commands, kernel::Push{{m_forest.address()}, 0, 0});
+void DeviceForest::dispatch(Frame& frame, const Kernel& program, std::uint32_t groups) const {
+    VkCommandBuffer commands = frame.commands();
+    frame.beginStage(program.name);
+    program.pipeline.bind(commands);
+    program.pipeline.push(commands, kernel::Push{{m_forest.address()}, 0, 0});
     // Workgroups in rows, as advance.h lays them out.
     constexpr std::uint32_t kRow = kernel::kMaxGroupsX;
     vkCmdDispatch(commands, std::min(groups, kRow), (groups + kRow - 1) / kRow, 1);
@@ -85,54 +89,55 @@ void DeviceForest::dispatch(VkCommandBuffer commands, const Pipeline& pipeline, 
 }
 
 /// As many workgroups as the device wrote to the member of Control that lies `groups` bytes into it.
-void DeviceForest::run(VkCommandBuffer commands, const Pipeline& kernel, std::size_t groups,
-                       std::uint32_t stage) const {
-    kernel.bind(commands);
-    kernel.push(commands, kernel::Push{{m_forest.address()}, stage, 0});
+void DeviceForest::run(Frame& frame, const Kernel& program, std::size_t groups, std::uint32_t stage) const {
+    VkCommandBuffer commands = frame.commands();
+    frame.beginStage(program.name);
+    program.pipeline.bind(commands);
+    program.pipeline.push(commands, kernel::Push{{m_forest.address()}, stage, 0});
     vkCmdDispatchIndirect(commands, column(offsetof(kernel::Forest, control)).handle(), groups);
     finishBefore(commands);
 }
 
-void DeviceForest::recordInit(VkCommandBuffer commands, const Kernels& kernels) const {
+void DeviceForest::recordInit(Frame& frame, const Kernels& kernels) const {
     const Buffer& found = column(offsetof(kernel::Forest, found));
-    vkCmdFillBuffer(commands, found.handle(), 0, VK_WHOLE_SIZE, 0);
-    render::gpu::memoryBarrier(commands, render::gpu::kCopyWrite, render::gpu::kCompute);
-    dispatch(commands, kernels.init, (m_record.vertexCount + kernel::kGroupSize - 1) / kernel::kGroupSize);
+    vkCmdFillBuffer(frame.commands(), found.handle(), 0, VK_WHOLE_SIZE, 0);
+    render::gpu::memoryBarrier(frame.commands(), render::gpu::kCopyWrite, render::gpu::kCompute);
+    dispatch(frame, kernels.init, (m_record.vertexCount + kernel::kGroupSize - 1) / kernel::kGroupSize);
 }
 
-void DeviceForest::recordSmall(VkCommandBuffer commands, const Kernels& kernels) const {
+void DeviceForest::recordSmall(Frame& frame, const Kernels& kernels) const {
     if (m_record.smallTrees > 0) {
-        dispatch(commands, kernels.small, m_record.smallTrees);
+        dispatch(frame, kernels.small, m_record.smallTrees);
     }
 }
 
-void DeviceForest::recordStep(VkCommandBuffer commands, const Kernels& kernels) const {
+void DeviceForest::recordStep(Frame& frame, const Kernels& kernels) const {
     using kernel::Control;
-    dispatch(commands, kernels.advance, 1);
-    run(commands, kernels.vote, offsetof(Control, insertGroups));
-    run(commands, kernels.claimPlace, offsetof(Control, insertGroups));
-    run(commands, kernels.split, offsetof(Control, insertGroups));
-    run(commands, kernels.fixLinks, offsetof(Control, splitGroups), kernel::kStageInsert);
-    run(commands, kernels.relocateInserted, offsetof(Control, insertGroups));
-    run(commands, kernels.findContours, offsetof(Control, contourGroups));
-    run(commands, kernels.claimCorridor, offsetof(Control, edgeGroups));
-    run(commands, kernels.rebuildCorridor, offsetof(Control, edgeGroups));
-    run(commands, kernels.fixLinks, offsetof(Control, contourGroups), kernel::kStageRebuild);
-    run(commands, kernels.testEdges, offsetof(Control, flipGroups));
-    run(commands, kernels.flip, offsetof(Control, flipGroups));
-    run(commands, kernels.fixLinks, offsetof(Control, flipGroups), kernel::kStageFlip);
-    run(commands, kernels.relocateFlipped, offsetof(Control, relocateGroups));
+    dispatch(frame, kernels.advance, 1);
+    run(frame, kernels.vote, offsetof(Control, insertGroups));
+    run(frame, kernels.claimPlace, offsetof(Control, insertGroups));
+    run(frame, kernels.split, offsetof(Control, insertGroups));
+    run(frame, kernels.fixLinks, offsetof(Control, splitGroups), kernel::kStageInsert);
+    run(frame, kernels.relocateInserted, offsetof(Control, insertGroups));
+    run(frame, kernels.findContours, offsetof(Control, contourGroups));
+    run(frame, kernels.claimCorridor, offsetof(Control, edgeGroups));
+    run(frame, kernels.rebuildCorridor, offsetof(Control, edgeGroups));
+    run(frame, kernels.fixLinks, offsetof(Control, contourGroups), kernel::kStageRebuild);
+    run(frame, kernels.testEdges, offsetof(Control, flipGroups));
+    run(frame, kernels.flip, offsetof(Control, flipGroups));
+    run(frame, kernels.fixLinks, offsetof(Control, flipGroups), kernel::kStageFlip);
+    run(frame, kernels.relocateFlipped, offsetof(Control, relocateGroups));
 }
 
-void DeviceForest::recordErase(VkCommandBuffer commands, const Kernels& kernels) const {
+void DeviceForest::recordErase(Frame& frame, const Kernels& kernels) const {
     const std::uint32_t slots = 2 * m_record.vertexCount;
     const std::uint32_t groups = (slots + kernel::kGroupSize - 1) / kernel::kGroupSize;
     const std::uint32_t blocks = (slots + kernel::kBlockSize - 1) / kernel::kBlockSize;
-    dispatch(commands, kernels.decide, groups);
-    dispatch(commands, kernels.prove, groups);
-    dispatch(commands, kernels.countKept, blocks);
-    dispatch(commands, kernels.sumKept, 1);
-    dispatch(commands, kernels.writeKept, blocks);
+    dispatch(frame, kernels.decide, groups);
+    dispatch(frame, kernels.prove, groups);
+    dispatch(frame, kernels.countKept, blocks);
+    dispatch(frame, kernels.sumKept, 1);
+    dispatch(frame, kernels.writeKept, blocks);
 }
 
 kernel::Control DeviceForest::control() const {

@@ -10,16 +10,22 @@
 
 namespace tri::gpu {
 
-/// The kernels of shaders/tri/ as pipelines of a device. Made once.
+/// A program of shaders/tri/.
+struct Kernel {
+    const char* name = "";  ///< also of the stages of a frame that run it
+    render::gpu::Pipeline pipeline;
+};
+
+/// All of them, as pipelines of a device. Made once.
 struct Kernels {
     explicit Kernels(render::gpu::Device& device);
 
-    render::gpu::Pipeline init, small, advance;
-    render::gpu::Pipeline vote, claimPlace, split, relocateInserted;
-    render::gpu::Pipeline findContours, claimCorridor, rebuildCorridor;
-    render::gpu::Pipeline testEdges, flip, relocateFlipped;
-    render::gpu::Pipeline fixLinks;
-    render::gpu::Pipeline decide, prove, countKept, sumKept, writeKept;
+    Kernel init, small, advance;
+    Kernel vote, claimPlace, split, relocateInserted;
+    Kernel findContours, claimCorridor, rebuildCorridor;
+    Kernel testEdges, flip, relocateFlipped;
+    Kernel fixLinks;
+    Kernel decide, prove, countKept, sumKept, writeKept;
 };
 
 /// A forest in the memory of a device. Records the same steps as the oracle; how many threads each kernel needs is
@@ -29,12 +35,12 @@ public:
     /// Copies the columns to the device through `ring`. False from lost() afterwards if the device was lost.
     DeviceForest(render::gpu::Device& device, render::gpu::FrameRing& ring, const ForestData& data);
 
-    void recordInit(VkCommandBuffer commands, const Kernels& kernels) const;
+    void recordInit(render::gpu::Frame& frame, const Kernels& kernels) const;
     /// The small trees as a whole.
-    void recordSmall(VkCommandBuffer commands, const Kernels& kernels) const;
-    void recordStep(VkCommandBuffer commands, const Kernels& kernels) const;
+    void recordSmall(render::gpu::Frame& frame, const Kernels& kernels) const;
+    void recordStep(render::gpu::Frame& frame, const Kernels& kernels) const;
     /// Erasing and compaction; nothing unless all is done by then.
-    void recordErase(VkCommandBuffer commands, const Kernels& kernels) const;
+    void recordErase(render::gpu::Frame& frame, const Kernels& kernels) const;
 
     /// The first values of a column, by its place in shader::tri::Forest; empty if the device was lost.
     template <class T>
@@ -49,9 +55,8 @@ public:
 
 private:
     [[nodiscard]] const render::gpu::Buffer& column(std::size_t offset) const;
-    void run(VkCommandBuffer commands, const render::gpu::Pipeline& kernel, std::size_t groups,
-             std::uint32_t stage = 0) const;
-    void dispatch(VkCommandBuffer commands, const render::gpu::Pipeline& pipeline, std::uint32_t groups) const;
+    void run(render::gpu::Frame& frame, const Kernel& program, std::size_t groups, std::uint32_t stage = 0) const;
+    void dispatch(render::gpu::Frame& frame, const Kernel& program, std::uint32_t groups) const;
 
     render::gpu::Device* m_device;
     render::gpu::FrameRing* m_ring;

@@ -48,22 +48,25 @@ std::size_t Triangulator::endOfTurn(std::span<const Polygon> polygons, std::size
 bool Triangulator::grow(const DeviceForest& forest, base::Progress& progress) {
     kernel::Control control{};
     for (bool isFirst = true; control.phase != kernel::kFinished; isFirst = false) {
-        const render::gpu::Frame* frame = m_ring.begin();
+        render::gpu::Frame* frame = m_ring.begin();
         if (frame == nullptr || control.step > kMaxSteps || progress.isCancelled()) {
             return false;
         }
         if (isFirst) {
-            forest.recordInit(frame->commands(), m_kernels);
-            forest.recordSmall(frame->commands(), m_kernels);
+            forest.recordInit(*frame, m_kernels);
+            forest.recordSmall(*frame, m_kernels);
         }
         for (int i = 0; i < kStepsAtOnce; ++i) {
-            forest.recordStep(frame->commands(), m_kernels);
+            forest.recordStep(*frame, m_kernels);
         }
-        forest.recordErase(frame->commands(), m_kernels);
+        forest.recordErase(*frame, m_kernels);
         if (!m_ring.end() || !m_ring.wait()) {
             return false;
         }
         m_tally.deviceMs += m_ring.gpuMs();
+        for (const auto& [name, ms] : m_ring.stages()) {
+            m_tally.stageMs[name] += ms;
+        }
         control = forest.control();
         progress.setFraction(static_cast<float>(control.inserted) / static_cast<float>(std::max(control.total, 1U)));
     }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "model/base/progress.h"
@@ -16,8 +18,9 @@ struct Tally {
     std::uint32_t steps = 0;
     std::uint32_t rounds = 0;  ///< steps that inserted vertices
     std::uint32_t flips = 0;
-    std::uint64_t deviceBytes = 0;  ///< of device memory, at most
-    double deviceMs = 0.0;          ///< time of the kernels; 0 if the device cannot tell
+    std::uint64_t deviceBytes = 0;          ///< of device memory, at most
+    double deviceMs = 0.0;                  ///< time of the kernels; 0 if the device cannot tell
+    std::map<std::string, double> stageMs;  ///< by kernel, where they are timed
 };
 
 /// Triangulates all polygons of a board in the same dispatches (docs/triangulation.md). The result is the same,
@@ -32,6 +35,8 @@ public:
     /// Reports how many vertices are in; after a cancel the results are of no use.
     [[nodiscard]] std::vector<Triangulation> triangulate(std::span<const Polygon> polygons, base::Progress& progress,
                                                          Eraser eraser = Eraser::Sector);
+    /// As FrameRing::timeStages.
+    void timeStages() { m_ring.timeStages(); }
     /// About the last call.
     [[nodiscard]] const Tally& tally() const { return m_tally; }
 
