@@ -15,6 +15,7 @@ public:
         : PullBackend(device, target),
           m_device(&device),
           m_rasterise(device, {"rasterise lets", shader::spirv::kRasterLetsComp, sizeof(shader::RasterPush)}),
+          m_shade(device, {"shade raster", shader::spirv::kRasterShadeComp, sizeof(shader::RasterPush)}),
           m_resolve(makeResolve(device, target)) {
         ASSERT(device.caps().hasAtomic64 && target.samples == VK_SAMPLE_COUNT_1_BIT);
     }
@@ -34,6 +35,7 @@ public:
                                       recording.lists.visibleClusters.offset);
             }
         }
+        shade(recordings.front());
     }
 
     void finishOpaque(std::span<const Recording> recordings) override {
@@ -68,6 +70,18 @@ private:
         gpu::memoryBarrier(recording.commands(), gpu::kCopyWrite, gpu::kCompute);
     }
 
+    void shade(const Recording& recording) {
+        recording.frame.beginStage("shade");
+        gpu::memoryBarrier(recording.commands(), gpu::kCompute, gpu::kCompute);
+        if (m_copies.copyCount > 0) {
+            const shader::FrameData& data = recording.plan.data;
+            m_shade.bind(recording.commands());
+            m_shade.push(recording.commands(), m_copies);
+            vkCmdDispatch(recording.commands(), (data.width + shader::kRasterGroupSize - 1) / shader::kRasterGroupSize,
+                          data.height, 1);
+        }
+    }
+
     /// Copies without lets are left out, so that every id, and 0 too, names a let that is there.
     [[nodiscard]] shader::RasterPush putCopies(std::span<const Recording> recordings) const {
         std::vector<shader::RasterCopy> copies;
@@ -84,6 +98,7 @@ private:
 
     gpu::Device* m_device;
     gpu::Pipeline m_rasterise;
+    gpu::Pipeline m_shade;
     gpu::Pipeline m_resolve;
     gpu::Buffer m_pixels;           ///< shader::RasterPixels
     shader::RasterPush m_copies{};  ///< those culled last

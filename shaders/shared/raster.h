@@ -11,7 +11,10 @@ namespace shader {
 // Rows from the top. The upper half of a pixel is its depth (the bits of a positive float: greater is nearer), the
 // lower half the let's id; 0 where nothing is. So the nearest let is the largest number, and of several at one depth
 // the one with the largest id, whatever order they come in.
-GPU_WRITE(RasterPixels, uvec2, 8);  // x: id, y: depth
+// When all are there, colours take the place of ids.
+GPU_WRITE(RasterPixels, uvec2, 8);  // x: id or colour (lib/raster.glsl), y: depth
+
+GPU_CONST kRasterGroupSize = 64;  // pixels of a row, by workgroup of what colours them
 
 // The id of a let is its row plus what its copy starts at. Sorted by that.
 struct RasterCopy {
