@@ -53,12 +53,14 @@ AreaDrawer::AreaDrawer(gpu::Device& device, const TargetFormat& target)
     : m_maxDraws(device.caps().maxDrawIndirectCount),
       m_cull(device, {"cull areas", shader::spirv::kCullAreasComp, sizeof(shader::Push)}),
       m_caps(makePipelines(device, "area caps", shader::spirv::kAreaCapVert, false, target)),
+      m_patches(makePipelines(device, "area patches", shader::spirv::kAreaPatchVert, false, target)),
       m_walls(makePipelines(device, "area walls", shader::spirv::kAreaWallVert, true, target)),
       m_outlines(makePipelines(device, "area outlines", shader::spirv::kAreaOutlineVert, false, target)) {}
 
 void AreaDrawer::reset(const Recording& recording) const {
     copyTo(recording.commands(), recording.step.geometry.capDraws, recording.lists.capDraws);
     copyTo(recording.commands(), recording.step.geometry.wallDraws, recording.lists.wallDraws);
+    copyTo(recording.commands(), recording.step.geometry.patchDraws, recording.lists.patchDraws);
 }
 
 void AreaDrawer::cull(const Recording& recording) const {
@@ -75,6 +77,7 @@ void AreaDrawer::draw(const Recording& recording, std::uint32_t batch, gpu::Pass
     }
     drawCaps(recording, pass, batch, 0);
     drawCaps(recording, pass, batch, 1);
+    drawPatches(recording, pass, batch);
     drawEdges(recording, pass, batch, m_walls, &SeenFaces::walls);
 }
 
@@ -88,6 +91,20 @@ void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint3
                                            recording.lists.capDraws.offset + std::uint64_t{first} * kStride, count,
                                            kStride);
               });
+}
+
+void AreaDrawer::drawPatches(const Recording& recording, gpu::Pass pass, std::uint32_t batch) const {
+    if (recording.plan.data.quadRadiusPx == 0.0F) {
+        return;
+    }
+    recording.bind(m_patches[passRow(pass)]);
+    for (const std::uint32_t layer : recording.layers.batches[batch]) {
+        if (recording.step.layers[layer].areaBatches.count > 0) {
+            vkCmdDrawIndirect(recording.commands(), recording.lists.patchDraws.buffer,
+                              recording.lists.patchDraws.offset + layer * sizeof(shader::Draw), 1,
+                              sizeof(shader::Draw));
+        }
+    }
 }
 
 void AreaDrawer::drawEdges(const Recording& recording, gpu::Pass pass, std::uint32_t batch,

@@ -16,6 +16,8 @@ public:
 
 private:
     void drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t batch, std::uint32_t face) const;
+    /// What is too small for more: on the face that is seen.
+    void drawPatches(const Recording& recording, gpu::Pass pass, std::uint32_t batch) const;
     /// What is pulled from the outlines: walls, or in flat views lines.
     void drawEdges(const Recording& recording, gpu::Pass pass, std::uint32_t batch, const PassPipelines& pipelines,
                    bool SeenFaces::*side) const;
@@ -23,6 +25,7 @@ private:
     std::uint32_t m_maxDraws;
     gpu::Pipeline m_cull;
     PassPipelines m_caps;
+    PassPipelines m_patches;
     PassPipelines m_walls;
     PassPipelines m_outlines;
 };

@@ -52,7 +52,8 @@ std::optional<std::uint64_t> areaTriangles(const Recording& copy) {
     const std::uint32_t count = copy.step.areaDrawCount;
     const auto caps = readBack<shader::DrawIndexed>(*copy.scene.device, copy.lists.capDraws, count);
     const auto walls = readBack<shader::Draw>(*copy.scene.device, copy.lists.wallDraws, count);
-    if (!caps || !walls) {
+    const auto patches = readBack<shader::Draw>(*copy.scene.device, copy.lists.patchDraws, copy.step.layers.size());
+    if (!caps || !walls || !patches) {
         return std::nullopt;
     }
     std::uint64_t sum = 0;
@@ -60,6 +61,7 @@ std::optional<std::uint64_t> areaTriangles(const Recording& copy) {
         const SeenFaces& faces = copy.layers.faces[layer];
         const std::uint64_t capsSeen = (faces.upper ? 1U : 0U) + (faces.lower ? 1U : 0U);
         const LayerRun run = copy.step.layers[layer].areaBatches;
+        sum += (*patches)[layer].vertexCount / 3;
         for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
             sum += capsSeen * ((*caps)[i].indexCount / 3) * (*caps)[i].instanceCount;
             sum += (faces.walls ? 1U : 0U) * std::uint64_t{(*walls)[i].vertexCount / 3} * (*walls)[i].instanceCount;

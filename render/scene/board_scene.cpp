@@ -3,6 +3,9 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "render/gpu/barrier.h"
@@ -17,7 +20,56 @@ namespace {
 using gpu::Buffer;
 using gpu::MemoryUse;
 
-/// The smallest circle around the box of what a piece draws.
+float distance(glm::vec2 point, glm::vec2 from, glm::vec2 to) {
+    const glm::vec2 along = to - from;
+    const float length2 = glm::dot(along, along);
+    const float share = length2 > 0.0F ? std::clamp(glm::dot(point - from, along) / length2, 0.0F, 1.0F) : 0.0F;
+    return glm::distance(point, from + share * along);
+}
+
+float cross(glm::vec2 a, glm::vec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+/// Of its triangles, mm².
+double areaOf(const BoardModel& model, const AreaShape& piece) {
+    double sum = 0.0;
+    for (std::uint32_t i = piece.firstIndex; i < piece.firstIndex + 3 * piece.triangleCount; i += 3) {
+        const auto corner = [&](std::uint32_t k) { return model.vertices[piece.firstVertex + model.indices[i + k]]; };
+        sum += 0.5 * std::abs(cross(corner(1) - corner(0), corner(2) - corner(0)));
+    }
+    return sum;
+}
+
+/// Around a convex piece that is drawn as nothing but triangles, the farthest from it of a box around it is a corner.
+/// Any other is taken for a point.
+float strayOf(const BoardModel& model, const AreaShape& piece, const Box2& box) {
+    const float everything = glm::distance(box.min, box.max);
+    const glm::vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+    std::array<float, 4> nearest{everything, everything, everything, everything};
+    constexpr float kRounding = 1e-3F;
+    double turned = 0.0;
+    double enclosed = 0.0;
+    for (std::uint32_t i = piece.firstWall; i < piece.firstWall + piece.wallCount; ++i) {
+        const glm::vec2 from = model.vertices[i];
+        const glm::vec2 to = model.vertices[model.next[i]];
+        const glm::vec2 along = to - from;
+        const glm::vec2 then = model.vertices[model.next[model.next[i]]] - to;
+        if (model.next[i] == i || cross(along, then) < -kRounding * glm::length(along) * glm::length(then)) {
+            return everything;
+        }
+        turned += std::atan2(cross(along, then), glm::dot(along, then));
+        enclosed += 0.5 * cross(from - box.min, to - box.min);
+        for (std::size_t corner = 0; corner < nearest.size(); ++corner) {
+            nearest[corner] = std::min(nearest[corner], distance(corners[corner], from, to));
+        }
+    }
+    const bool isConvex = piece.wallCount > 2 && turned < 3.0 * std::numbers::pi;
+    const bool isCovered = std::abs(areaOf(model, piece) - enclosed) < 1e-3 * enclosed;
+    return isConvex && isCovered ? std::ranges::max(nearest) : everything;
+}
+
+/// Around what a piece draws.
 shader::ShapeBound boundOf(const BoardModel& model, const AreaShape& piece) {
     Box2 box;
     for (std::uint32_t i = piece.firstIndex; i < piece.firstIndex + 3 * piece.triangleCount; ++i) {
@@ -30,7 +82,7 @@ shader::ShapeBound boundOf(const BoardModel& model, const AreaShape& piece) {
     if (box.min.x > box.max.x) {
         return {};
     }
-    return {0.5F * (box.min + box.max), 0.5F * glm::length(box.max - box.min), 0};
+    return {0.5F * (box.min + box.max), 0.5F * (box.max - box.min), strayOf(model, piece, box)};
 }
 
 std::vector<shader::ShapeBound> boundsOf(const BoardModel& model) {
@@ -67,6 +119,16 @@ std::vector<shader::Draw> wallDraws(const BoardModel& model) {
     return draws;
 }
 
+/// One by layer, with room for all areas of it.
+std::vector<shader::Draw> patchDraws(const BoardModel& model, std::size_t layerCount) {
+    std::vector<shader::Draw> draws(layerCount, {0, 1, 0, 0});
+    for (std::size_t layer = 0; layer < model.areaBatchesOfLayer.size(); ++layer) {
+        const LayerRun batches = model.areaBatchesOfLayer[layer];
+        draws[layer].firstInstance = batches.count > 0 ? model.areaBatches[batches.first].firstInstance : 0;
+    }
+    return draws;
+}
+
 std::uint32_t elementCount(const BoardModel& model) {
     std::uint32_t count = 0;
     for (const shader::Let& let : model.lets) {
@@ -87,7 +149,7 @@ Box2 reachOf(const BoardModel& model, std::span<const shader::ShapeBound> bounds
     for (const shader::AreaInstance& area : model.instances) {
         // However the area is rotated, its circle lies within this far of its origin.
         const shader::ShapeBound& bound = bounds[area.shape];
-        const float radius = glm::length(bound.centre) + bound.radius;
+        const float radius = glm::length(bound.centre) + glm::length(bound.extent);
         reach.include(Box2{area.origin - radius, area.origin + radius});
     }
     return reach;
@@ -118,7 +180,8 @@ std::vector<LayerInSubstrate> inSubstrate(const BoardModel& model) {
 }
 
 GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model,
-                             const std::vector<shader::ShapeBound>& bounds, const std::vector<ElementState>& states) {
+                             const std::vector<shader::ShapeBound>& bounds, const std::vector<ElementState>& states,
+                             std::size_t layerCount) {
     SceneLoader loader(device);
     GeometryBuffers b;
     b.lets = loader.load("lets", model.lets);
@@ -132,6 +195,7 @@ GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model,
     b.elementStates = loader.load("element states", states);
     b.capDraws = loader.load("capDraws", capDraws(model));
     b.wallDraws = loader.load("wallDraws", wallDraws(model));
+    b.patchDraws = loader.load("patchDraws", patchDraws(model, layerCount));
     b.topShadows = loader.load("shadows on top", model.shadows.top.cells);
     b.bottomShadows = loader.load("shadows on the bottom", model.shadows.bottom.cells);
     b.bytes = loader.bytes();
@@ -250,6 +314,8 @@ DrawLists takeLists(const SceneStep& step, Parts& parts) {
     lists.visibleLets = parts.take(std::uint64_t{step.letCount} * kWord);
     lists.letDraws = parts.take(batches * shader::kBucketCount * sizeof(shader::DrawIndexed));
     lists.visibleInstances = parts.take(step.instanceCount * kWord);
+    lists.visiblePatches = parts.take(step.instanceCount * kWord);
+    lists.patchDraws = parts.take(step.layers.size() * sizeof(shader::Draw));
     lists.capDraws = parts.take(step.areaDrawCount * sizeof(shader::DrawIndexed));
     lists.wallDraws = parts.take(step.areaDrawCount * sizeof(shader::Draw));
     return lists;
@@ -270,7 +336,7 @@ SceneStep::SceneStep(const BoardModel& model, std::size_t layerCount)
 void SceneStep::load(gpu::Device& device, const BoardModel& model) {
     const std::vector<shader::ShapeBound> bounds = boundsOf(model);
     reach = reachOf(model, bounds);
-    geometry = loadGeometry(device, model, bounds, states);
+    geometry = loadGeometry(device, model, bounds, states, layers.size());
     unsent = {};
 }
 
@@ -307,6 +373,8 @@ void SceneStep::setAddresses(shader::FrameData& data, const DrawLists& lists) co
     data.visibleLets = lists.visibleLets.address;
     data.letDraws = lists.letDraws.address;
     data.visibleInstances = lists.visibleInstances.address;
+    data.visiblePatches = lists.visiblePatches.address;
+    data.patchDraws = lists.patchDraws.address;
     data.capDraws = lists.capDraws.address;
     data.wallDraws = lists.wallDraws.address;
     data.standardParts = standard ? standard->records.address() : 0;

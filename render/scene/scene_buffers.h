@@ -22,6 +22,7 @@ struct GeometryBuffers {
     gpu::Buffer elementStates;  ///< a byte per element, ElementState
     gpu::Buffer capDraws;       ///< commands without instances: what each frame starts from
     gpu::Buffer wallDraws;
+    gpu::Buffer patchDraws;
     gpu::Buffer topShadows;  ///< ShadowMap::cells
     gpu::Buffer bottomShadows;
     std::uint64_t bytes = 0;  ///< of all of them
@@ -45,6 +46,8 @@ struct DrawLists {
     BufferPart visibleInstances;
     BufferPart capDraws;
     BufferPart wallDraws;
+    BufferPart visiblePatches;
+    BufferPart patchDraws;
 };
 
 /// The board in the standard pipeline: buffers by part.

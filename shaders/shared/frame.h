@@ -33,13 +33,13 @@ struct StandardPartRecord {
 };
 GPU_SIZE(StandardPartRecord, 16);
 
-// A circle around a shape in its own coordinates, for culling.
+// A box around a shape in its own coordinates, for culling and patches.
 struct ShapeBound {
     vec2 centre;
-    float radius;
-    uint reserved;
+    vec2 extent;  // half of its size
+    float stray;  // how far the box strays from the shape
 };
-GPU_SIZE(ShapeBound, 16);
+GPU_SIZE(ShapeBound, 20);
 
 #ifndef __cplusplus
 GPU_READ(StandardParts, StandardPartRecord, 8);
@@ -70,6 +70,8 @@ GPU_CONST kFrameSmoothed = 64;      // four samples per pixel
 GPU_CONST kFrameStandingOut = 128;  // only what is highlighted or has a colour of its own
 GPU_CONST kFrameSilhouettes = 256;  // everything in one dark colour
 GPU_CONST kFrameFabricated = 512;   // without what is milled away
+
+GPU_CONST kPatchVertices = 6;
 
 GPU_CONST kSlotBits = 28;
 
@@ -129,6 +131,8 @@ struct FrameData {
     GPU_ADDRESS(Words) drawOfInstance;
     GPU_ADDRESS(Bounds) bounds;
     GPU_ADDRESS(WordList) visibleInstances;  // by draw: at[firstInstance + instance]
+    GPU_ADDRESS(WordList) visiblePatches;  // by layer: at[firstInstance + vertex / 6]
+    GPU_ADDRESS(Draws) patchDraws;  // by layer
     GPU_ADDRESS(IndexedDraws) capDraws;
     GPU_ADDRESS(Draws) wallDraws;
     GPU_ADDRESS(Words) elementStates;          // a byte per element
@@ -140,7 +144,7 @@ struct FrameData {
 
     Shadows shadows;
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 22 * 4 + 18 * 8 + 16 + 32);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 22 * 4 + 20 * 8 + 16 + 32);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame {
