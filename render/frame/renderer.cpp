@@ -15,8 +15,11 @@ namespace {
 /// it is cleared.
 constexpr std::uint32_t kStencilReferences = 255;
 
-/// Lets within a circle of this radius are left to compute shaders, where there is a choice (docs/performance.md).
-constexpr float kRasterRadiusPx = 2.0F;
+/// Lets within a circle of this radius are left to compute shaders, where there is a choice (docs/performance.md, and
+/// performance-gpu.md for cards).
+float rasterRadiusPx(const gpu::Caps& caps) {
+    return caps.isCpu ? 2.0F : 4.0F;
+}
 
 /// Is depth kept, for a picture in a plane?
 bool isKept(const ViewSettings& settings) {
@@ -31,13 +34,14 @@ bool isSmoothed(const RenderTarget& target) {
 /// the draw lists, and drawing pauses whenever another one comes.
 class Picture {
 public:
-    Picture(SceneDrawer& drawer, const std::vector<CopyGroup>& groups, RenderTarget& target, VkCommandBuffer commands)
-        : m_drawer(drawer), m_groups(groups), m_target(target), m_commands(commands) {}
+    Picture(SceneDrawer& drawer, const std::vector<CopyGroup>& groups, RenderTarget& target, gpu::Frame& frame)
+        : m_drawer(drawer), m_groups(groups), m_target(target), m_frame(frame), m_commands(frame.commands()) {}
 
     void begin(const glm::vec3& ground) {
         if (!m_groups.empty()) {
             m_drawer.cull(m_groups.front());
         }
+        m_frame.beginStage("clear");
         m_target.begin(m_commands, ground);
     }
 
@@ -89,6 +93,7 @@ private:
     SceneDrawer& m_drawer;
     const std::vector<CopyGroup>& m_groups;
     RenderTarget& m_target;
+    gpu::Frame& m_frame;
     VkCommandBuffer m_commands;
     std::size_t m_listed = 0;  ///< the group whose draw lists are there
 };
@@ -216,10 +221,10 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
     const std::uint32_t flags = (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
                                 (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
     plan.data.flags |= flags;
-    plan.data.rasterRadiusPx = backend == Backend::Raster ? kRasterRadiusPx : 0.0F;
+    plan.data.rasterRadiusPx = backend == Backend::Raster ? rasterRadiusPx(m_device->caps()) : 0.0F;
     const std::vector<CopyGroup> groups = copiesInView(frame, plan, scene.impl());
     SceneDrawer& drawer = sceneDrawer({format.colour, format.samples, plan.hasSection}, backend);
-    Picture picture(drawer, groups, target, frame.commands());
+    Picture picture(drawer, groups, target, frame);
     picture.begin(plan.data.background);
     picture.drawOpaque();
     if (plan.hasSection) {

@@ -34,9 +34,15 @@ void Frame::beginStage(const char* name) {
     endStage();
     m_device->beginLabel(m_commands, name);
     m_hasStage = true;
-    if (m_areStagesTimed && stampCount() < kMostStamps) {
+    if (m_areStagesTimed && !m_isTimingOver && stampCount() < kMostStamps) {
         stamp(stampCount(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT);
         m_stages.push_back(name);
+    }
+}
+
+void Frame::endTiming() {
+    if (!std::exchange(m_isTimingOver, true)) {
+        stamp(1, VK_PIPELINE_STAGE_2_BOTTOM_OF_PIPE_BIT);
     }
 }
 
@@ -125,6 +131,7 @@ Frame* FrameRing::begin() {
     frame.m_isTimed = true;
     frame.m_areStagesTimed = m_areStagesTimed;
     frame.m_hasStage = false;
+    frame.m_isTimingOver = false;
     frame.m_stages.clear();
     VK_CHECK(vkResetCommandPool(m_device->handle(), frame.m_pool.get(), 0));
     auto info = vkInfo<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
@@ -140,7 +147,7 @@ Frame* FrameRing::begin() {
 bool FrameRing::end(const FrameSemaphores& semaphores) {
     Frame& frame = m_frames[m_current];
     frame.endStage();
-    frame.stamp(1, VK_PIPELINE_STAGE_2_BOTTOM_OF_PIPE_BIT);
+    frame.endTiming();
     VK_CHECK(vkEndCommandBuffer(frame.m_commands));
     frame.m_number = m_device->submit({frame.m_commands, semaphores.waitFor, semaphores.signal});
     return frame.m_number != 0;

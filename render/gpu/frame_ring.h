@@ -25,6 +25,8 @@ public:
     [[nodiscard]] VkCommandBuffer commands() const { return m_commands; }
     /// Its time is not measured: FrameRing::gpuMs stays that of the frames before.
     void leaveUntimed() { m_isTimed = false; }
+    /// What is recorded from here on is no part of what is timed.
+    void endTiming();
     /// What is recorded from here on, up to the next stage, goes by this name, a literal: in frame debuggers, and where
     /// FrameRing::timeStages was called. Beyond 510 stages the last one goes on.
     void beginStage(const char* name);
@@ -58,6 +60,7 @@ private:
     bool m_isTimed = true;
     bool m_areStagesTimed = false;
     bool m_hasStage = false;
+    bool m_isTimingOver = false;
     std::vector<const char*> m_stages;  ///< those that are timed, in their order
 };
 

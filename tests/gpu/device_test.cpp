@@ -118,6 +118,8 @@ private slots:
             for (const char* stage : {"first", "second", "first"}) {
                 frame->beginStage(stage);
             }
+            frame->endTiming();
+            frame->beginStage("not timed");
             return ring.end() && ring.wait();
         };
         QVERIFY(draw());

@@ -53,8 +53,12 @@ struct Both {
         QCOMPARE(drawFlat(flatImage), FlatPicture::Quality::Exact);
         const Image device = scene.draw(settings, kWidth, kHeight);
         // Means of translucent samples are rounded twice.
-        QVERIFY(differingPixels(device, flatImage, 1) <= kWidth * kHeight / 5000);
-        QVERIFY(differingPixels(device, flatImage, 2) <= kWidth * kHeight / 10000);
+        const std::size_t byTwo = differingPixels(device, flatImage, 1);
+        const std::size_t byMore = differingPixels(device, flatImage, 2);
+        QVERIFY2(byTwo <= kWidth * kHeight / 5000, qPrintable(QString("%1 pixels").arg(byTwo)));
+        // Where an outline passes by a sample, cards round otherwise.
+        const int most = kWidth * kHeight / (test::Gpu::get().device.caps().isCpu ? 10000 : 5000);
+        QVERIFY2(byMore <= static_cast<std::size_t>(most), qPrintable(QString("%1 pixels").arg(byMore)));
     }
 };
 
