@@ -16,7 +16,7 @@ void countCluster(Cluster cluster) {
     const LayerState layer = FRAME.layers.at[cluster.layer];
     const uvec2 place = countLet(cluster, layer, true);
     if (thread < kBucketCount && counts[thread] > 0u) {
-        starts[thread] = atomicAdd(FRAME.letDraws.at[layer.batch * kBucketCount + thread].instanceCount, counts[thread]);
+        starts[thread] = atomicAdd(FRAME.letDraws.at[layer.batch * kDrawCount + thread].instanceCount, counts[thread]);
     }
     barrier();
     if (thread < cluster.count) {

@@ -3,14 +3,15 @@
 #include "lib/frame.glsl"
 #include "lib/prism.glsl"
 #include "lib/surface.glsl"
+#include "lib/let_index.glsl"
 
 // Impostor back end, tilted views: a box around a let, whose front faces cover all that is seen of it. The index table is that of quads with walls.
 layout(location = 0) flat out uint outLet;
 invariant gl_Position;
 
 void main() {
-    const uint code = uint(gl_VertexIndex) & 0xffffu;
-    outLet = FRAME.visibleLets.at[gl_InstanceIndex];
+    const uint code = codeOfIndex();
+    outLet = letOfIndex();
     const Let let = FRAME.lets.at[outLet];
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
     const float protrusion = has(let.meta, kLetBore) ? FRAME.boreProtrusionMm : 0.0;

@@ -3,6 +3,7 @@
 #include "lib/frame.glsl"
 #include "lib/prism.glsl"
 #include "lib/surface.glsl"
+#include "lib/let_index.glsl"
 
 // Impostor back end: a rectangle around the face of a let; the fragment shader cuts the shape out. The index table is that of quads.
 layout(location = 0) out vec2 outLocation;
@@ -12,8 +13,8 @@ layout(location = 3) flat out uint outMaterial;
 invariant gl_Position;
 
 void main() {
-    const uint code = uint(gl_VertexIndex) & 0xffffu;
-    outLet = FRAME.visibleLets.at[gl_InstanceIndex];
+    const uint code = codeOfIndex();
+    outLet = letOfIndex();
     const Let let = FRAME.lets.at[outLet];
     const LayerState layer = FRAME.layers.at[let.meta >> kLetLayerShift];
     const bool isBore = has(let.meta, kLetBore);

@@ -14,8 +14,10 @@ void main() {
         const uint index = cluster.firstLet + gl_LocalInvocationID.x;
         if (gl_LocalInvocationID.x < cluster.count && FRAME.letSlots.at[index] != kNotDrawn) {
             const uint slot = FRAME.letSlots.at[index];
-            const uint draw = FRAME.layers.at[cluster.layer].batch * kBucketCount + (slot >> kSlotBits);
-            FRAME.visibleLets.at[FRAME.letDraws.at[draw].firstInstance + (slot & ((1u << kSlotBits) - 1u))] = index;
+            const uint bucket = slot >> kSlotBits;
+            const uint instance = FRAME.letDraws.at[FRAME.layers.at[cluster.layer].batch * kDrawCount + bucket].firstInstance;
+            const uint first = bucket == kLevelQuad ? instance * kQuadGroup : instance;
+            FRAME.visibleLets.at[first + (slot & ((1u << kSlotBits) - 1u))] = index;
         }
     }
 }

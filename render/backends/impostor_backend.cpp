@@ -10,9 +10,9 @@ public:
         : PullBackend(device), m_device(&device), m_target(target) {}
 
 private:
-    [[nodiscard]] IndexRun runOf(const Recording& recording, std::uint32_t bucket) const override {
-        return isFlatView(recording.plan) ? PullBackend::runOf(recording, bucket)
-                                          : recording.scene.letTables.boxRun(recording.plan.faces);
+    [[nodiscard]] IndexRun runOf(const Recording& recording, std::uint32_t draw) const override {
+        return isFlatView(recording.plan) ? PullBackend::runOf(recording, draw)
+                                          : recording.scene.letTables.boxRun(draw, recording.plan.faces);
     }
 
     [[nodiscard]] const PassPipelines& pipelinesFor(const FramePlan& plan) override {

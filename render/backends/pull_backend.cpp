@@ -16,16 +16,16 @@ PullBackend::PullBackend(gpu::Device& device, const TargetFormat& target) : Pull
     m_pipelines = makePassPipelines(device, "lets (pull)", stages, true, target);
 }
 
-IndexRun PullBackend::runOf(const Recording& recording, std::uint32_t bucket) const {
-    return recording.scene.letTables.run(bucket, recording.plan.faces);
+IndexRun PullBackend::runOf(const Recording& recording, std::uint32_t draw) const {
+    return recording.scene.letTables.run(draw, recording.plan.faces);
 }
 
 /// The commands of all batches before culling.
 std::vector<shader::DrawIndexed> PullBackend::emptyDraws(const Recording& recording) const {
     std::vector<shader::DrawIndexed> draws;
     for (std::size_t batch = 0; batch < recording.layers.batches.size(); ++batch) {
-        for (std::uint32_t bucket = 0; bucket < shader::kBucketCount; ++bucket) {
-            const IndexRun run = runOf(recording, bucket);
+        for (std::uint32_t draw = 0; draw < shader::kDrawCount; ++draw) {
+            const IndexRun run = runOf(recording, draw);
             draws.push_back({run.count, 0, run.first, 0, 0});
         }
     }
@@ -68,8 +68,8 @@ void PullBackend::draw(const Recording& recording, std::uint32_t batch, gpu::Pas
     vkCmdBindIndexBuffer(recording.commands(), recording.scene.letIndices.handle(), 0, VK_INDEX_TYPE_UINT32);
     constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
     vkCmdDrawIndexedIndirect(recording.commands(), recording.lists.letDraws.buffer,
-                             recording.lists.letDraws.offset + std::uint64_t{batch} * shader::kBucketCount * kStride,
-                             shader::kBucketCount, kStride);
+                             recording.lists.letDraws.offset + std::uint64_t{batch} * shader::kDrawCount * kStride,
+                             shader::kDrawCount, kStride);
 }
 
 void dispatchForClusters(const gpu::Pipeline& pipeline, std::span<const Recording> recordings) {

@@ -4,8 +4,8 @@
 
 namespace render {
 
-/// Compute culling sorts lets into instanced indirect draws, one for each topology and level of detail of a batch. What
-/// an instance draws is up to its pipelines.
+/// Compute culling sorts lets into instanced indirect draws, one for each topology and level of detail of a batch;
+/// quads are drawn by groups. What an instance draws is up to its pipelines.
 class PullBackend : public LetBackend {
 public:
     /// Makes its pipelines at once.
@@ -18,8 +18,8 @@ public:
 protected:
     /// Leaves pipelines to whoever derives from it.
     explicit PullBackend(gpu::Device& device);
-    /// Indices that each instance of a draw takes.
-    [[nodiscard]] virtual IndexRun runOf(const Recording& recording, std::uint32_t bucket) const;
+    /// Indices that each instance of a draw of a batch takes.
+    [[nodiscard]] virtual IndexRun runOf(const Recording& recording, std::uint32_t draw) const;
     [[nodiscard]] virtual const PassPipelines& pipelinesFor(const FramePlan&) { return m_pipelines; }
 
 private:

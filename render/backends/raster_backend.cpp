@@ -56,8 +56,8 @@ private:
     }
 
     /// Small lets make no triangles.
-    [[nodiscard]] IndexRun runOf(const Recording& recording, std::uint32_t bucket) const override {
-        return bucket == shader::kBucketRaster ? IndexRun{} : PullBackend::runOf(recording, bucket);
+    [[nodiscard]] IndexRun runOf(const Recording& recording, std::uint32_t draw) const override {
+        return draw == shader::kBucketRaster ? IndexRun{} : PullBackend::runOf(recording, draw);
     }
 
     /// Whoever read the pixels before is done (SceneDrawer's barrier before culling).

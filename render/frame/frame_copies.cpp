@@ -84,7 +84,7 @@ std::vector<CopyGroup> copiesInView(gpu::Frame& frame, const FramePlan& plan, co
         step.setShadows(data, plan.isFromAbove != copy.isFlipped);
         data.layers = copy.isFlipped ? flipped : upright;
         data.palette = palette;
-        data.letDrawCount = static_cast<std::uint32_t>(layers.batches.size()) * shader::kBucketCount;
+        data.letDrawCount = static_cast<std::uint32_t>(layers.batches.size()) * shader::kDrawCount;
         data.maxDispatch = kMaxDispatch;
         const VkDeviceAddress address = frame.put(std::span(&data, 1)).address;
         groups.back().push_back({frame, plan, scene, layers, step, lists, copy.isMirrored, address, data.shadows});

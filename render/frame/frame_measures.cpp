@@ -37,7 +37,7 @@ std::uint64_t standardTriangles(const LayerPlan& plan, const StandardBuffers& bu
 
 std::optional<std::uint64_t> letTriangles(const Recording& copy) {
     const auto draws = readBack<shader::DrawIndexed>(*copy.scene.device, copy.lists.letDraws,
-                                                     copy.layers.batches.size() * shader::kBucketCount);
+                                                     copy.layers.batches.size() * shader::kDrawCount);
     if (!draws) {
         return std::nullopt;
     }

@@ -31,7 +31,7 @@ private:
     /// leads to its first.
     [[nodiscard]] std::uint32_t index(std::uint32_t segment, std::uint32_t digit) const {
         const std::uint32_t own = (segment + digit / 4) % (m_topology == shader::kTopologyClosed ? m_intervals : ~0U);
-        return (m_level << 16U) | (own * 4 + digit % 4);
+        return (m_level << shader::kIndexLevelShift) | (own * 4 + digit % 4);
     }
 
     void triangle(std::uint32_t segment, std::uint32_t digits) {
@@ -68,11 +68,28 @@ private:
     std::vector<std::uint32_t>& m_out;
 };
 
+/// So many quads, face after face.
+LetTable groupOf(const LetTable& quad, std::vector<std::uint32_t>& indices) {
+    LetTable group;
+    group.first = static_cast<std::uint32_t>(indices.size());
+    std::uint32_t from = quad.first;
+    for (std::size_t section = 0; section < quad.counts.size(); ++section) {
+        for (std::uint32_t nth = 0; nth < shader::kQuadGroup; ++nth) {
+            for (std::uint32_t i = from; i < from + quad.counts[section]; ++i) {
+                indices.push_back(indices[i] | shader::kIndexGrouped | nth << shader::kIndexQuadShift);
+            }
+        }
+        group.counts[section] = quad.counts[section] * shader::kQuadGroup;
+        from += quad.counts[section];
+    }
+    return group;
+}
+
 }  // namespace
 
-IndexRun LetTables::run(std::uint32_t bucket, SeenFaces faces) const {
-    const bool isFlat = bucket % shader::kLevelCount >= shader::kLevelFlat;
-    return runOf(tables[bucket], isFlat ? SeenFaces{faces.upper, false, !faces.upper} : faces);
+IndexRun LetTables::run(std::uint32_t draw, SeenFaces faces) const {
+    const bool isFlat = draw == shader::kDrawOfRest || draw % shader::kLevelCount >= shader::kLevelFlat;
+    return runOf(tables[draw], isFlat ? SeenFaces{faces.upper, false, !faces.upper} : faces);
 }
 
 IndexRun LetTables::runOf(const LetTable& table, SeenFaces faces) {
@@ -89,6 +106,8 @@ LetTables makeLetTables() {
             result.tables[topology * shader::kLevelCount + level] = TableMaker(topology, level, result.indices).make();
         }
     }
+    result.tables[shader::kDrawOfRest] = result.tables[shader::kLevelQuad];
+    result.tables[shader::kLevelQuad] = groupOf(result.tables[shader::kDrawOfRest], result.indices);
     return result;
 }
 

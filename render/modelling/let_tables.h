@@ -28,15 +28,17 @@ struct IndexRun {
     std::uint32_t count = 0;
 };
 
-/// The index tables all lets share (paper: one table per level). An index is level << 16 | vertex code (let_mesh.h).
+/// The index tables all lets share (paper: one table per level). let_mesh.h says what an index is.
 struct LetTables {
     std::vector<std::uint32_t> indices;
-    std::array<LetTable, shader::kBucketCount> tables{};  ///< by topology * kLevelCount + level
+    std::array<LetTable, shader::kDrawCount> tables{};  ///< by draw of a batch
 
     /// The run to draw when only `faces` can be seen; flat levels always show exactly one face.
-    [[nodiscard]] IndexRun run(std::uint32_t bucket, SeenFaces faces) const;
-    /// Likewise of a quad with walls: a box.
-    [[nodiscard]] IndexRun boxRun(SeenFaces faces) const { return runOf(tables[shader::kLevelQuad], faces); }
+    [[nodiscard]] IndexRun run(std::uint32_t draw, SeenFaces faces) const;
+    /// Likewise of quads with walls: boxes, one for draws of no groups.
+    [[nodiscard]] IndexRun boxRun(std::uint32_t draw, SeenFaces faces) const {
+        return runOf(tables[draw == shader::kLevelQuad ? draw : shader::kDrawOfRest], faces);
+    }
 
 private:
     [[nodiscard]] static IndexRun runOf(const LetTable& table, SeenFaces faces);

@@ -311,8 +311,8 @@ DrawLists takeLists(const SceneStep& step, Parts& parts) {
     DrawLists lists;
     lists.visibleClusters = parts.take((4 + std::uint64_t{step.clusterCount}) * kWord);
     lists.letSlots = parts.take(std::uint64_t{step.letCount} * kWord);
-    lists.visibleLets = parts.take(std::uint64_t{step.letCount} * kWord);
-    lists.letDraws = parts.take(batches * shader::kBucketCount * sizeof(shader::DrawIndexed));
+    lists.visibleLets = parts.take((step.letCount + batches * shader::kQuadGroup) * kWord);
+    lists.letDraws = parts.take(batches * shader::kDrawCount * sizeof(shader::DrawIndexed));
     lists.visibleInstances = parts.take(step.instanceCount * kWord);
     lists.visiblePatches = parts.take(step.instanceCount * kWord);
     lists.patchDraws = parts.take(step.layers.size() * sizeof(shader::Draw));

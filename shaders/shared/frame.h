@@ -123,8 +123,8 @@ struct FrameData {
     GPU_ADDRESS(ClusterList) visibleClusters;
     GPU_ADDRESS(WordList)
     letSlots;  // by let of a visible cluster: kSlotBits of its place in its draw, above them the bucket
-    GPU_ADDRESS(WordList) visibleLets;   // by draw: at[firstInstance + instance]
-    GPU_ADDRESS(IndexedDraws) letDraws;  // batch * kBucketCount + topology * kLevelCount + level
+    GPU_ADDRESS(WordList) visibleLets;   // by draw: at[firstInstance + instance], of groups of quads as many for each instance
+    GPU_ADDRESS(IndexedDraws) letDraws;  // batch * kDrawCount + topology * kLevelCount + level
     GPU_ADDRESS(Vertices) vertices;
     GPU_ADDRESS(Words) next;
     GPU_ADDRESS(Instances) instances;

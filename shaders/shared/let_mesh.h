@@ -36,6 +36,18 @@ GPU_CONST kBucketCount = 12;  // kTopologyCount * kLevelCount
 // Quads are open, so the last bucket is free: lets that the raster back end draws without triangles.
 GPU_CONST kBucketRaster = 11;
 
+// A batch of lets is drawn by one draw for each bucket, and one more for the quads that fill no group: cards and software
+// devices draw many small instances slowly, so quads are drawn by groups of so many.
+GPU_CONST kQuadGroup = 32;
+GPU_CONST kDrawOfRest = 12;
+GPU_CONST kDrawCount = 13;
+
+// An index of the pull back end's tables: level << kIndexLevelShift | vertex code; of grouped quads kIndexGrouped |
+// level << kIndexLevelShift | which of the group << kIndexQuadShift | vertex code. Below 2^24, as every device can.
+GPU_CONST kIndexQuadShift = 3;
+GPU_CONST kIndexLevelShift = 16;
+GPU_CONST kIndexGrouped = 0x80000;
+
 // Points of one rounded end by level; an open ladder has as many segments, a ring's outline twice as many points.
 GPU_TABLE kEndPoints[6] = {64, 16, 8, 4, 4, 2};
 // Segments of an arc that round either end, and chords of its body: segments - 2 * ends + 1.

@@ -19,6 +19,13 @@ class BackendsTest : public QObject {
         return result;
     }
 
+    static shader::AreaInstance at(glm::vec2 origin) {
+        shader::AreaInstance instance{};
+        instance.origin = origin;
+        instance.cosSin = {1.0F, 0.0F};
+        return instance;
+    }
+
     /// Draws with both and compares; at most 0.01 % of the pixels may differ by more than 8 levels.
     static void compare(Scene& scene, ViewSettings how) {
         how.backend = Backend::Pull;
@@ -265,6 +272,41 @@ private slots:
         QVERIFY2(missing <= 4, qPrintable(QString::number(missing)));
     }
 
+    /// And only those: what has a notch, a hole or walls to be seen keeps its outline.
+    void areasAsGoodAsTheirBoxAreDrawnAsBoxes() {
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.02F, {0.8F, 0.2F, 0.2F});
+        std::vector<shader::AreaInstance> grid;
+        for (int i = 0; i < 300; ++i) {
+            grid.push_back(at({static_cast<float>(i % 20) * 2.0F - 20.0F, static_cast<float>(i / 20) * 2.0F - 15.0F}));
+        }
+        board.addArea(
+            {{{-480, -300}, {480, -300}, {500, -280}, {500, 280}, {480, 300}, {-480, 300}, {-500, 280}, {-500, -280}}},
+            grid);
+        board.addArea({{{-1000, -1000}, {1000, -1000}, {1000, 0}, {0, 0}, {0, 1000}, {-1000, 1000}}},
+                      {at({-22.0F, 0.0F})});
+        board.addArea({{{-1000, -1000}, {1000, -1000}, {1000, 1000}, {-1000, 1000}},
+                       {{-500, -500}, {-500, 500}, {500, 500}, {500, -500}}},
+                      {at({22.0F, 0.0F})});
+        Scene scene(board);
+        scene.camera.setOrthographic(true);
+        scene.camera.fit({-24, -18, 0}, {24, 18, 0.02F}, NamedView::Iso, 4.0F / 3.0F);
+        ViewSettings how = settings(Backend::Pull);
+        const auto triangles = [&] { return drawnTriangles(scene.scene, scene.camera, how, 640, 480).value_or(0); };
+        const Image culled = scene.draw(how);
+        QCOMPARE(triangles(), std::uint64_t{300 * 2 + 4 + 8});
+        how.cull = false;
+        const Image all = scene.draw(how);
+        QVERIFY(triangles() > 300 * 6);
+        constexpr int kHalfContrast = 90;
+        QVERIFY(differingPixels(culled, all, kHalfContrast) <= 20);
+        // Nearer, the walls are seen.
+        how.cull = true;
+        scene.camera.zoom(4.0F, {0.0F, 0.0F}, 4.0F / 3.0F);
+        scene.draw(how);
+        QVERIFY(triangles() % 2 == 0 && triangles() > 20 * (6 + 16));
+    }
+
     /// A step of a hundredth of zoom moves all outlines. A level of detail that strays from the exact outlines by much
     /// less than that is not seen to come or go.
     void changesOfLevelAreNotSeen() {
@@ -285,7 +327,11 @@ private slots:
     void autoTakesWhatSuitsTheDevice() {
         Scene scene(randomTraces(10, 1));
         scene.draw({});
-        const Backend expected = Gpu::get().device.caps().isCpu ? Backend::Pull : Backend::Mesh;
+        QCOMPARE(Gpu::get().presenter.stats().backend, Backend::Pull);
+        ViewSettings unsmoothed;
+        unsmoothed.isSmoothed = false;
+        scene.draw(unsmoothed);
+        const Backend expected = Gpu::get().device.caps().isCpu ? Backend::Pull : Backend::Raster;
         QCOMPARE(Gpu::get().presenter.stats().backend, expected);
         scene.lookDown({-10, -10}, {10, 10});
         scene.draw({});

@@ -50,13 +50,31 @@ private slots:
 
     void boxesAreClosed() {
         const LetTables tables = makeLetTables();
-        const IndexRun run = tables.boxRun({});
+        const IndexRun run = tables.boxRun(shader::kDrawOfRest, {});
         QCOMPARE(run.count, 36U);
         for (const auto& [edge, count] : edgesOf(tables, run)) {
             QCOMPARE(count, 1);
             QVERIFY(edgesOf(tables, run).contains({edge.second, edge.first}));
         }
-        QCOMPARE(tables.boxRun({true, true, false}).count, 30U);
+        QCOMPARE(tables.boxRun(shader::kDrawOfRest, {true, true, false}).count, 30U);
+    }
+
+    void groupsAreAsManyBoxes() {
+        const LetTables tables = makeLetTables();
+        for (const SeenFaces faces : {SeenFaces{}, SeenFaces{true, false, false}, SeenFaces{false, true, true}}) {
+            const IndexRun one = tables.boxRun(shader::kDrawOfRest, faces);
+            const IndexRun group = tables.boxRun(shader::kLevelQuad, faces);
+            QCOMPARE(group.count, one.count * shader::kQuadGroup);
+            std::multiset<std::uint32_t> expected;
+            for (std::uint32_t nth = 0; nth < shader::kQuadGroup; ++nth) {
+                for (std::uint32_t i = one.first; i < one.first + one.count; ++i) {
+                    expected.insert(tables.indices[i] | shader::kIndexGrouped | nth << shader::kIndexQuadShift);
+                }
+            }
+            const auto first = tables.indices.begin() + group.first;
+            QVERIFY(expected == std::multiset<std::uint32_t>(first, first + group.count));
+            QVERIFY(*std::max_element(first, first + group.count) < 1U << 24U);
+        }
     }
 
     void openLaddersHaveThePapersVertexCounts() {
@@ -93,7 +111,8 @@ private slots:
     void flatLevelsShowOneFaceOnly_data() {
         QTest::addColumn<std::uint32_t>("bucket");
         QTest::addColumn<std::uint32_t>("indices");
-        QTest::newRow("quad") << shader::kLevelQuad << 6U;
+        QTest::newRow("quad") << shader::kDrawOfRest << 6U;
+        QTest::newRow("group of quads") << shader::kLevelQuad << 6U * shader::kQuadGroup;
         QTest::newRow("stroke") << shader::kLevelFlat << 18U;
         QTest::newRow("tube") << shader::kLevelCount + shader::kLevelFlat << 48U;
     }
