@@ -32,26 +32,31 @@ bool canRasterise(const gpu::Caps& caps, const FramePlan& plan) {
 /// The back ends from the best to the one for every device and view.
 struct Row {
     Backend backend;
-    bool (*suits)(const gpu::Caps&, const FramePlan&);  ///< Auto takes the first that does
+    bool (*suits)(const gpu::Caps&, const FramePlan&, bool isSmoothed);  ///< Auto takes the first that does
     bool (*canDraw)(const gpu::Caps&, const FramePlan&);
     const char* needs;
 };
 constexpr Row kRows[] = {
     // Straight from above or below: four vertices per let instead of 16 to 128, and exact outlines at any zoom. Tilted
     // views of it are for who asks: lines of sight cost software devices more than polygons do (docs/performance.md).
-    {Backend::Impostor, [](const gpu::Caps&, const FramePlan& plan) { return isFlatView(plan); },
+    {Backend::Impostor, [](const gpu::Caps&, const FramePlan& plan, bool) { return isFlatView(plan); },
      [](const gpu::Caps& caps, const FramePlan& plan) {
          return isFlatView(plan) || (caps.canShadeSamples && castsSight(plan));
      },
      "needs a flat view (2D), or shading by sample and an eye outside all layers"},
-    // For devices whose compute dwarfs their raster units. None has been measured yet, so nobody gets it unasked.
-    {Backend::Raster, [](const gpu::Caps&, const FramePlan&) { return false; }, canRasterise,
-     "needs 64-bit atomics, an eye outside all layers and eight bytes per pixel"},
-    // Software devices run mesh shaders on one thread, compute and vertex shaders on all (docs/driver-notes.md).
-    {Backend::Mesh, [](const gpu::Caps& caps, const FramePlan&) { return tiltedBackend(caps) == Backend::Mesh; },
+    // On the card that was measured it draws boards of many small lets two to five times faster than the next, and
+    // nothing much slower (docs/performance-gpu.md). It cannot smooth.
+    {Backend::Raster,
+     [](const gpu::Caps& caps, const FramePlan& plan, bool isSmoothed) {
+         return !caps.isCpu && !isSmoothed && canRasterise(caps, plan);
+     },
+     canRasterise, "needs 64-bit atomics, an eye outside all layers and eight bytes per pixel"},
+    // The paper's way. Software devices run mesh shaders on one thread, compute and vertex shaders on all
+    // (docs/driver-notes.md), and on the card that was measured it takes 1.4 to 2.5 times as long as pull.
+    {Backend::Mesh, [](const gpu::Caps&, const FramePlan&, bool) { return false; },
      [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader; },
      "needs mesh shaders, which this device does not have"},
-    {Backend::Pull, [](const gpu::Caps&, const FramePlan&) { return true; },
+    {Backend::Pull, [](const gpu::Caps&, const FramePlan&, bool) { return true; },
      [](const gpu::Caps&, const FramePlan&) { return true; }, ""}};
 
 }  // namespace
@@ -61,15 +66,11 @@ const char* nameOf(Backend backend) {
     return kNames[static_cast<std::size_t>(backend)];
 }
 
-Backend tiltedBackend(const gpu::Caps& caps) {
-    return caps.hasMeshShader && !caps.isCpu ? Backend::Mesh : Backend::Pull;
-}
-
-BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePlan& plan) {
+BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePlan& plan, bool isSmoothed) {
     if ((plan.data.flags & shader::kFrameOutlines) != 0) {
         return {Backend::Impostor};
     }
-    const auto best = std::ranges::find_if(kRows, [&](const Row& row) { return row.suits(caps, plan); });
+    const auto best = std::ranges::find_if(kRows, [&](const Row& row) { return row.suits(caps, plan, isSmoothed); });
     const auto requested = std::ranges::find(kRows, wanted, &Row::backend);
     if (requested == std::end(kRows)) {
         return {best->backend};

@@ -14,9 +14,9 @@ struct BackendChoice {
     const char* needs = nullptr;  ///< where the one requested cannot: what it needs, to go on after its name
 };
 
-/// What Auto takes for tilted views.
-[[nodiscard]] Backend tiltedBackend(const gpu::Caps& caps);
 /// The one requested, where it can draw this frame on this device; else, and for Auto, the one that suits best.
-[[nodiscard]] BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePlan& plan);
+/// `isSmoothed`: with several samples per pixel, if the back end can.
+[[nodiscard]] BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePlan& plan,
+                                          bool isSmoothed);
 
 }  // namespace render

@@ -100,8 +100,10 @@ private:
 
 }  // namespace
 
-Backend Renderer::resolve(Backend wanted, const FramePlan& plan) {
-    const BackendChoice choice = chooseBackend(wanted, m_device->caps(), plan);
+Backend Renderer::resolve(const ViewSettings& settings, const FramePlan& plan) {
+    const Backend wanted = settings.backend;
+    const bool isSmoothed = settings.isSmoothed && !settings.isMono && m_device->caps().canSmooth;
+    const BackendChoice choice = chooseBackend(wanted, m_device->caps(), plan, isSmoothed);
     if (choice.needs != nullptr && !m_hasWarned) {
         spdlog::warn("The {} back end {}: drawing with {} instead.", nameOf(wanted), choice.needs,
                      nameOf(choice.backend));
@@ -122,7 +124,7 @@ SceneDrawer& Renderer::sceneDrawer(const TargetFormat& format, Backend backend) 
 void Renderer::makeReady(VkFormat colour, Backend backend, bool isSmoothed) {
     const bool hasSamples = isSmoothed && m_device->caps().canSmooth;
     sceneDrawer({colour, hasSamples ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT},
-                backend == Backend::Auto ? tiltedBackend(m_device->caps()) : backend);
+                backend == Backend::Auto ? Backend::Pull : backend);
 }
 
 void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {
@@ -216,7 +218,7 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
     scene.impl().sendStates(frame);
     FramePlan plan = planFrame(scene.impl().layers, camera, settings, extent.width, extent.height);
     const bool isStandard = scene.impl().steps.front().standard.has_value();
-    const Backend backend = isStandard ? Backend::Standard : resolve(settings.backend, plan);
+    const Backend backend = isStandard ? Backend::Standard : resolve(settings, plan);
     const TargetFormat format = makeTarget(target, extent, colour, backend, settings);
     const std::uint32_t flags = (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
                                 (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);

@@ -30,7 +30,7 @@ public:
 
 private:
     SceneDrawer& sceneDrawer(const TargetFormat& format, Backend backend);
-    [[nodiscard]] Backend resolve(Backend wanted, const FramePlan& plan);
+    [[nodiscard]] Backend resolve(const ViewSettings& settings, const FramePlan& plan);
     /// Smoothed if requested, where there is room.
     TargetFormat makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, Backend backend,
                             const ViewSettings& settings);

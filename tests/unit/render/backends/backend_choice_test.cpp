@@ -56,26 +56,31 @@ class BackendChoiceTest : public QObject {
 
 private slots:
     void autoGoesByDeviceAndView() {
-        QCOMPARE(chooseBackend(Backend::Auto, graphicsCard(), tilted()).backend, Backend::Mesh);
-        QCOMPARE(chooseBackend(Backend::Auto, softwareDevice(), tilted()).backend, Backend::Pull);
-        QCOMPARE(chooseBackend(Backend::Auto, {}, tilted()).backend, Backend::Pull);
-        QCOMPARE(chooseBackend(Backend::Auto, graphicsCard(), flat()).backend, Backend::Impostor);
-        QCOMPARE(chooseBackend(Backend::Auto, {}, flat()).backend, Backend::Impostor);
+        const auto taken = [](const gpu::Caps& caps, const FramePlan& plan, bool isSmoothed) {
+            return chooseBackend(Backend::Auto, caps, plan, isSmoothed).backend;
+        };
+        QCOMPARE(taken(graphicsCard(), tilted(), true), Backend::Pull);
+        QCOMPARE(taken(graphicsCard(), tilted(), false), Backend::Raster);
+        QCOMPARE(taken(graphicsCard(), inside(), false), Backend::Pull);
+        QCOMPARE(taken(softwareDevice(), tilted(), false), Backend::Pull);
+        QCOMPARE(taken({}, tilted(), false), Backend::Pull);
+        QCOMPARE(taken(graphicsCard(), flat(), false), Backend::Impostor);
+        QCOMPARE(taken({}, flat(), true), Backend::Impostor);
     }
 
     void whatIsAskedForIsTakenWhereItCan() {
         for (const Backend backend : {Backend::Mesh, Backend::Pull, Backend::Impostor, Backend::Raster}) {
-            const BackendChoice choice = chooseBackend(backend, softwareDevice(), tilted());
+            const BackendChoice choice = chooseBackend(backend, softwareDevice(), tilted(), false);
             QCOMPARE(choice.backend, backend);
             QVERIFY(choice.needs == nullptr);
         }
     }
 
     void whatCannotDrawSaysWhatItNeeds() {
-        const BackendChoice mesh = chooseBackend(Backend::Mesh, {}, tilted());
+        const BackendChoice mesh = chooseBackend(Backend::Mesh, {}, tilted(), false);
         QCOMPARE(mesh.backend, Backend::Pull);
         QVERIFY(QString(mesh.needs).contains("mesh shaders"));
-        const BackendChoice impostor = chooseBackend(Backend::Impostor, {}, tilted());
+        const BackendChoice impostor = chooseBackend(Backend::Impostor, {}, tilted(), false);
         QCOMPARE(impostor.backend, Backend::Pull);
         QVERIFY(QString(impostor.needs).contains("flat view"));
     }
@@ -85,15 +90,15 @@ private slots:
                                   +[](gpu::Caps& caps) { caps.maxAllocationBytes = 8 * 64 * 48 - 1; }}) {
             gpu::Caps caps = softwareDevice();
             spoil(caps);
-            const BackendChoice choice = chooseBackend(Backend::Raster, caps, tilted());
+            const BackendChoice choice = chooseBackend(Backend::Raster, caps, tilted(), false);
             QCOMPARE(choice.backend, Backend::Pull);
             QVERIFY(QString(choice.needs).contains("64-bit atomics"));
         }
     }
 
     void boxesAreNotLookedAtFromInside() {
-        QCOMPARE(chooseBackend(Backend::Raster, softwareDevice(), inside()).backend, Backend::Pull);
-        QCOMPARE(chooseBackend(Backend::Impostor, softwareDevice(), inside()).backend, Backend::Pull);
+        QCOMPARE(chooseBackend(Backend::Raster, softwareDevice(), inside(), false).backend, Backend::Pull);
+        QCOMPARE(chooseBackend(Backend::Impostor, softwareDevice(), inside(), false).backend, Backend::Pull);
     }
 
     void namesAreThoseOfTheCommandLine() {
