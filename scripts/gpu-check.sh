@@ -72,7 +72,7 @@ tests() {
     (cd "$root" && timeout "$(left)" ctest --preset card --parallel 2) >"$root/build/card/tests.log" 2>&1 || status=$?
     # shellcheck disable=SC2016
     printf '`ctest --preset card`, with the validation layer: %s\n' "$(grep 'tests passed' "$root/build/card/tests.log" || echo "code $status")"
-    grep -E '\*\*\*|\(Failed\)' "$root/build/card/tests.log" | sed 's/^/    /' || true
+    grep -E '\*\*\*[A-Z]|\(Failed\)' "$root/build/card/tests.log" | sed 's/^/    /' || true
     [ "$status" = 0 ] || failed+=("tests")
 }
 

@@ -44,15 +44,15 @@ constexpr Row kRows[] = {
          return isFlatView(plan) || (caps.canShadeSamples && castsSight(plan));
      },
      "needs a flat view (2D), or shading by sample and an eye outside all layers"},
-    // On the card that was measured it draws boards of many small lets two to five times faster than the next, and
-    // nothing much slower (docs/performance-gpu.md). It cannot smooth.
+    // On the card that was measured it draws boards of many small lets twice as fast as pull, and nothing much slower
+    // (docs/performance-gpu.md). It cannot smooth.
     {Backend::Raster,
      [](const gpu::Caps& caps, const FramePlan& plan, bool isSmoothed) {
          return !caps.isCpu && !isSmoothed && canRasterise(caps, plan);
      },
      canRasterise, "needs 64-bit atomics, an eye outside all layers and eight bytes per pixel"},
     // The paper's way. Software devices run mesh shaders on one thread, compute and vertex shaders on all
-    // (docs/driver-notes.md), and on the card that was measured it takes 1.4 to 2.5 times as long as pull.
+    // (docs/driver-notes.md), and on the card that was measured it takes 1.0 to 2.8 times as long as pull.
     {Backend::Mesh, [](const gpu::Caps&, const FramePlan&, bool) { return false; },
      [](const gpu::Caps& caps, const FramePlan&) { return caps.hasMeshShader; },
      "needs mesh shaders, which this device does not have"},
