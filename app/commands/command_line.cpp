@@ -448,7 +448,8 @@ void addInteractionBench(CLI::App& command, bool& isWanted, InteractionArguments
     CLI::Option* wanted = command.add_flag(
         "--interactive", isWanted,
         "the window instead: how long pan, zoom, orbit, hover, highlight and layers take until they are seen");
-    for (const char* other : {"--pipeline", "--lod", "--only-culled", "--components", "--stages", "--triangulation", "--chord"}) {
+    for (const char* other :
+         {"--pipeline", "--lod", "--only-culled", "--components", "--stages", "--triangulation", "--chord"}) {
         wanted->excludes(command.get_option(other));
     }
     command
@@ -480,7 +481,8 @@ void addBench(CLI::App& parent, Command& chosen) {
     addLevels(command, arguments.levels);
     command.add_flag("--only-culled", arguments.onlyCulled, "no frames without culling and level of detail");
     command.add_flag("--components", arguments.hasComponents, "with the bodies of the components");
-    command.add_flag("--stages", arguments.hasStages, "also how long the device takes for each stage of a frame, or kernel of a triangulation");
+    command.add_flag("--stages", arguments.hasStages,
+                     "also how long the device takes for each stage of a frame, or kernel of a triangulation");
     addNumber(command, "--frames", arguments.frames, 1, 1000, "frames per median");
     command.add_flag("--json", arguments.asJson, "as JSON");
     addInputOptions(command, arguments.modelling.request);

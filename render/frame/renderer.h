@@ -22,8 +22,9 @@ public:
     Backend record(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene* scene,
                    const Camera& camera, const ViewSettings& settings);
 
-    /// Makes the pipelines for boards (Auto: for tilted views), smoothed where the device can or not. Takes longer than a
-    /// frame. On any thread, while nothing else is done with this. Throws gpu::OutOfMemory; then `record` tries again.
+    /// Makes the pipelines for boards (Auto: for tilted views), smoothed where the device can or not. Takes longer than
+    /// a frame. On any thread, while nothing else is done with this. Throws gpu::OutOfMemory; then `record` tries
+    /// again.
     void makeReady(VkFormat colour, Backend backend, bool isSmoothed);
     /// Did `record` find the board cached?
     [[nodiscard]] bool drewOverlayAlone() const { return m_isOverlayAlone; }

@@ -138,7 +138,8 @@ Frame* FrameRing::begin() {
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     VK_CHECK(vkBeginCommandBuffer(frame.m_commands, &info));
     if (m_device->caps().hasTimestamps) {
-        vkCmdResetQueryPool(frame.m_commands, frame.m_times.get(), 0, Frame::kMostStamps);
+        const std::uint32_t stamps = m_areStagesTimed ? Frame::kMostStamps : Frame::kFirstStage;
+        vkCmdResetQueryPool(frame.m_commands, frame.m_times.get(), 0, stamps);
     }
     frame.stamp(0, VK_PIPELINE_STAGE_2_TOP_OF_PIPE_BIT);
     return &frame;

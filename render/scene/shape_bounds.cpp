@@ -6,17 +6,11 @@
 #include <numbers>
 
 #include "model/base/parallel.h"
+#include "render/modelling/edge_grid.h"
 
 namespace render {
 
 namespace {
-
-float distance(glm::vec2 point, glm::vec2 from, glm::vec2 to) {
-    const glm::vec2 along = to - from;
-    const float length2 = glm::dot(along, along);
-    const float share = length2 > 0.0F ? std::clamp(glm::dot(point - from, along) / length2, 0.0F, 1.0F) : 0.0F;
-    return glm::distance(point, from + share * along);
-}
 
 float cross(glm::vec2 a, glm::vec2 b) {
     return a.x * b.y - a.y * b.x;
@@ -51,7 +45,7 @@ float strayOf(const BoardModel& model, const AreaShape& piece, const Box2& box) 
         turned += std::atan2(cross(along, then), glm::dot(along, then));
         enclosed += 0.5 * cross(from - box.min, to - box.min);
         for (std::size_t corner = 0; corner < nearest.size(); ++corner) {
-            nearest[corner] = std::min(nearest[corner], distance(corners[corner], from, to));
+            nearest[corner] = std::min(nearest[corner], Edge{from, to}.distance(corners[corner]));
         }
     }
     const bool isConvex = piece.wallCount > 2 && turned < 3.0 * std::numbers::pi;

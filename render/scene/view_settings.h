@@ -61,7 +61,7 @@ struct ViewSettings {
 
 struct FrameStats {
     double cpuMs = 0.0;               ///< recording and submitting
-    double gpuMs = 0.0;               ///< by timestamps, 0 if the device has none
+    double gpuMs = 0.0;               ///< by timestamps, without reading back; 0 if the device has none
     Backend backend = Backend::Auto;  ///< the one that drew
     bool isOverlayAlone = false;      ///< the board was the cached one
     bool isPartial = false;           ///< parts of the board are missing, and come with a later frame

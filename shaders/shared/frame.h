@@ -123,7 +123,8 @@ struct FrameData {
     GPU_ADDRESS(ClusterList) visibleClusters;
     GPU_ADDRESS(WordList)
     letSlots;  // by let of a visible cluster: kSlotBits of its place in its draw, above them the bucket
-    GPU_ADDRESS(WordList) visibleLets;   // by draw: at[firstInstance + instance], of groups of quads as many for each instance
+    GPU_ADDRESS(WordList)
+    visibleLets;  // by draw: at[firstInstance + instance], of groups of quads as many for each instance
     GPU_ADDRESS(IndexedDraws) letDraws;  // batch * kDrawCount + topology * kLevelCount + level
     GPU_ADDRESS(Vertices) vertices;
     GPU_ADDRESS(Words) next;
@@ -131,8 +132,8 @@ struct FrameData {
     GPU_ADDRESS(Words) drawOfInstance;
     GPU_ADDRESS(Bounds) bounds;
     GPU_ADDRESS(WordList) visibleInstances;  // by draw: at[firstInstance + instance]
-    GPU_ADDRESS(WordList) visiblePatches;  // by layer: at[firstInstance + vertex / 6]
-    GPU_ADDRESS(Draws) patchDraws;  // by layer
+    GPU_ADDRESS(WordList) visiblePatches;    // by layer: at[firstInstance + vertex / 6]
+    GPU_ADDRESS(Draws) patchDraws;           // by layer
     GPU_ADDRESS(IndexedDraws) capDraws;
     GPU_ADDRESS(Draws) wallDraws;
     GPU_ADDRESS(Words) elementStates;          // a byte per element

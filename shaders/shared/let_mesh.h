@@ -36,8 +36,8 @@ GPU_CONST kBucketCount = 12;  // kTopologyCount * kLevelCount
 // Quads are open, so the last bucket is free: lets that the raster back end draws without triangles.
 GPU_CONST kBucketRaster = 11;
 
-// A batch of lets is drawn by one draw for each bucket, and one more for the quads that fill no group: cards and software
-// devices draw many small instances slowly, so quads are drawn by groups of so many.
+// A batch of lets is drawn by one draw for each bucket, and one more for the quads that fill no group: software devices
+// draw many small instances slowly, so quads are drawn by groups of so many.
 GPU_CONST kQuadGroup = 32;
 GPU_CONST kDrawOfRest = 12;
 GPU_CONST kDrawCount = 13;

@@ -77,25 +77,25 @@ const Buffer& DeviceForest::column(std::size_t offset) const {
     return m_columns[static_cast<std::size_t>(found - m_offsets.begin())];
 }
 
-void DeviceForest::dispatch(Frame& frame, const Kernel& program, std::uint32_t groups) const {
-    VkCommandBuffer commands = frame.commands();
+void DeviceForest::begin(Frame& frame, const Kernel& program, std::uint32_t stage) const {
     frame.beginStage(program.name);
-    program.pipeline.bind(commands);
-    program.pipeline.push(commands, kernel::Push{{m_forest.address()}, 0, 0});
+    program.pipeline.bind(frame.commands());
+    program.pipeline.push(frame.commands(), kernel::Push{{m_forest.address()}, stage, 0});
+}
+
+void DeviceForest::dispatch(Frame& frame, const Kernel& program, std::uint32_t groups) const {
+    begin(frame, program, 0);
     // Workgroups in rows, as advance.h lays them out.
     constexpr std::uint32_t kRow = kernel::kMaxGroupsX;
-    vkCmdDispatch(commands, std::min(groups, kRow), (groups + kRow - 1) / kRow, 1);
-    finishBefore(commands);
+    vkCmdDispatch(frame.commands(), std::min(groups, kRow), (groups + kRow - 1) / kRow, 1);
+    finishBefore(frame.commands());
 }
 
 /// As many workgroups as the device wrote to the member of Control that lies `groups` bytes into it.
 void DeviceForest::run(Frame& frame, const Kernel& program, std::size_t groups, std::uint32_t stage) const {
-    VkCommandBuffer commands = frame.commands();
-    frame.beginStage(program.name);
-    program.pipeline.bind(commands);
-    program.pipeline.push(commands, kernel::Push{{m_forest.address()}, stage, 0});
-    vkCmdDispatchIndirect(commands, column(offsetof(kernel::Forest, control)).handle(), groups);
-    finishBefore(commands);
+    begin(frame, program, stage);
+    vkCmdDispatchIndirect(frame.commands(), column(offsetof(kernel::Forest, control)).handle(), groups);
+    finishBefore(frame.commands());
 }
 
 void DeviceForest::recordInit(Frame& frame, const Kernels& kernels) const {

@@ -55,6 +55,7 @@ public:
 
 private:
     [[nodiscard]] const render::gpu::Buffer& column(std::size_t offset) const;
+    void begin(render::gpu::Frame& frame, const Kernel& program, std::uint32_t stage) const;
     void run(render::gpu::Frame& frame, const Kernel& program, std::size_t groups, std::uint32_t stage = 0) const;
     void dispatch(render::gpu::Frame& frame, const Kernel& program, std::uint32_t groups) const;
 
