@@ -17,14 +17,17 @@ build_preset_target() {
     exec 9>&-  # the program that runs next must not hold the lock
 }
 
-# Configures if that has not been done with this place and these options; later changes to CMake files are ninja's business.
+# Configures if that has not been done with this place and these options; later changes to CMake files are ninja's business. Who names no
+# options takes the build as it is configured: a whole build is not thrown away because a script wants one program of it.
 configure() {
-    local preset=$1 dir=$2 stamp=$2/.configured
+    local preset=$1 dir=$2 stamp=$2/.configured done_before=""
     shift 2
     local wanted="$root $*"
-    if [ "$(cat "$stamp" 2>/dev/null)" = "$wanted" ] && [ "$root/CMakePresets.json" -ot "$stamp" ]; then
-        return
-    fi
+    [ ! "$root/CMakePresets.json" -ot "$stamp" ] || done_before=$(cat "$stamp")
+    case $done_before in
+        "$wanted") return ;;
+        "$root "*) [ $# -gt 0 ] || return 0 ;;
+    esac
     say "configuring build/$preset"
     rm -f "$stamp" "$dir/CMakeCache.txt"
     (cd "$root" && LC_ALL=C.UTF-8 cmake --preset "$preset" "$@") >"$dir/build.log" 2>&1 || build_failed "$dir" "configuring"

@@ -7,3 +7,7 @@ set_tests_properties(setup PROPERTIES LABELS unit TIMEOUT 60)
 add_test(NAME reliability
     COMMAND ${BASH} ${CMAKE_CURRENT_LIST_DIR}/reliability_test.sh ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/reliability_scratch)
 set_tests_properties(reliability PROPERTIES LABELS unit TIMEOUT 60)
+
+add_test(NAME configure_once
+    COMMAND ${BASH} ${CMAKE_CURRENT_LIST_DIR}/build_test.sh ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/build_scratch)
+set_tests_properties(configure_once PROPERTIES LABELS unit TIMEOUT 60)
