@@ -1,5 +1,6 @@
 #include "model/geometry/boolean.h"
 
+#include <new>
 #include <polyclipping/clipper.hpp>
 
 namespace model {
@@ -45,12 +46,35 @@ void collect(const ClipperLib::PolyNode& parent, PolygonSet& out) {
     }
 }
 
+/// polyclipping keeps to itself what is thrown inside, above all where memory runs out, and leaves an empty result:
+/// that must not pass for one. It says the same of operands without an area, whose result is empty indeed.
+class Clip {
+public:
+    explicit Clip(int options = 0) : m_clipper(options) {}
+
+    void add(const Paths& paths, ClipperLib::PolyType operand) {
+        m_hasEdges = m_clipper.AddPaths(paths, operand, true) || m_hasEdges;
+    }
+    /// `Result` is Paths or a PolyTree.
+    template <class Result>
+    void execute(ClipperLib::ClipType type, Result& result) {
+        const bool isDone = m_clipper.Execute(type, result, ClipperLib::pftPositive, ClipperLib::pftPositive);
+        if (m_hasEdges && !isDone) {
+            throw std::bad_alloc();
+        }
+    }
+
+private:
+    ClipperLib::Clipper m_clipper;
+    bool m_hasEdges = false;
+};
+
 /// Loops that do not overlap, sorted into polygons.
 PolygonSet sorted(const Paths& paths) {
-    ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
-    clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+    Clip clip(ClipperLib::ioStrictlySimple);
+    clip.add(paths, ClipperLib::ptSubject);
     ClipperLib::PolyTree tree;
-    clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftPositive, ClipperLib::pftPositive);
+    clip.execute(ClipperLib::ctUnion, tree);
     PolygonSet result;
     collect(tree, result);
     return result;
@@ -59,12 +83,12 @@ PolygonSet sorted(const Paths& paths) {
 /// Outlines wind +1 and holes -1 in a PolygonSet, so "any polygon covers it" is winding > 0. Which hole is whose is
 /// found out in a pass of its own: polyclipping looks through all loops each time it joins two while it keeps a tree of
 /// them, and the strokes of a hatch make it join thousands, which are gone in the second pass.
-PolygonSet execute(ClipperLib::ClipType type, const PolygonSet& subject, const PolygonSet& clip) {
-    ClipperLib::Clipper clipper;
-    clipper.AddPaths(toPaths(subject), ClipperLib::ptSubject, true);
-    clipper.AddPaths(toPaths(clip), ClipperLib::ptClip, true);
+PolygonSet execute(ClipperLib::ClipType type, const PolygonSet& subject, const PolygonSet& other) {
+    Clip clip;
+    clip.add(toPaths(subject), ClipperLib::ptSubject);
+    clip.add(toPaths(other), ClipperLib::ptClip);
     Paths paths;
-    clipper.Execute(type, paths, ClipperLib::pftPositive, ClipperLib::pftPositive);
+    clip.execute(type, paths);
     return sorted(paths);
 }
 
@@ -81,10 +105,10 @@ LoopSet unitedLoops(const LoopSet& set) {
             paths[i].emplace_back(set.points[k].x, set.points[k].y);
         }
     }
-    ClipperLib::Clipper clipper;
-    clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+    Clip clip;
+    clip.add(paths, ClipperLib::ptSubject);
     Paths united;
-    clipper.Execute(ClipperLib::ctUnion, united, ClipperLib::pftPositive, ClipperLib::pftPositive);
+    clip.execute(ClipperLib::ctUnion, united);
     LoopSet result;
     for (const Path& path : united) {
         const std::vector<Point> loop = toLoop(path);
@@ -110,15 +134,13 @@ PolygonSet grow(const PolygonSet& set, double distance) {
         offset.AddPath(paths[polygon.firstLoop], ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
         Paths grown;
         offset.Execute(grown, distance);
-        ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
-        clipper.AddPaths(grown, ClipperLib::ptSubject, true);
-        for (std::uint32_t i = 1; i < polygon.loopCount; ++i) {
-            Path hole = paths[polygon.firstLoop + i];
-            ClipperLib::ReversePath(hole);
-            clipper.AddPath(hole, ClipperLib::ptClip, true);
-        }
+        Clip clip(ClipperLib::ioStrictlySimple);
+        clip.add(grown, ClipperLib::ptSubject);
+        Paths holes(paths.begin() + polygon.firstLoop + 1, paths.begin() + polygon.firstLoop + polygon.loopCount);
+        ClipperLib::ReversePaths(holes);
+        clip.add(holes, ClipperLib::ptClip);
         ClipperLib::PolyTree tree;
-        clipper.Execute(ClipperLib::ctDifference, tree, ClipperLib::pftPositive, ClipperLib::pftPositive);
+        clip.execute(ClipperLib::ctDifference, tree);
         collect(tree, all);
     }
     return unite(all);

@@ -99,7 +99,8 @@ private slots:
             device.waitIdle();
             QCOMPARE(device.memoryReport().total(), atRest);
         }
-        qInfo() << n - 2 << "allocations," << failures << "errors," << rescues << "pictures with less";
+        qInfo("faults injected: %d times device memory refused, %d errors and %d pictures of it", int(n) - 2, failures,
+              rescues);
         QVERIFY(isLasting ? failures > 10 : failures > 1 && rescues > 8);
         const base::Result<Image> again = loadAndDraw(device, board, when);
         QVERIFY(again);
@@ -128,7 +129,8 @@ private slots:
                 device = freshDevice();
             }
         }
-        qInfo() << errors << "errors," << pictures << "pictures";
+        qInfo("faults injected: %d limits of a buffer, %d errors and %d pictures of it", errors + pictures, errors,
+              pictures);
         QVERIFY(errors > 3 && pictures > 3);
     }
 
@@ -162,7 +164,7 @@ private slots:
                 QVERIFY(image.error().text.find("lost") != std::string::npos);
             }
         }
-        qInfo() << n - 2 << "submissions";
+        qInfo("faults injected: %d times the device was lost", int(n) - 2);
         QVERIFY(n > 2);
     }
 };

@@ -22,7 +22,8 @@ foreach(test IN LISTS tests)
 endforeach()
 target_link_libraries(png_test PRIVATE PNG::PNG)
 target_link_libraries(glb_export_test PRIVATE ${TINYGLTF})
+target_link_libraries(odb_parse_memory_test PRIVATE copperscope_counted_memory)
 if(COPPERSCOPE_SANITIZE)
-    # It counts what operator new is asked for; sanitizers bring operators of their own.
+    # Sanitizers bring operators new of their own.
     set_tests_properties(odb_parse_memory_test PROPERTIES DISABLED TRUE)
 endif()

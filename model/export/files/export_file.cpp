@@ -100,16 +100,18 @@ DrawingOptions drawingOptions(const Document& board, const ExportRequest& reques
     return options;
 }
 
+/// The file takes its name last: what fails before leaves none.
 Result<ExportSummary> finish(const DrawingReport& report, FileWriter& file) {
-    RETURN_IF_ERROR(file.commit());
     ExportSummary summary{
-        file.size(),
+        0,
         formatted("%zu layers, %llu regions", report.layers.size(), static_cast<unsigned long long>(report.regions)),
         {}};
     for (const NotDrawn& item : report.notDrawn) {
         summary.missing.push_back(
             {item.layer, item.file, item.line, std::string(item.reason), item.step == 0 ? item.element : ElementId{}});
     }
+    RETURN_IF_ERROR(file.commit());
+    summary.bytes = file.size();
     return summary;
 }
 

@@ -1,37 +1,15 @@
 #include "model/text/file_writer.h"
 
-#include <sys/resource.h>
 #include <zlib.h>
 
 #include <QDir>
 #include <QTemporaryDir>
 #include <QtTest>
-#include <csignal>
 
 #include "model/text/whole_file.h"
+#include "tests/full_disk.h"
 
 namespace {
-
-/// Files of this process end here, as on a disk that is full, while this lives.
-class SizeLimit {
-public:
-    explicit SizeLimit(rlim_t bytes) {
-        ::getrlimit(RLIMIT_FSIZE, &m_before);
-        const rlimit limit{bytes, m_before.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-        m_handler = std::signal(SIGXFSZ, SIG_IGN);
-    }
-    ~SizeLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &m_before);
-        std::signal(SIGXFSZ, m_handler);
-    }
-    SizeLimit(const SizeLimit&) = delete;
-    SizeLimit& operator=(const SizeLimit&) = delete;
-
-private:
-    rlimit m_before{};
-    void (*m_handler)(int) = nullptr;
-};
 
 std::string unpacked(const std::string& path) {
     std::string bytes;
@@ -121,7 +99,7 @@ private slots:
         const std::string path = folder.filePath("board.step").toStdString();
         QVERIFY(model::writeWholeFile(path, "before"));
         {
-            const SizeLimit limit(1'000'000);
+            const FullDisk disk(1'000'000);
             model::FileWriter writer(path);
             bool isGood = true;
             for (int i = 0; i < 20; ++i) {

@@ -1,14 +1,13 @@
 #include "render/frame/png.h"
 
 #include <png.h>
-#include <sys/resource.h>
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
-#include <csignal>
 
 #include "render/scene/view_settings.h"
+#include "tests/full_disk.h"
 
 using namespace render;
 
@@ -34,26 +33,6 @@ class PngTest : public QObject {
         }
         return image;
     }
-
-    /// Stands in for a full disk: writing beyond so many bytes of a file fails while it lives.
-    class FileSizeLimit {
-    public:
-        explicit FileSizeLimit(rlim_t bytes) : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
-            getrlimit(RLIMIT_FSIZE, &m_was);
-            const rlimit limit{bytes, m_was.rlim_max};
-            setrlimit(RLIMIT_FSIZE, &limit);
-        }
-        ~FileSizeLimit() {
-            setrlimit(RLIMIT_FSIZE, &m_was);
-            std::signal(SIGXFSZ, m_handler);
-        }
-        FileSizeLimit(const FileSizeLimit&) = delete;
-        FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-    private:
-        void (*m_handler)(int);
-        rlimit m_was{};
-    };
 
 private slots:
     void whatIsWrittenIsReadBack() {
@@ -94,7 +73,7 @@ private slots:
     void aPictureThatDoesNotFitLeavesNoFile() {
         const QTemporaryDir folder;
         const QString path = folder.filePath("picture.png");
-        const FileSizeLimit limit(1000);
+        const FullDisk disk(1000);
         const auto status = writePng(noise(), path.toStdString());
         QVERIFY(!status);
         QCOMPARE(status.error().code, base::ErrorCode::OutputFailed);

@@ -1,11 +1,9 @@
 #include "render/gpu/pipeline_cache_file.h"
 
-#include <sys/resource.h>
-
 #include <QtTest>
-#include <csignal>
 
 #include "model/text/whole_file.h"
+#include "tests/full_disk.h"
 
 using namespace render::gpu;
 
@@ -108,14 +106,10 @@ private slots:
     void fullDisksKeepWhatIsThere() {
         PipelineCacheFile file(m_folder.path().toStdString(), owner());
         QVERIFY(file.save(compiled('a')));
-        rlimit before{};
-        QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
-        std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit small{4096, before.rlim_max};
-        QCOMPARE(setrlimit(RLIMIT_FSIZE, &small), 0);
-        const base::Status status = file.save(std::string(100'000, 'b'));
-        QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
-        std::signal(SIGXFSZ, SIG_DFL);
+        const base::Status status = [&] {
+            const FullDisk disk(4096);
+            return file.save(std::string(100'000, 'b'));
+        }();
         QVERIFY(!status);
         QCOMPARE(status.error().code, base::ErrorCode::OutputFailed);
         QCOMPARE(PipelineCacheFile(m_folder.path().toStdString(), owner()).load(), compiled('a'));

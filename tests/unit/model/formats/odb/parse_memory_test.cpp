@@ -1,58 +1,8 @@
 // What reading costs in memory: records are parsed without an allocation each, and a document stays small.
-#include <malloc.h>
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "model/formats/odb/features/features.h"
+#include "tests/counted_memory.h"
 #include "tests/locations.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
-
-namespace {
-
-std::atomic<std::size_t> g_allocations{0};
-std::atomic<std::size_t> g_live{0};
-std::atomic<std::size_t> g_peak{0};
-
-void* counted(std::size_t size) {
-    void* memory = std::malloc(size);
-    if (memory == nullptr) {
-        throw std::bad_alloc();
-    }
-    ++g_allocations;
-    const std::size_t live = g_live += malloc_usable_size(memory);
-    std::size_t peak = g_peak;
-    while (live > peak && !g_peak.compare_exchange_weak(peak, live)) {
-    }
-    return memory;
-}
-
-void release(void* memory) {
-    g_live -= memory != nullptr ? malloc_usable_size(memory) : 0;
-    std::free(memory);
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-    return counted(size);
-}
-void* operator new[](std::size_t size) {
-    return counted(size);
-}
-void operator delete(void* memory) noexcept {
-    release(memory);
-}
-void operator delete[](void* memory) noexcept {
-    release(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    release(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-    release(memory);
-}
 
 using namespace odb_testing;
 
@@ -88,17 +38,18 @@ private slots:
     void aLargeFileNeedsASmallMultipleOfItself() {
         const std::string text = bigLayer(30'000'000);
         model::Diagnostics diagnostics;
-        const std::size_t before = g_live;
-        g_peak = before;
-        const std::size_t allocations = g_allocations;
+        counted::resetPeak();
+        const counted::Memory before = counted::memory();
         const model::odb::FeatureFile file =
             model::odb::parseFeatures(text, "features", model::odb::Unit::Millimetre, diagnostics);
         QVERIFY(diagnostics.entries().empty());
         QVERIFY(file.features.size() > 400'000);
         QCOMPARE(file.attributes.sets.size(), std::size_t{2});
         // Tables that double: some twenty steps each.
-        QVERIFY2(g_allocations - allocations < 500, qPrintable(QString::number(g_allocations - allocations)));
-        QVERIFY2(g_peak - before < 3 * text.size(), qPrintable(QString::number((g_peak - before) / 1'000'000)));
+        const std::size_t allocations = counted::memory().allocations - before.allocations;
+        QVERIFY2(allocations < 500, qPrintable(QString::number(allocations)));
+        const std::size_t bytes = counted::memory().peak - before.live;
+        QVERIFY2(bytes < 3 * text.size(), qPrintable(QString::number(bytes / 1'000'000)));
     }
 
     /// Of all columns of a document: at most 96 bytes per element, besides the points of contours and trails.
