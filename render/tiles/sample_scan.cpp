@@ -3,14 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 namespace render {
 
 namespace {
 
-constexpr double kFixed = 256.0;  // steps that corners are moved to, per pixel
+constexpr int kFixed = 256;  // steps that corners are moved to, per pixel
+constexpr double kMiddleOfRow = 0.5 / kRowsPerPixel;
+constexpr int kRowSteps = kFixed / kRowsPerPixel;  // from one row of samples to the next; the first is half as far
 
-/// An edge of a polygon between moved corners, from its upper end down; y from `top` to before `bottom`.
+/// A corner in steps.
+struct Corner {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+};
+
+/// An edge of a polygon between moved corners, from its upper end down; pixels, y from `top` to before `bottom`.
 struct Edge {
     double top = 0.0;
     double bottom = 0.0;
@@ -31,14 +40,46 @@ int floorColumn(double x) {
     return whole - (clamped < whole ? 1 : 0);
 }
 
-glm::dvec2 moved(glm::dvec2 corner) {
-    const auto toStep = [](double x) {
-        return static_cast<double>(static_cast<std::int64_t>(x * kFixed + (x < 0.0 ? -0.5 : 0.5))) / kFixed;
-    };
+Corner moved(glm::dvec2 corner) {
+    const auto toStep = [](double x) { return static_cast<std::int64_t>(x * kFixed + (x < 0.0 ? -0.5 : 0.5)); };
     return {toStep(corner.x), toStep(corner.y)};
 }
 
+/// The first row of samples of a tile that is not above `y` (steps).
+int firstRow(std::int64_t y) {
+    constexpr std::int64_t kRows = std::int64_t{kRowsPerPixel} * kTilePixels;
+    return static_cast<int>(std::clamp((y + kRowSteps / 2 - 1) / kRowSteps, std::int64_t{0}, kRows));
+}
+
+Edge edgeBetween(Corner from, Corner to) {
+    if (from.y > to.y) {
+        std::swap(from, to);
+    }
+    return {static_cast<double>(from.y) / kFixed, static_cast<double>(to.y) / kFixed,
+            static_cast<double>(from.x) / kFixed,
+            static_cast<double>(to.x - from.x) / static_cast<double>(to.y - from.y)};
+}
+
+/// Columns of a sample `place` from their left that lie between the edges at `y`, as [first, end).
+glm::ivec2 columnsBetween(std::span<const Edge> edges, double y, double place) {
+    glm::ivec2 all(kTilePixels + 1, -1);
+    for (const Edge& edge : edges) {
+        if (edge.top <= y && y < edge.bottom) {
+            const int column = ceilColumn(edge.x + (y - edge.top) * edge.slope - place);
+            all = {std::min(all.x, column), std::max(all.y, column)};
+        }
+    }
+    return {std::max(all.x, 0), std::min(all.y, kTilePixels)};
+}
+
 }  // namespace
+
+glm::ivec2 SampleScan::rowsBetween(double low, double high) {
+    const auto rows = [](double y) { return std::clamp(y * kRowsPerPixel, 0.0, double{kRowsPerPixel} * kTilePixels); };
+    const double first = rows(low - 2.0 * kBesideSample - kMiddleOfRow);
+    const int whole = static_cast<int>(first);
+    return {whole + (whole < first ? 1 : 0), static_cast<int>(rows(high + 2.0 * kBesideSample + kMiddleOfRow))};
+}
 
 SampleScan::Track::Track(glm::dvec2 first, glm::dvec2 last, double r)
     : a(first), b(last), along(last - first), radius(r) {
@@ -97,68 +138,61 @@ void SampleScan::cover(int row, std::size_t sample, glm::ivec2 columns) {
     }
 }
 
+void SampleScan::coverAround(int row, std::size_t sample, glm::ivec2 all, glm::ivec2 none) {
+    if (none.x >= none.y) {
+        cover(row, sample, all);
+    } else {
+        cover(row, sample, glm::ivec2(all.x, std::min(all.y, none.x)));
+        cover(row, sample, glm::ivec2(std::max(all.x, none.y), all.y));
+    }
+}
+
 void SampleScan::track(glm::dvec2 a, glm::dvec2 b, double radius, double inner) {
-    if (isBeside(std::min(a.x, b.x) - radius, std::max(a.x, b.x) + radius)) {
+    const double low = std::min(a.y, b.y) - radius;
+    const double high = std::max(a.y, b.y) + radius;
+    const glm::ivec2 rows = rowsBetween(low, high);
+    if (rows.x >= rows.y || isBeside(std::min(a.x, b.x) - radius, std::max(a.x, b.x) + radius)) {
         return;
     }
     const Track outline(a, b, radius);
-    const Track hole(a, b, inner);
-    forRows(std::min(a.y, b.y) - radius, std::max(a.y, b.y) + radius, [&](int row, std::size_t sample, double at) {
+    const std::optional<Track> hole = inner > 0.0 ? std::optional<Track>(std::in_place, a, b, inner) : std::nullopt;
+    forRows(low, high, [&](int row, std::size_t sample, double at) {
         const double y = at + kBesideSample;
-        const glm::ivec2 all = columns(outline.at(y), sample);
-        const glm::ivec2 none = inner > 0.0 ? columns(hole.at(y), sample) : glm::ivec2(0);
-        if (none.x >= none.y) {
-            cover(row, sample, all);
-        } else {
-            cover(row, sample, glm::ivec2(all.x, std::min(all.y, none.x)));
-            cover(row, sample, glm::ivec2(std::max(all.x, none.y), all.y));
-        }
+        coverAround(row, sample, columns(outline.at(y), sample), hole ? columns(hole->at(y), sample) : glm::ivec2(0));
     });
 }
 
+/// Of most polygons of a small picture no row of samples is reached: they cost a look at their corners.
 void SampleScan::polygon(std::span<const glm::dvec2> corners, glm::dvec2 centre, double radius) {
-    const auto [left, right] = std::ranges::minmax(corners, {}, &glm::dvec2::x);
-    if (isBeside(left.x, right.x)) {
+    std::array<Corner, 4> all;
+    std::ranges::transform(corners, all.begin(), moved);
+    const std::span<const Corner> own(all.data(), corners.size());
+    const auto [high, low] = std::ranges::minmax(own, {}, &Corner::y);
+    int row = firstRow(high.y);
+    const int end = firstRow(low.y);
+    if (row >= end) {
+        return;
+    }
+    const auto [left, right] = std::ranges::minmax(own, {}, &Corner::x);
+    if (right.x < 0 || left.x > std::int64_t{kFixed} * kTilePixels) {
         return;
     }
     std::array<Edge, 4> edges;
     std::size_t count = 0;
-    double low = 1e30;
-    double high = -1e30;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        glm::dvec2 from = moved(corners[i]);
-        glm::dvec2 to = moved(corners[i + 1 < corners.size() ? i + 1 : 0]);
-        if (from.y > to.y) {
-            std::swap(from, to);
-        }
-        if (from.y < to.y) {
-            edges[count++] = {from.y, to.y, from.x, (to.x - from.x) / (to.y - from.y)};
-            low = std::min(low, from.y);
-            high = std::max(high, to.y);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const Corner& next = own[i + 1 < own.size() ? i + 1 : 0];
+        if (own[i].y != next.y) {
+            edges[count++] = edgeBetween(own[i], next);
         }
     }
     const Track hole(centre, centre, radius);
-    forRows(low, high, [&](int row, std::size_t sample, double y) {
-        if (y < low || y >= high) {
-            return;
-        }
-        const double place = kSamplePlaces[sample].x;
-        glm::ivec2 all(kTilePixels + 1, -1);
-        for (std::size_t i = 0; i < count; ++i) {
-            if (edges[i].top <= y && y < edges[i].bottom) {
-                const int column = ceilColumn(edges[i].x + (y - edges[i].top) * edges[i].slope - place);
-                all = {std::min(all.x, column), std::max(all.y, column)};
-            }
-        }
-        all = {std::max(all.x, 0), std::min(all.y, kTilePixels)};
+    for (; row < end; ++row) {
+        const auto sample = static_cast<std::size_t>(row % kRowsPerPixel);
+        const double y = (row + 0.5) / kRowsPerPixel;
+        const glm::ivec2 columnsHere = columnsBetween({edges.data(), count}, y, kSamplePlaces[sample].x);
         const glm::ivec2 none = radius > 0.0 ? columns(hole.at(y + kBesideSample), sample) : glm::ivec2(0);
-        if (none.x >= none.y) {
-            cover(row, sample, all);
-        } else {
-            cover(row, sample, glm::ivec2(all.x, std::min(all.y, none.x)));
-            cover(row, sample, glm::ivec2(std::max(all.x, none.y), all.y));
-        }
-    });
+        coverAround(row / kRowsPerPixel, sample, columnsHere, none);
+    }
 }
 
 }  // namespace render

@@ -18,6 +18,9 @@ using MaskTile = std::array<std::uint8_t, static_cast<std::size_t>(kTilePixels) 
 inline constexpr std::array<glm::dvec2, 4> kSamplePlaces{
     {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}}};
 
+/// One in the middle of each quarter of a pixel's height, in that order: rows of samples are as far from each other.
+inline constexpr int kRowsPerPixel = static_cast<int>(kSamplePlaces.size());
+
 /// Draws shapes into a tile, a row of samples at a time. Lengths are pixels from the tile's upper left corner, y down;
 /// shapes may lie anywhere. Round shapes cover the samples in their true outlines, where let_impostor.frag looks for
 /// them; triangles have their corners moved to 1/256 of a pixel and cover what a rasteriser of Vulkan says (left and
@@ -51,7 +54,8 @@ private:
     };
 
     void polygon(std::span<const glm::dvec2> corners, glm::dvec2 centre, double radius);
-    /// Rows of samples that what lies between `low` and `high` may cover.
+    /// Rows of samples, from the tile's top, that what lies between `low` and `high` may cover, as [first, end).
+    [[nodiscard]] static glm::ivec2 rowsBetween(double low, double high);
     template <class Visit>
     static void forRows(double low, double high, const Visit& visit);
     /// Beside the tile it covers nothing.
@@ -59,7 +63,8 @@ private:
     /// Columns of a sample within a span, as [first, end).
     [[nodiscard]] static glm::ivec2 columns(Span span, std::size_t sample);
     void cover(int row, std::size_t sample, glm::ivec2 columns);
-    void cover(int row, std::size_t sample, Span span) { cover(row, sample, columns(span, sample)); }
+    /// `all` without `none`.
+    void coverAround(int row, std::size_t sample, glm::ivec2 all, glm::ivec2 none);
 
     MaskTile* m_tile;
     int m_shift;
@@ -70,15 +75,9 @@ inline constexpr double kBesideSample = 1e-3;
 
 template <class Visit>
 void SampleScan::forRows(double low, double high, const Visit& visit) {
-    const int first = static_cast<int>(glm::clamp(low - 1.0, 0.0, double{kTilePixels}));
-    const int end = static_cast<int>(glm::clamp(high + 1.0, 0.0, double{kTilePixels}));
-    for (int row = first; row < end; ++row) {
-        for (std::size_t sample = 0; sample < kSamplePlaces.size(); ++sample) {
-            const double y = row + kSamplePlaces[sample].y;
-            if (y >= low - 2.0 * kBesideSample && y <= high + 2.0 * kBesideSample) {
-                visit(row, sample, y);
-            }
-        }
+    const glm::ivec2 rows = rowsBetween(low, high);
+    for (int row = rows.x; row < rows.y; ++row) {
+        visit(row / kRowsPerPixel, static_cast<std::size_t>(row % kRowsPerPixel), (row + 0.5) / kRowsPerPixel);
     }
 }
 
