@@ -4,13 +4,14 @@
 #include <bit>
 #include <cmath>
 
+#include "render/tiles/outline_scan.h"
+
 namespace render {
 
 namespace {
 
 using shader::Let;
 
-constexpr std::uint32_t kChunkTriangles = 64;
 constexpr glm::dvec2 kUnmoved[] = {{0.0, 0.0}};
 
 bool has(std::uint32_t flags, std::uint32_t flag) {
@@ -26,11 +27,22 @@ struct Affine {
     [[nodiscard]] glm::dvec2 operator()(glm::dvec2 mm) const { return turn * mm + shift; }
 };
 
-glm::dmat2 turnOf(const shader::AreaInstance& instance) {
+Affine placeOf(const shader::AreaInstance& instance) {
     const double c = instance.cosSin.x;
     const double s = instance.cosSin.y;
     const double sign = instance.isMirrored != 0 ? -1.0 : 1.0;
-    return {{sign * c, -s}, {sign * s, c}};
+    return {{{sign * c, -s}, {sign * s, c}}, instance.origin, 1.0};
+}
+
+/// Around a box, turned.
+Box2 boxOf(const Affine& map, const Box2& box) {
+    Box2 all;
+    for (const float x : {box.min.x, box.max.x}) {
+        for (const float y : {box.min.y, box.max.y}) {
+            all.include(glm::vec2(map(glm::dvec2(x, y))));
+        }
+    }
+    return all;
 }
 
 bool overlap(const Box2& a, const Box2& b) {
@@ -90,7 +102,7 @@ bool isInSquareTrack(const Let& let, double radius, glm::dvec2 place) {
 /// Draws elements of one step of the board.
 class FlatBoard::Drawing {
 public:
-    Drawing(const Affine& map, MaskTile& tile) : m_map(map), m_tile(tile) {}
+    Drawing(const Affine& map, MaskTile& tile, OutlineScan& outline) : m_map(map), m_tile(tile), m_outline(outline) {}
 
     void let(const Let& let) {
         SampleScan scan(m_tile, has(let.meta, shader::kLetBore));
@@ -106,31 +118,35 @@ public:
         }
     }
 
-    void area(const Step& step, std::uint32_t shape, const shader::AreaInstance& instance) {
-        const Affine map{m_map.turn * turnOf(instance), m_map(instance.origin), m_map.scale};
-        const Box2 reach = reachOf(map);
-        if (!overlap(reach, step.boxOfShape[shape])) {
-            return;
+    void area(const Step& step, const shader::AreaInstance& instance) {
+        const Affine place = placeOf(instance);
+        const Affine map{m_map.turn * place.turn, m_map(place.shift), m_map.scale};
+        m_outline.begin(glm::determinant(map.turn) > 0.0);
+        for (const AreaOutlines::Chain& chain : step.outlines.chainsOf(instance.shape)) {
+            chainOf(step.outlines.pointsOf(chain), boxOf(map, chain.box), map);
         }
-        SampleScan scan(m_tile, false);
-        const BoardModel& model = *step.model;
-        const glm::vec2* vertices = model.vertices.data() + model.shapes[shape].firstVertex;
-        const LayerRun run = step.chunksOfShape[shape];
-        for (std::uint32_t row = run.first; row < run.first + run.count; ++row) {
-            const Chunk& chunk = step.chunks[row];
-            if (!overlap(reach, chunk.box)) {
-                continue;
-            }
-            for (std::uint32_t i = chunk.firstIndex; i < chunk.firstIndex + 3 * chunk.triangleCount; i += 3) {
-                const std::array<glm::dvec2, 3> corners{map(vertices[model.indices[i]]),
-                                                        map(vertices[model.indices[i + 1]]),
-                                                        map(vertices[model.indices[i + 2]])};
-                scan.triangle(corners);
-            }
-        }
+        m_outline.fill();
     }
 
 private:
+    void chainOf(std::span<const glm::vec2> points, const Box2& box, const Affine& map) {
+        constexpr float kRoom = 1.0F;  // corners are moved by less
+        constexpr float kEnd = kTilePixels + kRoom;
+        if (box.max.y < -kRoom || box.min.y > kEnd || box.min.x > kEnd) {
+            return;
+        }
+        if (box.max.x < -kRoom) {
+            m_outline.edgesOnTheLeft(map(points.front()), map(points.back()));
+            return;
+        }
+        glm::dvec2 from = map(points.front());
+        for (const glm::vec2& point : points.subspan(1)) {
+            const glm::dvec2 to = map(point);
+            m_outline.edge(from, to);
+            from = to;
+        }
+    }
+
     void arc(SampleScan& scan, const Let& let) {
         const glm::dmat2 back = glm::inverse(m_map.turn);
         scan.annulus(m_map({let.p0, let.p1}), (let.p2 + let.p5) * m_map.scale, (let.p2 - let.p5) * m_map.scale,
@@ -162,6 +178,7 @@ private:
 
     Affine m_map;
     MaskTile& m_tile;
+    OutlineScan& m_outline;
 };
 
 FlatBoard::FlatBoard(std::shared_ptr<const BoardModel> model) : m_model(std::move(model)) {
@@ -181,21 +198,15 @@ FlatBoard::FlatBoard(std::shared_ptr<const BoardModel> model) : m_model(std::mov
 }
 
 FlatBoard::Step FlatBoard::stepOf(const BoardModel& model) {
-    Step step;
-    step.model = &model;
-    for (const AreaShape& shape : model.shapes) {
-        const auto first = static_cast<std::uint32_t>(step.chunks.size());
-        Box2 all;
-        for (std::uint32_t done = 0; done < shape.triangleCount; done += kChunkTriangles) {
-            Chunk chunk{shape.firstIndex + 3 * done, std::min(kChunkTriangles, shape.triangleCount - done), {}};
-            for (std::uint32_t i = 0; i < 3 * chunk.triangleCount; ++i) {
-                chunk.box.include(model.vertices[shape.firstVertex + model.indices[chunk.firstIndex + i]]);
-            }
-            all.include(chunk.box);
-            step.chunks.push_back(chunk);
+    Step step{&model, AreaOutlines(model), {}};
+    step.boxOfInstance.reserve(model.instances.size());
+    for (const shader::AreaInstance& instance : model.instances) {
+        Box2 box;
+        for (const AreaOutlines::Chain& chain : step.outlines.chainsOf(instance.shape)) {
+            box.include(chain.box.min);
+            box.include(chain.box.max);
         }
-        step.chunksOfShape.push_back({first, static_cast<std::uint32_t>(step.chunks.size()) - first});
-        step.boxOfShape.push_back(all);
+        step.boxOfInstance.push_back(box.min.x <= box.max.x ? boxOf(placeOf(instance), box) : box);
     }
     return step;
 }
@@ -205,6 +216,7 @@ bool FlatBoard::drawWanted(std::uint32_t layer, const PlaneMap& map, const Drawn
                            std::span<const glm::dvec2> moves, MaskTile& tile) const {
     const std::uint32_t leftOut = drawn.isFabricated ? shader::kOnlyAsDesigned : shader::kOnlyAsFabricated;
     bool isDrawn = false;
+    OutlineScan outline(tile);
     for (const ModelCopy& copy : m_model->copies) {
         const Step& step = m_steps[copy.step];
         const BoardModel& model = *step.model;
@@ -221,7 +233,7 @@ bool FlatBoard::drawWanted(std::uint32_t layer, const PlaneMap& map, const Drawn
         const auto forMoves = [&](const auto& draw) {
             isDrawn = true;
             for (const glm::dvec2& move : moves) {
-                Drawing drawing({unmoved.turn, unmoved.shift + move, unmoved.scale}, tile);
+                Drawing drawing({unmoved.turn, unmoved.shift + move, unmoved.scale}, tile, outline);
                 draw(drawing);
             }
         };
@@ -242,8 +254,9 @@ bool FlatBoard::drawWanted(std::uint32_t layer, const PlaneMap& map, const Drawn
             const AreaBatch& batch = model.areaBatches[row];
             for (std::uint32_t i = batch.firstInstance; i < batch.firstInstance + batch.instanceCount; ++i) {
                 const shader::AreaInstance& instance = model.instances[i];
-                if (!has(instance.onlyAs, leftOut) && isWanted(stateOf(instance.element))) {
-                    forMoves([&](Drawing& drawing) { drawing.area(step, batch.shape, instance); });
+                if (overlap(reach, step.boxOfInstance[i]) && !has(instance.onlyAs, leftOut) &&
+                    isWanted(stateOf(instance.element))) {
+                    forMoves([&](Drawing& drawing) { drawing.area(step, instance); });
                 }
             }
         }

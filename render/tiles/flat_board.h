@@ -6,6 +6,7 @@
 
 #include "render/modelling/board_model.h"
 #include "render/scene/element_state.h"
+#include "render/tiles/area_outlines.h"
 #include "render/tiles/sample_scan.h"
 
 namespace render {
@@ -42,17 +43,10 @@ public:
                          std::span<const glm::dvec2> moves, MaskTile& tile) const;
 
 private:
-    /// Neighbouring triangles of a shape and the box around them.
-    struct Chunk {
-        std::uint32_t firstIndex = 0;
-        std::uint32_t triangleCount = 0;
-        Box2 box;
-    };
     struct Step {
         const BoardModel* model = nullptr;
-        std::vector<Chunk> chunks;
-        std::vector<LayerRun> chunksOfShape;
-        std::vector<Box2> boxOfShape;
+        AreaOutlines outlines;
+        std::vector<Box2> boxOfInstance;  ///< in the step; empty where another piece of its shape has the outlines
     };
     class Drawing;
 

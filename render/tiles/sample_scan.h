@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
 
 namespace render {
 
@@ -21,21 +20,20 @@ inline constexpr std::array<glm::dvec2, 4> kSamplePlaces{
 /// One in the middle of each quarter of a pixel's height, in that order: rows of samples are as far from each other.
 inline constexpr int kRowsPerPixel = static_cast<int>(kSamplePlaces.size());
 
-/// Draws shapes into a tile, a row of samples at a time. Lengths are pixels from the tile's upper left corner, y down;
-/// shapes may lie anywhere. Round shapes cover the samples in their true outlines, where let_impostor.frag looks for
-/// them; triangles have their corners moved to 1/256 of a pixel and cover what a rasteriser of Vulkan says (left and
-/// upper edges belong to them), so that neighbours leave no sample out and share none.
+/// Sets a bit of the pixels of a row, `columns` as [first, end) within the tile.
+void coverSamples(MaskTile& tile, int row, std::size_t bit, glm::ivec2 columns);
+
+/// Draws round shapes into a tile, a row of samples at a time. Lengths are pixels from the tile's upper left corner, y
+/// down; shapes may lie anywhere. They cover the samples in their true outlines, where let_impostor.frag looks for
+/// them; corners of cells are moved to 1/256 of a pixel, as those of the areas around them (outline_scan.h).
 class SampleScan {
 public:
     SampleScan(MaskTile& tile, bool isBore) : m_tile(&tile), m_shift(isBore ? 4 : 0) {}
 
     /// A track with round ends, or a circle; `inner` > 0 leaves out as much inside.
     void track(glm::dvec2 a, glm::dvec2 b, double radius, double inner);
-    void triangle(const std::array<glm::dvec2, 3>& corners) { polygon(corners, {}, -1.0); }
     /// A rectangle without a circle inside.
-    void cell(const std::array<glm::dvec2, 4>& corners, glm::dvec2 centre, double radius) {
-        polygon(corners, centre, radius);
-    }
+    void cell(const std::array<glm::dvec2, 4>& corners, glm::dvec2 centre, double radius);
     /// What lies between two circles and `contains(place)`.
     template <class Contains>
     void annulus(glm::dvec2 centre, double outer, double inner, const Contains& contains);
@@ -53,7 +51,6 @@ private:
         [[nodiscard]] Span at(double y) const;
     };
 
-    void polygon(std::span<const glm::dvec2> corners, glm::dvec2 centre, double radius);
     /// Rows of samples, from the tile's top, that what lies between `low` and `high` may cover, as [first, end).
     [[nodiscard]] static glm::ivec2 rowsBetween(double low, double high);
     template <class Visit>
@@ -62,7 +59,9 @@ private:
     [[nodiscard]] static bool isBeside(double left, double right) { return right < -1.0 || left > kTilePixels + 1.0; }
     /// Columns of a sample within a span, as [first, end).
     [[nodiscard]] static glm::ivec2 columns(Span span, std::size_t sample);
-    void cover(int row, std::size_t sample, glm::ivec2 columns);
+    void cover(int row, std::size_t sample, glm::ivec2 columns) {
+        coverSamples(*m_tile, row, sample + static_cast<std::size_t>(m_shift), columns);
+    }
     /// `all` without `none`.
     void coverAround(int row, std::size_t sample, glm::ivec2 all, glm::ivec2 none);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <memory>
+#include <numbers>
 
 using namespace render;
 
@@ -23,18 +24,6 @@ class SampleScanTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// A square of two triangles, whose diagonal and edges pass through samples.
-    void neighboursShareNoSampleAndLeaveNoneOut() {
-        auto lower = std::make_unique<MaskTile>();
-        auto upper = std::make_unique<MaskTile>();
-        SampleScan(*lower, false).triangle({glm::dvec2(10, 10), glm::dvec2(10, 50), glm::dvec2(50, 50)});
-        SampleScan(*upper, false).triangle({glm::dvec2(10, 10), glm::dvec2(50, 50), glm::dvec2(50, 10)});
-        for (std::size_t i = 0; i < lower->size(); ++i) {
-            QCOMPARE((*lower)[i] & (*upper)[i], 0);
-        }
-        QCOMPARE(samplesOf(*lower) + samplesOf(*upper), 40 * 40 * 4);
-    }
-
     void tracksCoverWhatIsWithinTheirRadius() {
         auto tile = std::make_unique<MaskTile>();
         const glm::dvec2 a(40.3, 60.1);
@@ -61,11 +50,20 @@ private slots:
         QVERIFY(std::ranges::all_of(*tile, [](std::uint8_t bits) { return (bits & 0x0fU) == 0; }));
     }
 
+    void cellsCoverWhatTheirCircleLeaves() {
+        auto tile = std::make_unique<MaskTile>();
+        SampleScan(*tile, false)
+            .cell({glm::dvec2(20, 20), glm::dvec2(60, 20), glm::dvec2(60, 60), glm::dvec2(20, 60)}, {40, 40}, 10.0);
+        const double samples = samplesOf(*tile) / 4.0;
+        QVERIFY(std::abs(samples - (40.0 * 40.0 - 100.0 * std::numbers::pi)) < 2.0);
+    }
+
     void shapesBesideATileLeaveItEmpty() {
         auto tile = std::make_unique<MaskTile>();
         SampleScan scan(*tile, false);
         scan.track({-50, 20}, {-20, 300}, 15.0, 0.0);
-        scan.triangle({glm::dvec2(300, 0), glm::dvec2(900, 40), glm::dvec2(280, 500)});
+        scan.cell({glm::dvec2(300, 0), glm::dvec2(900, 40), glm::dvec2(880, 500), glm::dvec2(280, 500)}, {500, 200},
+                  9.0);
         QCOMPARE(samplesOf(*tile), 0);
     }
 };
