@@ -69,18 +69,37 @@ glm::dvec2 cellReach(float packed) {
 }
 
 /// As in lib/outline.glsl, in millimetres of the let's step.
-bool isInArc(const Let& let, glm::dvec2 place) {
-    const glm::dvec2 q = place - glm::dvec2(let.p0, let.p1);
-    const double middle = let.p3 + 0.5 * let.p4;
-    const double half = 0.5 * std::abs(let.p4);
-    const glm::dvec2 u(std::cos(middle), std::sin(middle));
-    const glm::dvec2 local(glm::dot(q, u), std::abs(glm::dot(q, glm::dvec2(-u.y, u.x))));
-    if (local.y * std::cos(half) <= local.x * std::sin(half)) {
-        return std::abs(glm::length(q) - let.p2) <= let.p5;
+class Arc {
+public:
+    explicit Arc(const Let& let)
+        : m_centre(let.p0, let.p1),
+          m_radius(let.p2),
+          m_halfWidth(let.p5),
+          m_middle(atAngle(let.p3 + 0.5 * let.p4)),
+          m_end(atAngle(0.5 * std::abs(double{let.p4}))),
+          m_from(m_radius * atAngle(let.p3)),
+          m_to(m_radius * atAngle(double{let.p3} + double{let.p4})) {}
+
+    [[nodiscard]] bool contains(glm::dvec2 place) const {
+        const glm::dvec2 q = place - m_centre;
+        const glm::dvec2 local(glm::dot(q, m_middle), std::abs(glm::dot(q, glm::dvec2(-m_middle.y, m_middle.x))));
+        if (local.y * m_end.x <= local.x * m_end.y) {
+            return std::abs(glm::length(q) - m_radius) <= m_halfWidth;
+        }
+        return std::min(glm::length(q - m_from), glm::length(q - m_to)) <= m_halfWidth;
     }
-    const auto end = [&](double angle) { return double{let.p2} * glm::dvec2(std::cos(angle), std::sin(angle)); };
-    return std::min(glm::length(q - end(let.p3)), glm::length(q - end(double{let.p3} + let.p4))) <= let.p5;
-}
+
+private:
+    static glm::dvec2 atAngle(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+    glm::dvec2 m_centre;
+    double m_radius;
+    double m_halfWidth;
+    glm::dvec2 m_middle;  ///< the direction of the arc's middle, and, as an angle from it, of its ends
+    glm::dvec2 m_end;
+    glm::dvec2 m_from;
+    glm::dvec2 m_to;
+};
 
 /// What an axis-parallel square pen passes; the same place.
 bool isInSquareTrack(const Let& let, double radius, glm::dvec2 place) {
@@ -149,8 +168,9 @@ private:
 
     void arc(SampleScan& scan, const Let& let) {
         const glm::dmat2 back = glm::inverse(m_map.turn);
+        const Arc arc(let);
         scan.annulus(m_map({let.p0, let.p1}), (let.p2 + let.p5) * m_map.scale, (let.p2 - let.p5) * m_map.scale,
-                     [&](glm::dvec2 at) { return isInArc(let, back * (at - m_map.shift)); });
+                     [&](glm::dvec2 at) { return arc.contains(back * (at - m_map.shift)); });
     }
 
     void hole(SampleScan& scan, const Let& let) {

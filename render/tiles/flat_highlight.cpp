@@ -42,7 +42,7 @@ void FlatPicture::drawOver(Tile& tile, const PlaneMap& map) const {
     if (work.step < m_over.size()) {
         const auto row = static_cast<std::uint32_t>(work.step++);
         const OverPaint& paint = m_over[row];
-        if (m_board.drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, kUnmoved, work.mask)) {
+        if (board().drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, kUnmoved, work.mask)) {
             tile.overRows.push_back(row);
             stamp(work.mask, paint.isBore, paint.byte, *work.samples);
             work.mask.fill(0);
@@ -66,7 +66,7 @@ void FlatPicture::outlineOver(Tile& tile, const PlaneMap& map) const {
     constexpr std::size_t kWideSteps = std::size(kWidenPx);
     OverWork& work = workOn(tile);
     const auto draw = [&](const OverPaint& paint, std::span<const glm::dvec2> moves) {
-        (void)m_board.drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, moves, work.mask);
+        (void)board().drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, moves, work.mask);
     };
     const std::size_t edge = kEdgeSteps * tile.overRows.size();
     const std::size_t step = work.step++;

@@ -74,7 +74,7 @@ glm::vec3 colourOf(const ElementColours& palette, ElementState state) {
 }  // namespace
 
 FlatPicture::FlatPicture(std::shared_ptr<const BoardModel> model, std::uint64_t maxBytes)
-    : m_board(std::move(model)), m_maxBytes(maxBytes) {}
+    : m_board(std::async([shared = std::move(model)] { return FlatBoard(shared); })), m_maxBytes(maxBytes) {}
 
 PlaneMap FlatPicture::mapOf(const Tiling& tiling, glm::ivec2 tile) const {
     return {tiling.scale, -tiling.phase - glm::dvec2(tile * kTilePixels)};
@@ -91,8 +91,8 @@ void FlatPicture::forTiles(const Window& window, const Visit& visit) {
             const glm::ivec2 corner = glm::ivec2(x, y) * kTilePixels;
             Tile& tile = m_tiles[{window.tiling.id, x, y}];
             tile.lastUse = m_use;
-            tile.masks.resize(m_board.model().layers.size());
-            tile.isDrawn.resize(m_board.model().layers.size());
+            tile.masks.resize(board().model().layers.size());
+            tile.isDrawn.resize(board().model().layers.size());
             visit(tile, glm::ivec2(x, y),
                   TilePart{glm::max(window.origin - corner, 0), glm::min(end - corner, kTilePixels)});
         }
@@ -137,7 +137,7 @@ void FlatPicture::setStates(std::span<const std::vector<ElementState>> states) {
 }
 
 void FlatPicture::dropEmptyBores(std::vector<Paint>& paints) const {
-    std::erase_if(paints, [&](const Paint& paint) { return paint.isBore && !m_board.withBores()[paint.layer]; });
+    std::erase_if(paints, [&](const Paint& paint) { return paint.isBore && !board().withBores()[paint.layer]; });
 }
 
 /// What stands out in which order and colours. True: it is other than before.
@@ -229,7 +229,7 @@ FlatPicture::Window FlatPicture::windowOf(const FramePlan& plan, const FlatReque
 }
 
 FlatPicture::Window FlatPicture::overviewWindow() const {
-    const BoardModel& model = m_board.model();
+    const BoardModel& model = board().model();
     const glm::dvec2 low(model.boxMin);
     const glm::dvec2 high(model.boxMax);
     const glm::dvec2 room = (high - low) * double{kOverviewRoom - 1.0F} / 2.0;
@@ -243,7 +243,7 @@ FlatPicture::Window FlatPicture::overviewWindow() const {
 
 void FlatPicture::fillLayer(Tile& tile, const PlaneMap& map, std::uint32_t layer) const {
     auto mask = std::make_unique<MaskTile>();
-    const bool isAnything = m_board.draw(layer, map, {m_isFabricated, m_states}, *mask) &&
+    const bool isAnything = board().draw(layer, map, {m_isFabricated, m_states}, *mask) &&
                             std::ranges::any_of(*mask, [](std::uint8_t bits) { return bits != 0; });
     tile.masks[layer] = isAnything ? std::move(mask) : nullptr;
     tile.isDrawn[layer] = 1;
@@ -423,7 +423,7 @@ bool FlatPicture::prepare(double budgetMs) {
         }
     });
     for (const glm::ivec2& at : places) {
-        if (bytes() + m_board.model().layers.size() * sizeof(MaskTile) + 3 * sizeof(PixelTile) > m_maxBytes) {
+        if (bytes() + board().model().layers.size() * sizeof(MaskTile) + 3 * sizeof(PixelTile) > m_maxBytes) {
             return true;
         }
         const Window one{m_window->tiling, at * kTilePixels, glm::ivec2(kTilePixels)};
@@ -521,7 +521,7 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
         planFrame(*request.layers, request.camera, request.settings, static_cast<std::uint32_t>(request.width),
                   static_cast<std::uint32_t>(request.height));
     const bool hasOutlines = (plan.data.flags & (shader::kFrameOutlines | shader::kFrameMono)) != 0;
-    if (!m_board.isDrawable() || hasOutlines || !isLevel(plan) || std::ranges::any_of(plan.upright.states, isUneven) ||
+    if (!board().isDrawable() || hasOutlines || !isLevel(plan) || std::ranges::any_of(plan.upright.states, isUneven) ||
         !setLook(request, plan)) {
         m_window.reset();
         return Quality::None;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,6 +37,7 @@ struct FlatRequest {
 /// copies of steps, more colours by translucent layers than 255. All cores draw, and nothing goes on after a call.
 class FlatPicture {
 public:
+    /// Comes back at once: what of the model it needs is made in the background, and the first frame waits for it.
     /// `maxBytes` for tiles; those used longest ago go first. A frame that needs more alone is not drawn.
     explicit FlatPicture(std::shared_ptr<const BoardModel> model, std::uint64_t maxBytes = kMaxBytes);
 
@@ -114,6 +116,7 @@ private:
         std::uint8_t byte = 0;
     };
 
+    [[nodiscard]] const FlatBoard& board() const { return m_board.get(); }
     [[nodiscard]] bool setLook(const FlatRequest& request, const FramePlan& plan);
     void setStates(std::span<const std::vector<ElementState>> states);
     void dropEmptyBores(std::vector<Paint>& paints) const;
@@ -143,7 +146,7 @@ private:
     [[nodiscard]] static std::uint64_t bytesOf(const Tile& tile);
     void clearTiles();
 
-    FlatBoard m_board;
+    std::shared_future<FlatBoard> m_board;
     std::uint64_t m_maxBytes;
     std::map<Key, Tile> m_tiles;
     std::deque<Tiling> m_tilings;

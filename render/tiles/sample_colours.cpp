@@ -12,23 +12,26 @@ constexpr float kBoreShade = 0.4F;        // likewise
 constexpr std::uint32_t kMostColours = 255;
 constexpr double kWhole = 65535.0;
 
+/// Linear light of an sRGB value of 0 to 255.
+double decoded(double value) {
+    const double c = value / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
 std::uint32_t encoded(double linear) {
     const double c = std::clamp(linear, 0.0, 1.0);
     const double srgb = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
     return static_cast<std::uint32_t>(std::lround(srgb * 255.0));
 }
 
-double decoded(std::uint32_t byte) {
-    const double c = byte / 255.0;
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-
 /// By 16-bit linear light.
 const std::vector<std::uint8_t>& encodings() {
     static const std::vector<std::uint8_t> kTable = [] {
-        std::vector<std::uint8_t> table(65536);
-        for (std::size_t i = 0; i < table.size(); ++i) {
-            table[i] = static_cast<std::uint8_t>(encoded(static_cast<double>(i) / kWhole));
+        std::vector<std::uint8_t> table;
+        for (std::uint32_t byte = 0; byte < 256; ++byte) {
+            const bool isLast = byte == 255;
+            table.resize(isLast ? 65536 : static_cast<std::size_t>(std::ceil(decoded(byte + 0.5) * kWhole)),
+                         static_cast<std::uint8_t>(byte));
         }
         return table;
     }();
