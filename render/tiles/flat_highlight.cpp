@@ -23,11 +23,17 @@ std::array<glm::dvec2, std::size(kSides)> movesTo(double distance) {
 
 }  // namespace
 
-/// Begun anew when other things stand out.
+/// Begun anew when other things stand out, in the same memory.
 FlatPicture::OverWork& FlatPicture::workOn(Tile& tile) const {
-    if (tile.work == nullptr || tile.work->look != m_overLook) {
+    if (tile.work == nullptr) {
         tile.work = std::make_unique<OverWork>();
         tile.work->look = m_overLook;
+    }
+    if (OverWork& work = *tile.work; work.look != m_overLook) {
+        work.look = m_overLook;
+        work.step = 0;
+        work.mask.fill(0);
+        work.samples->fill(0);
     }
     return *tile.work;
 }
@@ -55,8 +61,12 @@ void FlatPicture::drawOver(Tile& tile, const PlaneMap& map) const {
 
 void FlatPicture::takeOver(Tile& tile) const {
     tile.overLook = m_overLook;
-    tile.over = tile.overRows.empty() ? nullptr : std::move(tile.work->samples);
-    tile.work.reset();
+    if (tile.overRows.empty()) {
+        tile.over.reset();  // what it was drawn in serves the next ones
+    } else {
+        tile.over = std::move(tile.work->samples);
+        tile.work.reset();
+    }
     tile.isOutlined = tile.overRows.empty() || m_standingOut > kMostOutlined;
 }
 

@@ -258,6 +258,14 @@ bool FlatPicture::isFilled(const Window& window) {
     return isAll;
 }
 
+bool FlatPicture::isEmpty(const Window& window) {
+    bool isEmpty = true;
+    forTiles(window, [&](Tile& tile, glm::ivec2, const TilePart&) {
+        isEmpty = isEmpty && std::ranges::none_of(tile.isDrawn, [](std::uint8_t drawn) { return drawn != 0; });
+    });
+    return isEmpty;
+}
+
 /// The first piece is drawn however little time there is.
 bool FlatPicture::fill(const Window& window, const Budget& budget) {
     struct Task {
@@ -435,7 +443,20 @@ bool FlatPicture::prepare(double budgetMs) {
             return false;
         }
     }
+    makeRoomForOver();
     return true;
+}
+
+/// What is highlighted next needs memory for each tile, which takes longer to get than to fill.
+void FlatPicture::makeRoomForOver() {
+    std::uint64_t left = m_maxBytes - std::min(bytes(), m_maxBytes);
+    forTiles(*m_window, [&](Tile& tile, glm::ivec2, const TilePart&) {
+        constexpr std::uint64_t kBytes = sizeof(OverWork) + sizeof(PixelTile);
+        if (tile.work == nullptr && left > kBytes) {
+            tile.work = std::make_unique<OverWork>();
+            left -= kBytes;
+        }
+    });
 }
 
 bool FlatPicture::isLastUsable() const {
@@ -533,7 +554,9 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
     m_isResting = false;
     const Budget budget(budgetMs);
     m_isBare = false;
-    const bool isWhole = isPassing ? isFilled(*m_window) : fill(*m_window, budget);
+    // Where nothing is there at all, all of the board in small comes first.
+    const bool isFirst = budgetMs > 0.0 && !isLastUsable() && !isOverviewThere() && isEmpty(*m_window);
+    const bool isWhole = isPassing || isFirst ? isFilled(*m_window) : fill(*m_window, budget);
     m_isOverShown = isWhole && fillOver(*m_window, budget, false);
     // What only now stands out is shown first, its dark edge with a later frame.
     const bool isNew = budgetMs > 0.0 && std::exchange(m_edgedLook, m_overLook) != m_overLook && !m_standing.empty();

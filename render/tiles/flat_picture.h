@@ -127,6 +127,8 @@ private:
     void forTiles(const Window& window, const Visit& visit);
     [[nodiscard]] PlaneMap mapOf(const Tiling& tiling, glm::ivec2 tile) const;
     [[nodiscard]] bool isFilled(const Window& window);
+    [[nodiscard]] bool isEmpty(const Window& window);
+    void makeRoomForOver();
     bool fill(const Window& window, const Budget& budget);
     bool fillOver(const Window& window, const Budget& budget, bool isOutlined);
     [[nodiscard]] bool isOverviewThere() const;

@@ -258,11 +258,14 @@ private:
         return base::Done{};
     }
 
-    void turn() {
+    /// One turn of the event loop. `isUntilShown`: what waits behind the frame that is awaited is left to the next one.
+    void turn(bool isUntilShown = false) {
         QElapsedTimer clock;
         clock.start();
         QCoreApplication::sendPostedEvents();
-        QCoreApplication::processEvents(QEventLoop::AllEvents);
+        if (!isUntilShown || !m_isShown) {
+            QCoreApplication::processEvents(QEventLoop::AllEvents);
+        }
         m_longestTurnMs = std::max(m_longestTurnMs, milliseconds(clock));
         QThread::usleep(200);
     }
@@ -271,7 +274,7 @@ private:
         QElapsedTimer clock;
         clock.start();
         while (!m_isShown && milliseconds(clock) < kPatienceMs) {
-            turn();
+            turn(true);
         }
         if (!m_isShown) {
             return base::Error{base::ErrorCode::DeviceFailed, "A view got no frame for a minute."};
