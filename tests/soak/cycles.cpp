@@ -18,19 +18,20 @@ constexpr double kHeapBytesPerCycle = 16e3;
 constexpr double kResidentBytesPerCycle = 100e3;
 constexpr std::size_t kLeastCycles = 8;
 
-/// The slope of the line through the values, least squares.
+/// The middle of the slopes between all pairs (Theil and Sen): a cycle that happened to end with more or less than the
+/// others, as on a machine with other work, does not tilt it.
 template <class Value>
 double growthPerCycle(const std::vector<Resources>& cycles, const Value& valueOf) {
-    const double count = static_cast<double>(cycles.size());
-    const double middle = (count - 1.0) / 2.0;
-    double sum = 0.0;
-    double squares = 0.0;
-    for (std::size_t i = 0; i < cycles.size(); ++i) {
-        const double from = static_cast<double>(i) - middle;
-        sum += from * static_cast<double>(valueOf(cycles[i]));
-        squares += from * from;
+    std::vector<double> slopes;
+    for (std::size_t to = 1; to < cycles.size(); ++to) {
+        for (std::size_t from = 0; from < to; ++from) {
+            const double rise = static_cast<double>(valueOf(cycles[to])) - static_cast<double>(valueOf(cycles[from]));
+            slopes.push_back(rise / static_cast<double>(to - from));
+        }
     }
-    return sum / squares;
+    const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
+    std::ranges::nth_element(slopes, middle);
+    return *middle;
 }
 
 /// By how much the most in the second half is above the most in the first: whether a board is on the device when a
