@@ -101,7 +101,8 @@ bool Driver::settle(int mostMs) {
 bool Driver::awaitThreads(std::size_t count, int mostMs) {
     QElapsedTimer clock;
     clock.start();
-    while (threadsNow() > count && clock.elapsed() < mostMs) {
+    // Threads that Qt keeps for a while may have been among those counted: a file that is being written says more.
+    while ((threadsNow() > count || !unfinishedFiles().empty()) && clock.elapsed() < mostMs) {
         rest(kStepMs);
     }
     return threadsNow() <= count;
