@@ -35,5 +35,5 @@ boards=("$root"/resources/sample/*.tgz "$root"/tests/data/boards/opencellular_sy
         "$root/build/$preset/tests/soak" cycles --count "$cycles" "${boards[@]}" "$root"/tests/data/odb/panel
 } >"$numbers" || status=$?
 cat "$numbers"
-[ -z "$writes" ] || { measured_at "$preset"; echo; cat "$numbers"; } | write_numbers "scripts/cycles.sh" "Cancels and cycles"
+[ -z "$writes" ] || { measured_at "$preset"; printf '\n```\n'; cat "$numbers"; echo '```'; } | write_numbers "scripts/cycles.sh" "Cancels and cycles"
 exit "$status"
