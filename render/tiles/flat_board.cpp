@@ -149,7 +149,7 @@ public:
 
 private:
     void chainOf(std::span<const glm::vec2> points, const Box2& box, const Affine& map) {
-        constexpr float kRoom = 1.0F;  // corners are moved by less
+        constexpr float kRoom = 4.0F;  // corners are moved by less, and boxes are floats
         constexpr float kEnd = kTilePixels + kRoom;
         if (box.max.y < -kRoom || box.min.y > kEnd || box.min.x > kEnd) {
             return;
