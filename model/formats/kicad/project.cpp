@@ -15,10 +15,14 @@ std::string textOf(const json& value) {
     return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-const json& member(const json& object, const char* key) {
+const json& nothing() {
     static const json kNothing;
+    return kNothing;
+}
+
+const json& member(const json& object, const char* key) {
     const auto found = object.is_object() ? object.find(key) : object.end();
-    return object.is_object() && found != object.end() ? *found : kNothing;
+    return object.is_object() && found != object.end() ? *found : nothing();
 }
 
 /// Of KiCad 9 a net may have several classes; the first one counts most.
@@ -70,7 +74,7 @@ std::string Project::classOf(std::string_view net) const {
 Project readProject(std::string_view text, std::string_view file, Diagnostics& diagnostics) {
     Project project;
     const base::Result<json> read = readJson<json>(text);
-    const json& root = read ? *read : member(json(), "");
+    const json& root = read ? *read : nothing();
     if (!root.is_object()) {
         diagnostics.report(Severity::Warning, file, 0,
                            "the project beside the board is not used, so text variables and net classes are missing: " +
