@@ -2,6 +2,7 @@
 
 #include <QtTest>
 #include <filesystem>
+#include <string_view>
 
 #include "model/formats/registry.h"
 #include "tests/locations.h"
@@ -38,12 +39,12 @@ std::string features(const std::string& shape) {
     return onTop("<Set net='A'><Features><Location x='0' y='0'/>" + shape + "</Features></Set>");
 }
 
-std::size_t layerNamed(const DrawnJob& job, const std::string& name) {
+std::size_t layerNamed(const DrawnJob& job, std::string_view name) {
     const auto found = std::ranges::find(job.layers, name, &formats::DrawnLayer::name);
     return static_cast<std::size_t>(found - job.layers.begin());
 }
 
-const std::vector<DrawnFeature>& featuresOn(const DrawnJob& job, const std::string& layer) {
+const std::vector<DrawnFeature>& featuresOn(const DrawnJob& job, std::string_view layer) {
     return job.steps[0].features[layerNamed(job, layer)];
 }
 
