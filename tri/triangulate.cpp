@@ -6,14 +6,11 @@
 #include "model/base/assert.h"
 #include "tri/cdt.h"
 #include "tri/cdt_cgal.h"
+#include "tri/threads.h"
 
 namespace tri {
 
 namespace {
-
-/// A polygon of this many points gains more from all cores than it costs to cut it into parts. Smaller ones are many:
-/// they get a core each.
-constexpr std::size_t kWorthAllCores = 100'000;
 
 constexpr std::array<std::string_view, 5> kNames = {"auto", "cpu", "parallel", "cgal", "gpu"};
 
@@ -43,8 +40,8 @@ Status triangulate(const Polygon& polygon, Triangulator triangulator, std::vecto
         case Triangulator::Gpu: ASSERT(false && "many polygons at once: tri/gpu/triangulator.h"); break;
         case Triangulator::Auto: break;
     }
-    return polygon.points.size() < kWorthAllCores ? triangulateCpu(polygon, triangles)
-                                                  : triangulateParallel(polygon, triangles);
+    return coresFor(polygon.points.size()) == Cores::One ? triangulateCpu(polygon, triangles)
+                                                         : triangulateParallel(polygon, triangles);
 }
 
 std::uint64_t triangleSetHash(std::span<const std::uint32_t> triangles) {

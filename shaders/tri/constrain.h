@@ -96,7 +96,7 @@ TRI_FN void claimCorridor(uint edge) {
     }
     CORRIDOR(edge) = firstObstacle(ends.x, ends.y);
     if (claimObstacles(edge, ends.x, ends.y)) {
-        ADD_MISSING(1u);
+        COUNT_MISSING;
     } else {
         CORRIDOR(edge) = kNone;
         ADD_FLAG(ends.x, kFlagBlocked);
@@ -245,6 +245,6 @@ TRI_FN void rebuildCorridor(uint edge) {
     ACROSS(triangleOf(right), cornerOf(right)) = left;
     for (uint n = 0u; n < length; ++n) {
         STAMP(SCRATCH(base + n)) = stampOf(kStageRebuild) << 2;
-        AWAKE(SCRATCH(base + n)) = STEP;
+        wake(SCRATCH(base + n), STEP);
     }
 }

@@ -31,15 +31,20 @@ inline uvec2 multiply(uint a, uint b) {
 inline uint highestBit(uint value) {
     return static_cast<uint>(std::bit_width(value)) - 1;
 }
-inline void atomicMin(uint& slot, uint value) {
+/// All atomic functions return what was there before.
+inline uint atomicMin(uint& slot, uint value) {
     std::atomic_ref<uint> atomic(slot);
-    for (uint old = atomic.load(); value < old && !atomic.compare_exchange_weak(old, value);) {
+    uint old = atomic.load();
+    while (value < old && !atomic.compare_exchange_weak(old, value)) {
     }
+    return old;
 }
-inline void atomicMax(uint& slot, uint value) {
+inline uint atomicMax(uint& slot, uint value) {
     std::atomic_ref<uint> atomic(slot);
-    for (uint old = atomic.load(); value > old && !atomic.compare_exchange_weak(old, value);) {
+    uint old = atomic.load();
+    while (value > old && !atomic.compare_exchange_weak(old, value)) {
     }
+    return old;
 }
 inline uint atomicAdd(uint& slot, uint value) {
     return std::atomic_ref<uint>(slot).fetch_add(value);

@@ -1,8 +1,15 @@
 // A round of flips. Every awake triangle finds an edge that is not Delaunay and claims the triangles on both sides
 // of it; who has both flips.
 
+// Lowest key wins.
+TRI_FN void claimForFlip(uint t, uint key) {
+    if (atomicMin(CLAIM(t), key) == kNone) {
+        LIST_CLAIMED(t);
+    }
+}
+
 TRI_FN void testEdges(uint t) {
-    if (isDead(t) || AWAKE(t) < STEP) {
+    if (AWAKE(t) < STEP) {
         return;
     }
     for (uint i = 0u; i < 3u; ++i) {
@@ -14,12 +21,11 @@ TRI_FN void testEdges(uint t) {
         }
         const bool isFixed =
             PHASE == kConstraining && isContour(CORNER(t, nextCorner(i)), CORNER(t, previousCorner(i)));
-        if (!isFixed && isFlipNeeded(t, i)) {
+        if (!isFixed && isInside(circleOf(t), CORNER(u, cornerOf(other)))) {
             const uint key = edgeRef(t, i);
-            AWAKE(t) = STEP + 1u;
-            ADD_AWAKE(1u);
-            atomicMin(CLAIM(t), key);
-            atomicMin(CLAIM(u), key);
+            wake(t, STEP + 1u);
+            claimForFlip(t, key);
+            claimForFlip(u, key);
             return;
         }
     }
@@ -55,8 +61,8 @@ TRI_FN void flipEdge(uint t) {
     MOVED(u, previousCorner(j)) = edgeRef(u, previousCorner(j));
     STAMP(t) = stampOf(kStageFlip) << 2 | nextCorner(i);
     STAMP(u) = stampOf(kStageFlip) << 2 | nextCorner(j);
-    AWAKE(u) = STEP + 1u;
-    ADD_FLIPS(1u);
+    wake(u, STEP + 1u);
+    COUNT_FLIP;
 }
 
 // As relocateInserted.

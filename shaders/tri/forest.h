@@ -17,7 +17,11 @@ struct Points {
     ivec2* at;
 };
 #else
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Words {
+// For kernels in which one thread reads what another wrote: `coherent`.
+#ifndef TRI_COHERENT
+#define TRI_COHERENT
+#endif
+layout(buffer_reference, scalar, buffer_reference_align = 4) TRI_COHERENT buffer Words {
     uint at[];
 };
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Points {
@@ -72,20 +76,23 @@ struct Control {
     uint step;   // from 1
     uint total;  // vertices to insert
     uint inserted;
-    uint awake;             // triangles that the next step looks at again (some count twice)
-    uint missing;           // contour edges that were not there at the last look
-    uint scratchUsed;       // words
-    uint kept;              // triangles inside
-    uint flips;             // so far
-    uint rounds;            // steps that inserted vertices
-    Groups insertGroups;    // of threads per vertex
+    uint awake[2];        // triangles that this step's flips look at, by the lowest bit of the step; and the next one's
+    uint elected;         // vertices that claim triangles to split in this step
+    uint claimed;         // triangles that this step's flips claimed
+    uint missing;         // contour edges that were not there at the last look
+    uint scratchUsed;     // words
+    uint kept;            // triangles inside
+    uint flips;           // so far
+    uint rounds;          // steps that inserted vertices
+    Groups insertGroups;  // of threads per vertex
+    Groups electedGroups;   // of threads per vertex elected
     Groups relocateGroups;  // of threads per vertex
-    Groups flipGroups;      // of threads per triangle
+    Groups flipGroups;      // of threads per triangle listed
     Groups splitGroups;     // of threads per triangle
     Groups contourGroups;   // of threads per triangle
     Groups edgeGroups;      // of threads per contour edge
 };
-TRI_SIZE(Control, 40 + 6 * 12);
+TRI_SIZE(Control, 52 + 7 * 12);
 
 struct Tree {
     uint firstVertex;
@@ -105,11 +112,28 @@ struct Trees {
     Tree* at;
 };
 #else
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Controls {
+layout(buffer_reference, scalar, buffer_reference_align = 4) TRI_COHERENT buffer Controls {
     Control at[];
 };
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Trees {
     Tree at[];
+};
+#endif
+
+// What is read together lies together: kernels read from everywhere, and every read costs them the same.
+struct Triangle {
+    uvec4 corners;  // w: stamp, (step * 4 + stage) * 4 + the corner opposite to the diagonal of a flip
+    uvec4 across;   // the other side of the edges; w: awake, the last step whose flips look at it
+};
+TRI_SIZE(Triangle, 32);
+
+#ifdef __cplusplus
+struct Triangles {
+    Triangle* at;
+};
+#else
+layout(buffer_reference, scalar, buffer_reference_align = 16) TRI_COHERENT buffer Triangles {
+    Triangle at[];
 };
 #endif
 
@@ -119,7 +143,9 @@ struct Forest {
     uint rayCount;
     uint scratchSize;  // words
     uint eraser;
-    uint smallTrees;  // the first so many trees belong to the kernel of one workgroup per tree
+    uint tinyTrees;   // the first so many trees belong to the kernel of one workgroup per tree of up to kTinyVertices
+    uint smallTrees;  // the next so many to the one of up to kSmallVertices
+    uint reserved;
     Controls control;
     Trees trees;
     // Per vertex
@@ -132,13 +158,10 @@ struct Forest {
     Words where;  // the triangle in which it waits; kNone once it is inserted
     Words note;   // while inserting: its rank; after that: a triangle at it
     // Per triangle
-    Words corners;  // three
-    Words across;   // three: the other side of the edges
-    Words moved;    // three: where the edges went that it had before the stage of its stamp
+    Triangles triangles;
+    Words moved;  // three: where the edges went that it had before the stage of its stamp
     Words best;
     Words claim;
-    Words stamp;  // (step * 4 + stage) * 4 + the corner opposite to the diagonal of a flip
-    Words awake;  // the last step that has to look at it
     Words state;  // of the eraser
     // Rays, the contour edges at busy vertices: vertex, other end, 1 if it leaves the vertex
     Words rays;
@@ -147,9 +170,9 @@ struct Forest {
     Words corridor;  // the first edge that crosses it
     Words scratch;
     Words sums;  // triangles kept, per block of slots
-    Words kept;  // the result: three ids per triangle
+    Words kept;  // the result: three ids per triangle; before that lists of triangles (access.h)
 };
-TRI_SIZE(Forest, 24 + 24 * 8);
+TRI_SIZE(Forest, 32 + 21 * 8);
 
 // Push constants of all kernels.
 #ifdef __cplusplus
@@ -163,17 +186,24 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer For
 #endif
 struct Push {
     Forests forest;
-    uint stage;  // for fix_links
-    uint reserved;
+    uint stage;      // for fix_links
+    uint firstTree;  // for tiny and small
 };
 TRI_SIZE(Push, 16);
 
 TRI_CONST kGroupSize = 64u;
-TRI_CONST kMaxGroupsX = 32768u;  // devices guarantee 65535
-TRI_CONST kBlockSize = 256u;     // slots per block of the compaction
-// Trees up to this size, rays included, can live in the shared memory of one workgroup.
+TRI_CONST kMaxGroupsX = 32768u;    // devices guarantee 65535
+TRI_CONST kBlockSize = 256u;       // slots per block of the compaction
+TRI_CONST kMaxListGroups = 4096u;  // for a list, whose threads take several triangles each if it is long
+// Trees up to these sizes, rays included, can live in the shared memory of one workgroup; the smaller they are, the
+// more of them run at once.
+TRI_CONST kTinyVertices = 64u;
+TRI_CONST kTinyEdges = 128u;
 TRI_CONST kSmallVertices = 256u;
 TRI_CONST kSmallEdges = 512u;
+// So few triangles are left to one workgroup: a barrier costs it less than a dispatch.
+TRI_CONST kFewAwake = 1024u;
+TRI_CONST kTailThreads = 128u;  // no device has fewer
 
 #ifdef __cplusplus
 }  // namespace shader::tri

@@ -3,12 +3,12 @@
 
 // Where is vertex q relative to triangle t, in which it waits: on the edge of that number, or 3 = inside.
 TRI_FN uint edgeUnder(uint t, uint q) {
-    for (uint i = 0u; i < 3u; ++i) {
-        if (orientationAt(CORNER(t, nextCorner(i)), CORNER(t, previousCorner(i)), q) == 0) {
-            return i;
-        }
+    const Circle circle = circleOf(t);
+    const ivec2 p = POINT(q);
+    if (turnOf(circle.b, circle.c, p) == 0) {
+        return 0u;
     }
-    return 3u;
+    return turnOf(circle.c, circle.a, p) == 0 ? 1u : (turnOf(circle.a, circle.b, p) == 0 ? 2u : 3u);
 }
 
 // The two triangles of a tree's box, in the slots of its first corner. Which diagonal is right will be seen.
@@ -21,7 +21,7 @@ TRI_FN void initBox(uint box) {
         ACROSS(t + i, 0) = kNone;
         ACROSS(t + i, 1) = kNone;
         ACROSS(t + i, 2) = kNone;
-        AWAKE(t + i) = 1u;
+        wake(t + i, 1u);
     }
     ACROSS(t, 1) = edgeRef(t + 1u, 2u);
     ACROSS(t + 1u, 2) = edgeRef(t, 1u);
@@ -49,7 +49,8 @@ TRI_FN void vote(uint q) {
     if (t == kNone) {
         return;
     }
-    const uint rank = rankOf(inCircle(POINT(CORNER(t, 0)), POINT(CORNER(t, 1)), POINT(CORNER(t, 2)), POINT(q)));
+    const Circle circle = circleOf(t);
+    const uint rank = rankOf(inCircle(circle.a, circle.b, circle.c, POINT(q)));
     RANK(q) = rank;
     atomicMax(BEST(t), rank);
 }
@@ -59,6 +60,7 @@ TRI_FN void claimPlace(uint q) {
     if (t == kNone || RANK(q) != BEST(t)) {
         return;
     }
+    LIST_ELECTED(q);
     const uint i = edgeUnder(t, q);
     atomicMin(CLAIM(t), q);
     if (i < 3u) {
@@ -75,14 +77,14 @@ TRI_FN void writeAround(uint t, uint q, uint a, uint b, uint outer, uint left, u
     ACROSS(t, 1) = edgeRef(left, 2u);
     ACROSS(t, 2) = edgeRef(right, 1u);
     STAMP(t) = stampOf(kStageInsert) << 2;
-    AWAKE(t) = STEP;
+    wake(t, STEP);
 }
 
 TRI_FN void splitTriangle(uint t, uint q) {
     const uint second = 2u * q;
     const uint third = second + 1u;
-    const uvec3 v = uvec3(CORNER(t, 0), CORNER(t, 1), CORNER(t, 2));
-    const uvec3 outer = uvec3(ACROSS(t, 0), ACROSS(t, 1), ACROSS(t, 2));
+    const uvec3 v = CORNERS(t);
+    const uvec3 outer = ALL_ACROSS(t);
     writeAround(t, q, v.y, v.z, outer.x, second, third);
     writeAround(second, q, v.z, v.x, outer.y, third, t);
     writeAround(third, q, v.x, v.y, outer.z, t, second);
@@ -116,6 +118,7 @@ TRI_FN void splitEdge(uint t, uint i, uint q) {
     MOVED(u, previousCorner(j)) = edgeRef(fourth, 0u);
 }
 
+// Of a vertex that was elected.
 TRI_FN void splitPlace(uint q) {
     const uint t = WHERE(q);
     // Whoever does not own t must not look at it: its owner may be splitting it right now.
@@ -131,7 +134,7 @@ TRI_FN void splitPlace(uint q) {
         return;
     }
     WHERE(q) = kNone;
-    ADD_INSERTED(1u);
+    COUNT_INSERTED;
 }
 
 // After a stage: links to what was there before it become links to what is there now. Clears what was claimed.

@@ -34,6 +34,13 @@ TRI_FN int orientationAt(uint a, uint b, uint c) {
     return turnOf(POINT(a), POINT(b), POINT(c));
 }
 
+// Has the flips of a step, this one or the next, look at triangle t.
+TRI_FN void wake(uint t, uint step) {
+    if (atomicMax(AWAKE(t), step) < step) {
+        LIST_AWAKE(t, step);
+    }
+}
+
 // The ray from vertex `from` to `to`, or kNone.
 TRI_FN uint rayBetween(uint from, uint to) {
     for (uint r = PREVIOUS(from); r < RAY_COUNT && RAY_AT(r) == from; ++r) {
@@ -58,12 +65,20 @@ TRI_FN bool isContour(uint a, uint b) {
     return contourFrom(a, b) != kNone || contourFrom(b, a) != kNone;
 }
 
-// Does the triangle on the other side have its apex inside this one's circle? There is one.
-TRI_FN bool isFlipNeeded(uint t, uint corner) {
-    const uint other = ACROSS(t, corner);
-    const uint a = CORNER(t, 0);
-    const uint b = CORNER(t, 1);
-    const uint c = CORNER(t, 2);
-    const uint d = CORNER(triangleOf(other), cornerOf(other));
-    return isInPerturbedCircle(POINT(a), POINT(b), POINT(c), POINT(d), uvec4(ID(a), ID(b), ID(c), ID(d)));
+// The circle of a triangle.
+struct Circle {
+    uvec3 corners;
+    ivec2 a, b, c;
+};
+TRI_FN Circle circleOf(uint t) {
+    Circle circle;
+    circle.corners = CORNERS(t);
+    circle.a = POINT(circle.corners.x);
+    circle.b = POINT(circle.corners.y);
+    circle.c = POINT(circle.corners.z);
+    return circle;
+}
+TRI_FN bool isInside(Circle circle, uint d) {
+    const uvec3 v = circle.corners;
+    return isInPerturbedCircle(circle.a, circle.b, circle.c, POINT(d), uvec4(ID(v.x), ID(v.y), ID(v.z), ID(d)));
 }

@@ -8,4 +8,7 @@
 #include "erase.h"
 #include "advance.h"
 
-layout(local_size_x = kGroupSize) in;
+#ifndef THREADS_PER_GROUP
+#define THREADS_PER_GROUP kGroupSize
+#endif
+layout(local_size_x = THREADS_PER_GROUP) in;

@@ -77,15 +77,12 @@ class TriangulatorTest : public QObject {
 
     /// The mesh in the device's memory and in the oracle's: the same words wherever there is a triangle.
     static bool isSameMesh(const tri::gpu::DeviceForest& forest, const tri::gpu::Oracle& oracle) {
-        using shader::tri::Forest;
-        const std::size_t words = 6 * std::size_t{oracle.forest().vertexCount};
-        for (const auto& [offset, expected] : {std::pair{offsetof(Forest, corners), oracle.forest().corners.at},
-                                               std::pair{offsetof(Forest, across), oracle.forest().across.at}}) {
-            const auto found = forest.read<std::uint32_t>(offset, words);
-            for (std::size_t i = 0; i < words; ++i) {
-                if (oracle.forest().corners.at[i - i % 3] != shader::tri::kNone && found.at(i) != expected[i]) {
-                    return false;
-                }
+        const std::size_t count = 2 * std::size_t{oracle.forest().vertexCount};
+        const auto found = forest.read<kernel::Triangle>(offsetof(kernel::Forest, triangles), count);
+        for (std::size_t t = 0; t < count; ++t) {
+            const std::vector<std::uint32_t> expected = tri::gpu::Oracle::meshAt(oracle.forest().triangles.at[t]);
+            if (!expected.empty() && tri::gpu::Oracle::meshAt(found[t]) != expected) {
+                return false;
             }
         }
         return true;

@@ -35,6 +35,7 @@ void finishBefore(VkCommandBuffer commands) {
 
 Kernels::Kernels(render::gpu::Device& device)
     : init(make(device, "init", spirv::kTriInitComp)),
+      tiny(make(device, "tiny", spirv::kTriTinyComp)),
       small(make(device, "small", spirv::kTriSmallComp)),
       advance(make(device, "advance", spirv::kTriAdvanceComp)),
       vote(make(device, "vote", spirv::kTriVoteComp)),
@@ -46,7 +47,9 @@ Kernels::Kernels(render::gpu::Device& device)
       rebuildCorridor(make(device, "rebuild corridor", spirv::kTriRebuildCorridorComp)),
       testEdges(make(device, "test edges", spirv::kTriTestEdgesComp)),
       flip(make(device, "flip", spirv::kTriFlipComp)),
+      fixFlips(make(device, "fix flips", spirv::kTriFixFlipsComp)),
       relocateFlipped(make(device, "relocate flipped", spirv::kTriRelocateFlippedComp)),
+      tail(make(device, "tail", spirv::kTriTailComp)),
       fixLinks(make(device, "fix links", spirv::kTriFixLinksComp)),
       decide(make(device, "decide", spirv::kTriDecideComp)),
       prove(make(device, "prove", spirv::kTriProveComp)),
@@ -77,14 +80,14 @@ const Buffer& DeviceForest::column(std::size_t offset) const {
     return m_columns[static_cast<std::size_t>(found - m_offsets.begin())];
 }
 
-void DeviceForest::begin(Frame& frame, const Kernel& program, std::uint32_t stage) const {
+void DeviceForest::begin(Frame& frame, const Kernel& program, std::uint32_t stage, std::uint32_t firstTree) const {
     frame.beginStage(program.name);
     program.pipeline.bind(frame.commands());
-    program.pipeline.push(frame.commands(), kernel::Push{{m_forest.address()}, stage, 0});
+    program.pipeline.push(frame.commands(), kernel::Push{{m_forest.address()}, stage, firstTree});
 }
 
-void DeviceForest::dispatch(Frame& frame, const Kernel& program, std::uint32_t groups) const {
-    begin(frame, program, 0);
+void DeviceForest::dispatch(Frame& frame, const Kernel& program, std::uint32_t groups, std::uint32_t firstTree) const {
+    begin(frame, program, 0, firstTree);
     // Workgroups in rows, as advance.h lays them out.
     constexpr std::uint32_t kRow = kernel::kMaxGroupsX;
     vkCmdDispatch(frame.commands(), std::min(groups, kRow), (groups + kRow - 1) / kRow, 1);
@@ -93,7 +96,7 @@ void DeviceForest::dispatch(Frame& frame, const Kernel& program, std::uint32_t g
 
 /// As many workgroups as the device wrote to the member of Control that lies `groups` bytes into it.
 void DeviceForest::run(Frame& frame, const Kernel& program, std::size_t groups, std::uint32_t stage) const {
-    begin(frame, program, stage);
+    begin(frame, program, stage, 0);
     vkCmdDispatchIndirect(frame.commands(), column(offsetof(kernel::Forest, control)).handle(), groups);
     finishBefore(frame.commands());
 }
@@ -106,8 +109,11 @@ void DeviceForest::recordInit(Frame& frame, const Kernels& kernels) const {
 }
 
 void DeviceForest::recordSmall(Frame& frame, const Kernels& kernels) const {
+    if (m_record.tinyTrees > 0) {
+        dispatch(frame, kernels.tiny, m_record.tinyTrees);
+    }
     if (m_record.smallTrees > 0) {
-        dispatch(frame, kernels.small, m_record.smallTrees);
+        dispatch(frame, kernels.small, m_record.smallTrees, m_record.tinyTrees);
     }
 }
 
@@ -116,7 +122,7 @@ void DeviceForest::recordStep(Frame& frame, const Kernels& kernels) const {
     dispatch(frame, kernels.advance, 1);
     run(frame, kernels.vote, offsetof(Control, insertGroups));
     run(frame, kernels.claimPlace, offsetof(Control, insertGroups));
-    run(frame, kernels.split, offsetof(Control, insertGroups));
+    run(frame, kernels.split, offsetof(Control, electedGroups));
     run(frame, kernels.fixLinks, offsetof(Control, splitGroups), kernel::kStageInsert);
     run(frame, kernels.relocateInserted, offsetof(Control, insertGroups));
     run(frame, kernels.findContours, offsetof(Control, contourGroups));
@@ -125,8 +131,9 @@ void DeviceForest::recordStep(Frame& frame, const Kernels& kernels) const {
     run(frame, kernels.fixLinks, offsetof(Control, contourGroups), kernel::kStageRebuild);
     run(frame, kernels.testEdges, offsetof(Control, flipGroups));
     run(frame, kernels.flip, offsetof(Control, flipGroups));
-    run(frame, kernels.fixLinks, offsetof(Control, flipGroups), kernel::kStageFlip);
+    run(frame, kernels.fixFlips, offsetof(Control, flipGroups));
     run(frame, kernels.relocateFlipped, offsetof(Control, relocateGroups));
+    dispatch(frame, kernels.tail, 1);
 }
 
 void DeviceForest::recordErase(Frame& frame, const Kernels& kernels) const {

@@ -20,10 +20,10 @@ struct Kernel {
 struct Kernels {
     explicit Kernels(render::gpu::Device& device);
 
-    Kernel init, small, advance;
+    Kernel init, tiny, small, advance;
     Kernel vote, claimPlace, split, relocateInserted;
     Kernel findContours, claimCorridor, rebuildCorridor;
-    Kernel testEdges, flip, relocateFlipped;
+    Kernel testEdges, flip, fixFlips, relocateFlipped, tail;
     Kernel fixLinks;
     Kernel decide, prove, countKept, sumKept, writeKept;
 };
@@ -55,9 +55,10 @@ public:
 
 private:
     [[nodiscard]] const render::gpu::Buffer& column(std::size_t offset) const;
-    void begin(render::gpu::Frame& frame, const Kernel& program, std::uint32_t stage) const;
+    void begin(render::gpu::Frame& frame, const Kernel& program, std::uint32_t stage, std::uint32_t firstTree) const;
     void run(render::gpu::Frame& frame, const Kernel& program, std::size_t groups, std::uint32_t stage = 0) const;
-    void dispatch(render::gpu::Frame& frame, const Kernel& program, std::uint32_t groups) const;
+    void dispatch(render::gpu::Frame& frame, const Kernel& program, std::uint32_t groups,
+                  std::uint32_t firstTree = 0) const;
 
     render::gpu::Device* m_device;
     render::gpu::FrameRing* m_ring;

@@ -42,19 +42,25 @@ public:
     }
 
 private:
-    /// The small ones first.
-    void order() {
-        std::uint32_t vertices = 0;
-        for (const bool isSmall : {true, false}) {
-            for (std::size_t i = 0; i < m_polygons.size(); ++i) {
-                const std::size_t count = m_polygons[i].points.size();
-                if ((count <= kernel::kSmallVertices) == isSmall) {
-                    m_saplings.push_back({i, vertices, 0, {}});
-                    vertices += static_cast<std::uint32_t>(count + kBoxCorners);
-                    m_data.smallTrees += isSmall ? 1 : 0;
-                }
+    /// Saplings of all polygons with so many points. Returns how many those are.
+    std::uint32_t addSaplings(std::size_t least, std::size_t most, std::uint32_t& vertices) {
+        const std::size_t before = m_saplings.size();
+        for (std::size_t i = 0; i < m_polygons.size(); ++i) {
+            const std::size_t count = m_polygons[i].points.size();
+            if (count >= least && count <= most) {
+                m_saplings.push_back({i, vertices, 0, {}});
+                vertices += static_cast<std::uint32_t>(count + kBoxCorners);
             }
         }
+        return static_cast<std::uint32_t>(m_saplings.size() - before);
+    }
+
+    /// By size, as each has its kernel.
+    void order() {
+        std::uint32_t vertices = 0;
+        m_data.tinyTrees = addSaplings(0, kernel::kTinyVertices, vertices);
+        m_data.smallTrees = addSaplings(kernel::kTinyVertices + 1, kernel::kSmallVertices, vertices);
+        static_cast<void>(addSaplings(kernel::kSmallVertices + 1, kMaxForestVertices, vertices));
         m_data.points.resize(vertices);
         m_data.ids.assign(vertices, kernel::kBoxIds);
         m_data.treeOf.resize(vertices);
@@ -64,12 +70,15 @@ private:
     }
 
     void plantOne(Sapling& sapling, std::size_t tree) {
-        thread_local Workspace workspace;
+        thread_local Workspace kept;
         const Polygon& polygon = m_polygons[sapling.polygon];
         std::fill_n(m_data.treeOf.begin() + sapling.firstVertex, polygon.points.size() + kBoxCorners,
                     static_cast<std::uint32_t>(tree));
         // Contours that run along each other may still cancel with others: the sequential triangulator finds out.
-        if (workspace.start(polygon, Cores::One).outcome == Outcome::Ok &&
+        const Cores cores = coresFor(polygon.points.size());
+        Workspace own;  // while a thread waits for others it may be given another polygon
+        Workspace& workspace = cores == Cores::One ? kept : own;
+        if (workspace.start(polygon, cores).outcome == Outcome::Ok &&
             workspace.contours.overlap().outcome == Outcome::Ok) {
             startInBox(workspace.mesh);
             takeOver(workspace, sapling, polygon);
@@ -138,6 +147,7 @@ kernel::Forest recordOf(const ForestData& data) {
     forest.rayCount = data.rayCount();
     forest.scratchSize = static_cast<std::uint32_t>(std::max(kMinScratch, kScratchPerVertex * data.points.size()));
     forest.eraser = data.eraser == Eraser::Loop ? kernel::kEraseByLoop : kernel::kEraseBySector;
+    forest.tinyTrees = data.tinyTrees;
     forest.smallTrees = data.smallTrees;
     return forest;
 }
@@ -160,13 +170,10 @@ std::vector<Column> columnsOf(const ForestData& data) {
         {"previous", offsetof(Forest, previous), perVertex, data.previous.data()},
         {"where", offsetof(Forest, where), perVertex, nullptr},
         {"note", offsetof(Forest, note), perVertex, nullptr},
-        {"corners", offsetof(Forest, corners), 3 * perTriangle, nullptr},
-        {"across", offsetof(Forest, across), 3 * perTriangle, nullptr},
+        {"triangles", offsetof(Forest, triangles), 2 * sizeof(kernel::Triangle) * record.vertexCount, nullptr},
         {"moved", offsetof(Forest, moved), 3 * perTriangle, nullptr},
         {"best", offsetof(Forest, best), perTriangle, nullptr},
         {"claim", offsetof(Forest, claim), perTriangle, nullptr},
-        {"stamp", offsetof(Forest, stamp), perTriangle, nullptr},
-        {"awake", offsetof(Forest, awake), perTriangle, nullptr},
         {"state", offsetof(Forest, state), perTriangle, nullptr},
         {"rays", offsetof(Forest, rays), sizeof(std::uint32_t) * data.rays.size(), data.rays.data()},
         {"found", offsetof(Forest, found), perEdge, nullptr},

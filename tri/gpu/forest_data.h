@@ -30,15 +30,16 @@ struct ForestData {
     std::vector<std::uint32_t> next;
     std::vector<std::uint32_t> previous;
     std::vector<std::uint32_t> rays;
-    std::uint32_t smallTrees = 0;  ///< the first so many have at most kSmallVertices vertices
+    std::uint32_t tinyTrees = 0;   ///< the first so many have at most kTinyVertices vertices
+    std::uint32_t smallTrees = 0;  ///< the next so many at most kSmallVertices
     Eraser eraser = Eraser::Sector;
 
     [[nodiscard]] std::uint32_t vertexCount() const { return static_cast<std::uint32_t>(points.size()); }
     [[nodiscard]] std::uint32_t rayCount() const { return static_cast<std::uint32_t>(rays.size() / 3); }
 };
 
-/// The vertices of one forest have to be fewer: two triangle slots each, in 31 bits together with a corner.
-inline constexpr std::size_t kMaxForestVertices = std::size_t{1} << 28;
+/// The vertices of one forest have to be fewer: two triangle slots each, whose words are numbered in 31 bits.
+inline constexpr std::size_t kMaxForestVertices = std::size_t{1} << 27;
 /// How many vertices polygons have in a forest.
 [[nodiscard]] std::size_t forestVertices(std::span<const Polygon> polygons);
 

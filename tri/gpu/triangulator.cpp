@@ -12,11 +12,11 @@ namespace kernel = shader::tri;
 namespace {
 
 /// Steps per submission. More would be recorded in vain for small boards, fewer means more waiting for large ones.
-constexpr int kStepsAtOnce = 32;
+constexpr int kStepsAtOnce = 16;
 /// No input has been seen that takes a tenth of it.
 constexpr std::uint32_t kMaxSteps = 50'000;
 /// Of the largest column, and of all of them.
-constexpr std::uint64_t kColumnBytesPerVertex = 24;
+constexpr std::uint64_t kColumnBytesPerVertex = 2 * sizeof(kernel::Triangle);
 constexpr std::uint64_t kBytesPerVertex = 256;
 
 std::size_t verticesThatFit(const render::gpu::Caps& caps) {

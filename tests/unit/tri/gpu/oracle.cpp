@@ -25,6 +25,19 @@ struct Kernels {
 #include "shaders/tri/erase.h"
     //
 #include "shaders/tri/advance.h"
+
+    [[nodiscard]] uint awakeCount() const {
+        return AWAKE_COUNT(STEP);
+    }
+    [[nodiscard]] uint awakeAt(uint i) const {
+        return AWAKE_AT(i);
+    }
+    [[nodiscard]] uint electedAt(uint i) const {
+        return ELECTED_AT(i);
+    }
+    [[nodiscard]] uint claimedAt(uint i) const {
+        return CLAIMED_AT(i);
+    }
 };
 
 }  // namespace
@@ -66,7 +79,7 @@ void Oracle::insertRound() {
     const std::uint32_t vertices = m_forest.vertexCount;
     forEach(vertices, [&](std::uint32_t q) { kernels.vote(q); });
     forEach(vertices, [&](std::uint32_t q) { kernels.claimPlace(q); });
-    forEach(vertices, [&](std::uint32_t q) { kernels.splitPlace(q); });
+    forEach(control().elected, [&](std::uint32_t i) { kernels.splitPlace(kernels.electedAt(i)); });
     forEach(2 * vertices, [&](std::uint32_t t) { kernels.fixLinks(t, kernel::kStageInsert); });
     forEach(vertices, [&](std::uint32_t p) { kernels.relocateInserted(p); });
 }
@@ -82,15 +95,15 @@ void Oracle::contourRound() {
 
 void Oracle::flipRound() {
     kernel::Kernels kernels{m_forest};
-    const std::uint32_t vertices = m_forest.vertexCount;
-    forEach(2 * vertices, [&](std::uint32_t t) { kernels.testEdges(t); });
-    forEach(2 * vertices, [&](std::uint32_t t) { kernels.flipEdge(t); });
-    forEach(2 * vertices, [&](std::uint32_t t) { kernels.fixLinks(t, kernel::kStageFlip); });
-    forEach(vertices, [&](std::uint32_t p) { kernels.relocateFlipped(p); });
+    forEach(kernels.awakeCount(), [&](std::uint32_t i) { kernels.testEdges(kernels.awakeAt(i)); });
+    forEach(control().claimed, [&](std::uint32_t i) { kernels.flipEdge(kernels.claimedAt(i)); });
+    forEach(control().claimed, [&](std::uint32_t i) { kernels.fixLinks(kernels.claimedAt(i), kernel::kStageFlip); });
+    forEach(m_forest.vertexCount, [&](std::uint32_t p) { kernels.relocateFlipped(p); });
 }
 
 bool Oracle::step() {
-    kernel::Kernels{m_forest}.advance();
+    kernel::Kernels kernels{m_forest};
+    kernels.advance();
     if (control().phase == kernel::kFinished) {
         return false;
     }
@@ -101,6 +114,10 @@ bool Oracle::step() {
         contourRound();
     }
     flipRound();
+    while (kernels.isTail()) {
+        kernels.beginStep();
+        flipRound();
+    }
     return true;
 }
 
@@ -115,6 +132,14 @@ void Oracle::erase() {
         place += kernels.isKept(t) ? 1 : 0;
     }
     m_forest.control.at[0].kept = place;
+}
+
+std::vector<std::uint32_t> Oracle::meshAt(const kernel::Triangle& triangle) {
+    if (triangle.corners.x == kernel::kNone) {
+        return {};
+    }
+    return {triangle.corners.x, triangle.corners.y, triangle.corners.z,
+            triangle.across.x,  triangle.across.y,  triangle.across.z};
 }
 
 std::vector<std::uint32_t> Oracle::trianglesOf(std::size_t tree) const {

@@ -26,6 +26,8 @@ public:
 
     [[nodiscard]] const shader::tri::Control& control() const { return m_forest.control.at[0]; }
     [[nodiscard]] const shader::tri::Forest& forest() const { return m_forest; }
+    /// Corners and what lies across the edges; nothing where there is no triangle.
+    [[nodiscard]] static std::vector<std::uint32_t> meshAt(const shader::tri::Triangle& triangle);
     /// After erase(): the triangles of a tree. Nothing if it is flagged.
     [[nodiscard]] std::vector<std::uint32_t> trianglesOf(std::size_t tree) const;
 

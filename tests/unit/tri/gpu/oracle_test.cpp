@@ -69,12 +69,11 @@ Tally compare(const std::vector<Case>& inputs, Eraser eraser = Eraser::Sector) {
 
 /// The mesh, as numbers that differ if the mesh does.
 std::vector<std::uint32_t> meshOf(const Oracle& oracle) {
-    const std::size_t words = 6 * std::size_t{oracle.forest().vertexCount};
     std::vector<std::uint32_t> mesh;
-    for (std::size_t i = 0; i < words; ++i) {
-        const bool isDead = oracle.forest().corners.at[i - i % 3] == shader::tri::kNone;
-        mesh.push_back(isDead ? 0 : oracle.forest().corners.at[i]);
-        mesh.push_back(isDead ? 0 : oracle.forest().across.at[i]);
+    for (std::size_t t = 0; t < 2 * std::size_t{oracle.forest().vertexCount}; ++t) {
+        const std::vector<std::uint32_t> triangle = Oracle::meshAt(oracle.forest().triangles.at[t]);
+        mesh.push_back(static_cast<std::uint32_t>(triangle.size()));
+        mesh.insert(mesh.end(), triangle.begin(), triangle.end());
     }
     return mesh;
 }
