@@ -13,6 +13,7 @@
 namespace {
 
 constexpr int kVisible = 6;  // of 255, in any channel
+constexpr int kSceneMs = 2'000;
 constexpr int kLoadMs = 60000;
 
 bool differ(QRgb a, QRgb b) {
@@ -88,6 +89,11 @@ bool WindowFixture::openAndWait(const QString& path) {
     m_window->open(path.toStdString());
     const bool isDone = QTest::qWaitFor([&] { return !m_window->loader().isLoading(); }, kLoadMs);
     QObject::disconnect(connection);
+    if (isShown) {  // a software device gets the board after the first flat picture (decision 204)
+        (void)QTest::qWaitFor(
+            [&] { return std::ranges::all_of(m_window->views().both(), [](auto* view) { return view->hasScene(); }); },
+            kSceneMs);
+    }
     do {
         QTest::qWait(50);  // lets the layout settle and the first frames come
     } while (!m_context->turns().isFree());

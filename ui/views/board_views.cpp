@@ -126,7 +126,7 @@ void BoardViews::makeScene() {
         std::make_unique<render::BoardScene>(render::BoardScene::makeUnloaded(m_context.device(), m_board->model));
     m_scene->setHeights(render::frameOf(*m_board->document));  // they may have been set since
     applyStates();
-    if (m_context.device().caps().isCpu && flat().isVisible()) {
+    if (m_context.device().caps().isCpu && !flat().isHidden()) {
         showScene(flat());
         m_load.start(kLoadLatestMs);
     } else {
