@@ -287,6 +287,7 @@ base::Result<BoardModel> buildStepModel(const Document& document, Milling millin
     progress.beginPhase("Modelling traces and pads");
     watch = {};
     static_cast<BoardFrame&>(out) = frameOf(document);
+    out.elementCount = static_cast<std::uint32_t>(document.elements.size());
     makeAllLets(document, how, rowOfShape, meshes, milling, out);
     makeInstances(document, rowOfShape, milling, bodies, centres, out);
     out.times.createMs = watch.milliseconds();

@@ -44,7 +44,8 @@ struct AreaBatch {
 /// circles and trails, triangles for areas. Lengths in mm relative to `origin`. Everything is sorted by layer, so that
 /// a layer is a run. The steps that a panel places are models of their own, made once however often they are drawn.
 struct BoardModel : BoardFrame {
-    std::vector<BoardModel> steps;  ///< at whatever depth; they have none themselves
+    std::vector<BoardModel> steps;   ///< at whatever depth; they have none themselves
+    std::uint32_t elementCount = 0;  ///< of the document, drawn or not
 
     std::vector<shader::Let> lets;
     std::vector<shader::Cluster> clusters;  ///< never straddle a layer

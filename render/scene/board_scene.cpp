@@ -56,17 +56,6 @@ std::vector<shader::Draw> patchDraws(const BoardModel& model, std::size_t layerC
     return draws;
 }
 
-std::uint32_t elementCount(const BoardModel& model) {
-    std::uint32_t count = 0;
-    for (const shader::Let& let : model.lets) {
-        count = std::max(count, let.element + 1);
-    }
-    for (const shader::AreaInstance& instance : model.instances) {
-        count = std::max(count, instance.element + 1);
-    }
-    return count;
-}
-
 /// A box around everything a step draws.
 Box2 reachOf(const BoardModel& model, std::span<const shader::ShapeBound> bounds) {
     Box2 reach;
@@ -256,7 +245,7 @@ SceneStep::SceneStep(const BoardModel& model, std::size_t layerCount)
       clusterCount(static_cast<std::uint32_t>(model.clusters.size())),
       instanceCount(static_cast<std::uint32_t>(model.instances.size())),
       areaDrawCount(static_cast<std::uint32_t>(model.areaBatches.size())),
-      states(plainStates(elementCount(model))),
+      states(plainStates(model.elementCount)),
       topShadows(model.shadows.top),
       bottomShadows(model.shadows.bottom) {}
 
@@ -440,7 +429,7 @@ std::vector<ZRange> BoardScene::drawnHeights(const ViewSettings& settings) const
 
 void BoardScene::setStates(std::span<const ElementState> states, std::uint32_t step) {
     SceneStep& owner = m_impl->steps[step];
-    // Elements after the last one drawn have no state: empty areas, say.
+    // Those that nothing is said of are plain.
     std::vector<ElementState> wanted(states.begin(), states.end());
     wanted.resize(owner.states.size());
     owner.unsent = united(owner.unsent, changeBetween(owner.states, wanted));

@@ -119,6 +119,7 @@ std::uint32_t SyntheticBoard::addArea(const std::vector<std::vector<base::Point>
 
 BoardModel SyntheticBoard::build() const {
     BoardModel model = m_model;
+    model.elementCount = m_elements;
     model.boxMin = glm::vec3(1e30F);
     model.boxMax = glm::vec3(-1e30F);
     for (std::uint32_t layer = 0; layer < m_lets.size(); ++layer) {

@@ -64,9 +64,7 @@ void PartModel::setBoard(std::shared_ptr<const model::Document> board) {
     m_steps = m_board ? model::distinctSteps(*m_board) : std::vector<const model::Document*>();
     sortRows();
     listAttributeNames();
-    rank(Part);
-    rank(Package);
-    rank(Attributes);
+    m_ranks = {};
     endResetModel();
 }
 
@@ -104,17 +102,28 @@ void PartModel::listAttributeNames() {
     }
 }
 
-void PartModel::rank(Column column) {
-    std::vector<std::string> texts;
-    for (int row = 0; row < rows(); ++row) {
-        texts.push_back(cell(row, column).text.toString().toStdString());
+QString PartModel::rankedText(int row, int column) const {
+    if (column == Attributes) {
+        return attributeText(row);
     }
-    m_ranks[column] = model::ranksOf(texts);
+    return QString::fromStdString(column == Part ? componentOf(row).part : packageOf(row));
+}
+
+const std::vector<std::uint32_t>& PartModel::ranks(int column) const {
+    std::vector<std::uint32_t>& ranks = m_ranks[static_cast<std::size_t>(column)];
+    if (ranks.size() != m_rows.size()) {
+        std::vector<std::string> texts;
+        for (int row = 0; row < rows(); ++row) {
+            texts.push_back(rankedText(row, column).toStdString());
+        }
+        ranks = model::ranksOf(texts);
+    }
+    return ranks;
 }
 
 void PartModel::setAttribute(const QString& name) {
     m_attribute = m_attributeNames.contains(name) ? name : QString();
-    rank(Attributes);
+    m_ranks[Attributes].clear();
     announceChange();
 }
 
@@ -161,16 +170,11 @@ QString PartModel::attributeText(int row) const {
 
 Cell PartModel::cell(int row, int column) const {
     const model::Component& component = componentOf(row);
-    const auto ranked = [&](const QString& name) {
-        const auto& ranks = m_ranks[static_cast<std::size_t>(column)];
-        const bool isRanked = ranks.size() == m_rows.size();
-        return Cell{.text = name, .order = isRanked ? QVariant(ranks[static_cast<std::size_t>(row)]) : QVariant()};
-    };
     switch (column) {
         case Designator: return {.text = QString::fromStdString(component.refdes), .order = row};
-        case Part: return ranked(QString::fromStdString(component.part));
-        case Attributes: return ranked(attributeText(row));
-        case Package: return ranked(QString::fromStdString(packageOf(row)));
+        case Part:
+        case Attributes:
+        case Package: return {.text = rankedText(row, column), .order = ranks(column)[static_cast<std::size_t>(row)]};
         case Side: return {sideText(component.side)};
         case X: return inPlace(length(component.placement.origin.x), component);
         case Y: return inPlace(length(component.placement.origin.y), component);

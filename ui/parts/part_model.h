@@ -45,13 +45,15 @@ private:
     [[nodiscard]] QString attributeText(int row) const;
     [[nodiscard]] std::string packageOf(int row) const;
     void sortRows();
-    void rank(Column column);
+    [[nodiscard]] QString rankedText(int row, int column) const;
+    [[nodiscard]] const std::vector<std::uint32_t>& ranks(int column) const;
     void listAttributeNames();
 
     std::shared_ptr<const model::Document> m_board;
     std::vector<const model::Document*> m_steps;               ///< as model::StepTree::steps
     std::vector<BoardPart> m_rows;                             ///< by designator
-    std::array<std::vector<std::uint32_t>, Step + 1> m_ranks;  ///< per column of names: places of the rows' texts
+    /// Per column of names: places of the rows' texts. Made when the table first shows or sorts that column.
+    mutable std::array<std::vector<std::uint32_t>, Step + 1> m_ranks;
     QStringList m_attributeNames;
     QString m_attribute;
 };

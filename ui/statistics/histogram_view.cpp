@@ -25,12 +25,12 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
 
 void HistogramView::setDocument(std::shared_ptr<const model::Document> document) {
     m_document = std::move(document);
-    measure();
+    forget();
 }
 
 void HistogramView::setMeasure(model::Measure measure) {
     m_measure = measure;
-    this->measure();
+    forget();
 }
 
 void HistogramView::setUnit(LengthUnit unit) {
@@ -38,15 +38,22 @@ void HistogramView::setUnit(LengthUnit unit) {
     update();
 }
 
-void HistogramView::measure() {
-    m_histogram = m_document ? model::histogramOf(*m_document, m_measure, kMostBars) : model::Histogram{};
-    m_current = m_histogram.bars.size();
+void HistogramView::forget() {
+    m_histogram.reset();
+    m_current.reset();
     update();
+}
+
+const model::Histogram& HistogramView::histogram() const {
+    if (!m_histogram) {
+        m_histogram = m_document ? model::histogramOf(*m_document, m_measure, kMostBars) : model::Histogram{};
+    }
+    return *m_histogram;
 }
 
 QRectF HistogramView::columnRect(std::size_t bar) const {
     const double line = fontMetrics().height();
-    const double wide = (width() - 2 * kMargin) / static_cast<double>(m_histogram.bars.size());
+    const double wide = (width() - 2 * kMargin) / static_cast<double>(histogram().bars.size());
     return {kMargin + wide * static_cast<double>(bar), kMargin, wide, height() - 2 * kMargin - line};
 }
 
@@ -59,22 +66,22 @@ void HistogramView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), palette().base());
     painter.setPen(palette().color(QPalette::Text));
-    if (m_histogram.bars.empty()) {
+    if (histogram().bars.empty()) {
         painter.drawText(rect(), Qt::AlignCenter, tr("There is nothing of this kind on the board"));
         return;
     }
     painter.drawText(QRectF(rect()).adjusted(0.0, 2.0, -kMargin, 0.0), Qt::AlignRight, QLatin1String(unitName(m_unit)));
     std::uint32_t highest = 0;
-    for (const model::HistogramBar& bar : m_histogram.bars) {
+    for (const model::HistogramBar& bar : histogram().bars) {
         highest = std::max(highest, bar.elements.count);
     }
-    for (std::size_t bar = 0; bar < m_histogram.bars.size(); ++bar) {
+    for (std::size_t bar = 0; bar < histogram().bars.size(); ++bar) {
         paintBar(painter, bar, highest);
     }
 }
 
 void HistogramView::paintBar(QPainter& painter, std::size_t bar, std::uint32_t highest) const {
-    const model::HistogramBar& values = m_histogram.bars[bar];
+    const model::HistogramBar& values = histogram().bars[bar];
     const QRectF column = columnRect(bar);
     const double line = fontMetrics().height();
     const double room = column.height() - line;
@@ -94,20 +101,20 @@ void HistogramView::paintBar(QPainter& painter, std::size_t bar, std::uint32_t h
 
 std::size_t HistogramView::barAt(QPointF at) const {
     std::size_t bar = 0;
-    while (bar < m_histogram.bars.size() && !(at.x() >= columnRect(bar).left() && at.x() < columnRect(bar).right())) {
+    while (bar < histogram().bars.size() && !(at.x() >= columnRect(bar).left() && at.x() < columnRect(bar).right())) {
         ++bar;
     }
     return bar;
 }
 
 void HistogramView::choose(std::size_t bar) {
-    if (bar >= m_histogram.bars.size()) {
+    if (bar >= histogram().bars.size()) {
         return;
     }
     m_current = bar;
     update();
-    const model::Range range = m_histogram.bars[bar].elements;
-    const auto first = m_histogram.elements.begin() + range.first;
+    const model::Range range = histogram().bars[bar].elements;
+    const auto first = histogram().elements.begin() + range.first;
     emit chosen({first, first + range.count});
 }
 
@@ -118,11 +125,11 @@ void HistogramView::mousePressEvent(QMouseEvent* event) {
 }
 
 void HistogramView::keyPressEvent(QKeyEvent* event) {
-    const std::size_t count = m_histogram.bars.size();
+    const std::size_t count = histogram().bars.size();
     if (event->key() == Qt::Key_Right) {
-        choose(m_current >= count ? 0 : std::min(m_current + 1, count - 1));
+        choose(m_current ? std::min(*m_current + 1, count - 1) : 0);
     } else if (event->key() == Qt::Key_Left && count > 0) {
-        choose(m_current >= count ? count - 1 : m_current - std::min<std::size_t>(m_current, 1));
+        choose(m_current ? *m_current - std::min<std::size_t>(*m_current, 1) : count - 1);
     } else {
         QWidget::keyPressEvent(event);
     }
@@ -132,9 +139,9 @@ bool HistogramView::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const std::size_t bar = barAt(help->pos());
-        const QString tip = bar < m_histogram.bars.size() ? tr("%1: %L2 elements, click to select them")
-                                                                .arg(lengthsText(m_histogram.bars[bar]))
-                                                                .arg(m_histogram.bars[bar].elements.count)
+        const QString tip = bar < histogram().bars.size() ? tr("%1: %L2 elements, click to select them")
+                                                                .arg(lengthsText(histogram().bars[bar]))
+                                                                .arg(histogram().bars[bar].elements.count)
                                                           : QString();
         QToolTip::showText(help->globalPos(), tip, this);
         return true;

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "model/statistics/histogram.h"
 #include "ui/common/display_units.h"
@@ -20,7 +21,8 @@ public:
     void setDocument(std::shared_ptr<const model::Document> document);
     void setMeasure(model::Measure measure);
     void setUnit(LengthUnit unit);
-    [[nodiscard]] const model::Histogram& histogram() const { return m_histogram; }
+    /// Measured when it is first asked for: not while the plot is out of sight.
+    [[nodiscard]] const model::Histogram& histogram() const;
     /// The room of a bar from the top of the plot to its foot, pixels.
     [[nodiscard]] QRectF columnRect(std::size_t bar) const;
 
@@ -34,7 +36,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void measure();
+    void forget();
     void choose(std::size_t bar);
     [[nodiscard]] std::size_t barAt(QPointF at) const;
     [[nodiscard]] QString lengthsText(const model::HistogramBar& bar) const;
@@ -43,8 +45,8 @@ private:
     std::shared_ptr<const model::Document> m_document;
     model::Measure m_measure = model::Measure::TrackWidth;
     LengthUnit m_unit = LengthUnit::Millimetre;
-    model::Histogram m_histogram;
-    std::size_t m_current = 0;  ///< the bar chosen last
+    mutable std::optional<model::Histogram> m_histogram;
+    std::optional<std::size_t> m_current;  ///< the bar chosen last
 };
 
 }  // namespace ui
