@@ -147,7 +147,8 @@ private:
             for (QAction* action : open->actions()) {
                 if (action->objectName() == QLatin1String(name)) {
                     QVERIFY(action->isEnabled());
-                    QTest::mouseClick(open, Qt::LeftButton, {}, open->actionGeometry(action).center());
+                    open->setActiveAction(action);
+                    QTest::keyClick(open, Qt::Key_Return);
                     return;
                 }
             }
