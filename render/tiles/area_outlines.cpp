@@ -1,8 +1,8 @@
 #include "render/tiles/area_outlines.h"
 
 #include <algorithm>
-#include <numeric>
 #include <unordered_set>
+#include <utility>
 
 #include "model/base/parallel.h"
 

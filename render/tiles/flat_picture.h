@@ -34,7 +34,8 @@ struct FlatRequest {
 ///
 /// Draws by itself what the device draws with the impostor back end, smoothed, to a level of 255 in all but few pixels
 /// (tests/gpu/flat_picture_test.cpp). What it cannot draw it says: outlines, tilted or turned views, bodies, flipped
-/// copies of steps, more colours by translucent layers than 255. All cores draw, and nothing goes on after a call.
+/// copies of steps, more colours by translucent layers than 255. All cores draw, and but for what the
+/// constructor begins nothing goes on after a call.
 class FlatPicture {
 public:
     /// Comes back at once: what of the model it needs is made in the background, and the first frame waits for it.

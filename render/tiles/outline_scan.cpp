@@ -1,7 +1,6 @@
 #include "render/tiles/outline_scan.h"
 
 #include <algorithm>
-#include <array>
 
 #include "render/tiles/sample_rows.h"
 
