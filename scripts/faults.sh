@@ -5,9 +5,6 @@
 set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 # shellcheck source-path=SCRIPTDIR
-. "$root/scripts/setup.sh"
-. "$root/scripts/build.sh"
-. "$root/scripts/testing.sh"
 . "$root/scripts/reliability.sh"
 
 readonly tests=(scarce_memory_test whole_or_nothing_test faults_test)

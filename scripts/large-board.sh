@@ -6,9 +6,6 @@
 set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 # shellcheck source-path=SCRIPTDIR
-. "$root/scripts/setup.sh"
-. "$root/scripts/build.sh"
-. "$root/scripts/testing.sh"
 . "$root/scripts/reliability.sh"
 
 writes="" program="" like=(--like t9 --scale 4)

@@ -1,5 +1,8 @@
-# Writes what a script measured into docs/reliability.md. Sourced by scripts/soak.sh and its like, after setup.sh.
-# shellcheck shell=bash disable=SC2154
+# What scripts/soak.sh and its like share: writes what a script measured into docs/reliability.md, and brings along what builds and runs it.
+# shellcheck shell=bash source-path=SCRIPTDIR disable=SC2154
+. "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+. "$(dirname "${BASH_SOURCE[0]}")/build.sh"
+. "$(dirname "${BASH_SOURCE[0]}")/testing.sh"
 
 # "Measured on 2026-01-31 at commit 1a2b3c4, preset asan, 2 cores." The commit is that of the sources; changes that are not committed are named.
 measured_at() {
