@@ -38,8 +38,8 @@ struct ForestData {
     [[nodiscard]] std::uint32_t rayCount() const { return static_cast<std::uint32_t>(rays.size() / 3); }
 };
 
-/// The vertices of one forest have to be fewer: two triangle slots each, whose words are numbered in 31 bits.
-inline constexpr std::size_t kMaxForestVertices = std::size_t{1} << 27;
+/// The vertices of one forest have to be fewer: two triangle slots each, in 31 bits together with a corner.
+inline constexpr std::size_t kMaxForestVertices = std::size_t{1} << 28;
 /// How many vertices polygons have in a forest.
 [[nodiscard]] std::size_t forestVertices(std::span<const Polygon> polygons);
 
