@@ -25,12 +25,12 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
 
 void HistogramView::setDocument(std::shared_ptr<const model::Document> document) {
     m_document = std::move(document);
-    forget();
+    invalidate();
 }
 
 void HistogramView::setMeasure(model::Measure measure) {
     m_measure = measure;
-    forget();
+    invalidate();
 }
 
 void HistogramView::setUnit(LengthUnit unit) {
@@ -38,7 +38,7 @@ void HistogramView::setUnit(LengthUnit unit) {
     update();
 }
 
-void HistogramView::forget() {
+void HistogramView::invalidate() {
     m_histogram.reset();
     m_current.reset();
     update();

@@ -36,7 +36,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void forget();
+    void invalidate();
     void choose(std::size_t bar);
     [[nodiscard]] std::size_t barAt(QPointF at) const;
     [[nodiscard]] QString lengthsText(const model::HistogramBar& bar) const;
