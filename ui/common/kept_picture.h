@@ -19,6 +19,10 @@ enum class Keep {
 template <class Key>
 class KeptPicture {
 public:
+    /// Larger ones are painted every time: to get memory for one of a whole view takes 5 ms, longer than to paint what is
+    /// in it.
+    static constexpr int kMostPixels = 1 << 19;
+
     explicit KeptPicture(Keep keep) : m_keep(keep) {}
 
     /// False: it is not there.
@@ -37,12 +41,13 @@ public:
         m_key = key;
         m_ratio = ratioOf(painter);
         m_picture = {};
-        if (!isKept || box.isEmpty()) {
+        const QSize pixels = (QSizeF(box.size()) * m_ratio).toSize();
+        if (!isKept || box.isEmpty() || qint64{pixels.width()} * pixels.height() > kMostPixels) {
             paint(painter);
             return;
         }
         m_corner = box.topLeft();
-        m_picture = QImage((QSizeF(box.size()) * m_ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
+        m_picture = QImage(pixels, QImage::Format_ARGB32_Premultiplied);
         m_picture.setDevicePixelRatio(m_ratio);
         m_picture.fill(Qt::transparent);
         QPainter own(&m_picture);

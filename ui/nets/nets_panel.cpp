@@ -66,6 +66,9 @@ NetsPanel::NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styl
       m_summary(new QLabel),
       m_details(new QLabel),
       m_table(new TableView(model)) {
+    m_detailsDue.setSingleShot(true);
+    m_detailsDue.setInterval(0);
+    connect(&m_detailsDue, &QTimer::timeout, this, &NetsPanel::showDetails);
     setUpTable();
     for (const ActionId id : kMenu) {
         m_table->addAction(&actions[id]);
@@ -257,7 +260,7 @@ void NetsPanel::groupBySheet() {
 void NetsPanel::setUnit(LengthUnit unit) {
     m_unit = unit;
     m_model.setUnit(unit);
-    showDetails();
+    m_detailsDue.start();
 }
 
 std::uint32_t NetsPanel::step() const {
@@ -269,7 +272,7 @@ void NetsPanel::applyStep() {
         const std::shared_ptr<const model::Document> listed(m_board, m_selection.tree().steps[step()]);
         m_model.setNets(listed, step() < m_statistics.size() ? m_statistics[step()] : nullptr, step());
     }
-    showDetails();
+    m_detailsDue.start();
 }
 
 void NetsPanel::applyFilter() {
@@ -322,7 +325,7 @@ void NetsPanel::takeFromTable(const QItemSelection& selected, const QItemSelecti
         m_selection.setNets(std::move(nets));
     }
     showInTable();  // a heading and its nets go together
-    showDetails();
+    m_detailsDue.start();
     if (m_showsChosen && isOne) {
         emit showRequested(m_selection.nets());
     }
@@ -338,7 +341,7 @@ void NetsPanel::chooseAgain(const QModelIndex& index) {
 void NetsPanel::onSelectionChanged() {
     if (!m_isSyncing) {
         showInTable();
-        showDetails();
+        m_detailsDue.start();
         scrollToSelected();
     }
 }

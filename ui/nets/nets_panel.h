@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 
 #include "model/board/copies.h"
@@ -89,6 +90,7 @@ private:
     QLabel* m_summary;
     QLabel* m_details;
     TableView* m_table;
+    QTimer m_detailsDue;        ///< what is known of a net comes after the frame that shows it
     bool m_isSyncing = false;   ///< the table is being changed to show what is highlighted
     bool m_isToScroll = false;  ///< to the net of the selection, once the rows are arranged
     bool m_follows = true;

@@ -66,11 +66,11 @@ private slots:
 
     void whatIsKnownOfTheHighlightedNetsStandsBelow() {
         open(m_fixture->copyOfSample());
-        QVERIFY(window().label("netDetails").isEmpty());
+        QTRY_VERIFY(window().label("netDetails").isEmpty());
         const model::NetId gnd = window().document()->findNet("GND");
         window().selection().setNets({{0, gnd}});
-        QVERIFY(window().label("netDetails").startsWith("GND\n"));
-        QVERIFY(window().label("netDetails").contains("via"));
+        QTRY_VERIFY(window().label("netDetails").startsWith("GND\n"));
+        QTRY_VERIFY(window().label("netDetails").contains("via"));
         double routed = 0.0;
         const auto lengths = model::routedLengths(*window().document(), gnd);
         for (const auto& [layer, length] : lengths) {
@@ -81,7 +81,7 @@ private slots:
         }
         QVERIFY(routed > 0.0);
         window().selection().setNets({});
-        QVERIFY(window().label("netDetails").isEmpty());
+        QTRY_VERIFY(window().label("netDetails").isEmpty());
     }
 
     void netsOfPlacedStepsAreListedAndFollowed() {
@@ -108,7 +108,7 @@ private slots:
             m_fixture->key(Qt::Key_N);
             QCOMPARE(window().selection().nets(), std::vector{net});
             QVERIFY(!window().selection().highlight()[step].empty());
-            QVERIFY(!window().label("netDetails").isEmpty());
+            QTRY_VERIFY(!window().label("netDetails").isEmpty());
             m_fixture->key(Qt::Key_N);
         }
     }
@@ -121,7 +121,7 @@ private slots:
         window().selection().select({{0, aPadOf(gnd())}});
         QCOMPARE(markedRows(), QList{*nets().rowOf(gnd().net)});
         QCOMPARE(table().currentIndex().row(), *nets().rowOf(gnd().net));
-        QVERIFY(window().label("netDetails").startsWith("GND\n"));
+        QTRY_VERIFY(window().label("netDetails").startsWith("GND\n"));
         QCOMPARE(window().selection().nets(), std::vector{other});
         click(*nets().rowOf(gnd().net));
         QCOMPARE(window().selection().nets(), std::vector{gnd()});
