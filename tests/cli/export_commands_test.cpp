@@ -139,10 +139,10 @@ private slots:
     void wrongSolidsAreFound() {
         const QTemporaryDir folder;
         const QString path = folder.filePath("other.step");
-        QCOMPARE(copperscope({"export", locations::kSample, "-o", path, "--layers", "top_overlay", "--as-designed"})
+        QCOMPARE(copperscope({"export", locations::kSample, "-o", path, "--layers", "top_paste", "--as-designed"})
                      .exitCode,
                  0);
-        const Outcome done = copperscope({"verify", locations::kSample, "--layers", "bottom_overlay", "--step", path,
+        const Outcome done = copperscope({"verify", locations::kSample, "--layers", "bottom_paste", "--step", path,
                                           "--points", "100", "--no-pictures"});
         QVERIFY(done.exitCode == 4 || (done.exitCode == 1 && done.err.contains("OpenCASCADE")));
         QVERIFY2(done.exitCode == 1 || done.out.contains("its volume is "), done.out.constData());
