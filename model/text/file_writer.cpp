@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "model/text/gzip_stream.h"
+#include "model/text/write_all.h"
 
 namespace model {
 
@@ -60,6 +61,14 @@ bool FileWriter::write(std::string_view bytes) {
     return m_failure.empty();
 }
 
+fs::path FileWriter::scratchFolder() const {
+    std::error_code error;
+    if (!m_isPlain) {
+        return fs::temp_directory_path(error);
+    }
+    return m_path.has_parent_path() ? m_path.parent_path() : fs::path(".");
+}
+
 base::Status FileWriter::status() const {
     return m_failure.empty()
                ? base::Status(base::Done{})
@@ -109,14 +118,10 @@ void FileWriter::pack(std::string_view bytes) {
     }
 }
 
-void FileWriter::pass(std::string_view rest) {
-    m_packedSize += rest.size();
-    while (m_failure.empty() && !rest.empty()) {
-        const ssize_t count = ::write(m_file, rest.data(), rest.size());
-        if (count < 0 && errno != EINTR) {
-            fail(std::strerror(errno));
-        }
-        rest.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
+void FileWriter::pass(std::string_view bytes) {
+    m_packedSize += bytes.size();
+    if (m_failure.empty() && !writeAll(m_file, bytes)) {
+        fail(std::strerror(errno));
     }
 }
 

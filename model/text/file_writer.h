@@ -34,6 +34,9 @@ public:
     [[nodiscard]] std::uint64_t size() const { return m_size; }
     /// What of it is in the file: all of it after commit().
     [[nodiscard]] std::uint64_t packedSize() const { return m_packedSize; }
+    /// Where there is room for what a ScratchFile keeps of it: its folder; of what is no plain file, that of temporary
+    /// files.
+    [[nodiscard]] std::filesystem::path scratchFolder() const;
     /// The first failure: OutputFailed with the path and the reason.
     [[nodiscard]] base::Status status() const;
     /// Once, at the end: the file is whole on the disk and has its name. Errors: as status().
