@@ -36,7 +36,7 @@ readonly kRows=(
     "a cross section|30|3000|section --line 0,0,50,50"
     "PDF|180|3000|export -o $scratch/a.pdf"
     "STEP|240|3000|export -o $scratch/a.step"
-    "GLB|300|16000|export -o $scratch/a.glb"
+    "GLB|300|4000|export -o $scratch/a.glb"
     "the window: all of it drawn and moved|120|4000|bench --interactive --frames 8"
 )
 

@@ -1,6 +1,8 @@
 #include "model/export/meshes/glb_export.h"
 
+#include <algorithm>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "model/text/file_writer.h"
@@ -16,134 +18,194 @@ constexpr const char* kUpright = ",\"rotation\":[-0.707106781,0,0,0.707106781]";
 
 class GlbWriter {
 public:
-    GlbWriter(const SolidPlan& plan, const GlbOptions& options, const std::vector<StepMeshes>& meshes)
-        : m_plan(plan), m_options(options), m_meshes(meshes), m_scene(options.packing), m_made(plan.steps.size()) {
-        for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-            m_made[i].own.resize(plan.steps[i].groups.size());
-        }
-    }
+    GlbWriter(const SolidPlan& plan, const GlbOptions& options, FileWriter& file, base::Progress& progress)
+        : m_plan(plan),
+          m_options(options),
+          m_file(file),
+          m_progress(progress),
+          m_scene(options.packing, file.scratchFolder()),
+          m_made(plan.steps.size()) {}
 
-    /// The file in pieces; empty when it is too large for its kind.
-    std::vector<std::string> write(MeshReport& report, const base::Progress& progress) {
+    base::Status write() {
         std::vector<std::uint32_t> children;
-        for (std::size_t i = 0; i < m_plan.copies.size() && !progress.isCancelled(); ++i) {
+        for (std::size_t i = 0; i < m_plan.copies.size(); ++i) {
             const SolidCopy& copy = m_plan.copies[i];
-            const std::vector<std::uint32_t> layers = addLayers(copy.step);
+            ASSIGN_OR_RETURN(std::vector<std::uint32_t> layers, addLayers(copy.step));
             if (i == 0) {
-                children = layers;
+                children = std::move(layers);
             } else if (!layers.empty()) {
                 const std::string name = m_plan.steps[copy.step].document->job.step + ' ' + std::to_string(i);
                 children.push_back(m_scene.addNode({name, {}, {}, gltfPlacement(copy.placement), layers}));
             }
         }
+        m_progress.beginPhase("Writing triangles");
         const std::uint32_t root = m_scene.addNode({m_options.name, {}, {}, kUpright, children});
+        return m_scene.finish(root, "Copperscope", m_file, m_progress);
+    }
+
+    [[nodiscard]] MeshReport report() const {
+        MeshReport report;
         report.triangles = m_scene.triangles();
         report.copies = m_copies;
-        return m_scene.finish(root, "Copperscope");
+        for (const Made& made : m_made) {
+            report.missing.insert(report.missing.end(), made.missing.begin(), made.missing.end());
+        }
+        return report;
     }
 
 private:
-    /// What of a step is in the scene already: copies take it again.
-    struct Made {
-        std::vector<std::optional<GltfScene::Mesh>> own;                            ///< by group
-        std::map<std::pair<std::uint32_t, std::uint32_t>, GltfScene::Mesh> shapes;  ///< by shape and material
-        std::map<LayerId, GltfScene::Mesh> layers;                                  ///< of one part
+    /// What became of a group, for further copies of its step.
+    struct MadeGroup {
+        std::optional<GltfScene::Mesh> own;
+        std::vector<PlacedMesh> placed;
     };
 
-    std::vector<std::uint32_t> addLayers(std::uint32_t row) {
-        const StepSolids& step = m_plan.steps[row];
+    /// What of a step is in the scene already: copies take it again.
+    struct Made {
+        bool isComplete = false;
+        std::vector<MadeGroup> groups;
+        std::map<std::pair<std::uint32_t, std::uint32_t>, GltfScene::Mesh> shapes;  ///< by shape and material
+        std::map<LayerId, GltfScene::Mesh> layers;                                  ///< of one part
+        std::vector<MissingSolid> missing;
+    };
+
+    /// The nodes of a copy of a step, while its groups come one after another.
+    struct Tree {
+        std::uint32_t row = 0;  ///< of the step
         std::vector<std::uint32_t> layers;
-        for (std::size_t first = 0; first < step.groups.size();) {
-            std::size_t end = first;
-            while (end < step.groups.size() && step.groups[end].layer == step.groups[first].layer) {
-                ++end;
-            }
-            const std::optional<std::uint32_t> node =
-                m_plan.choice.isOnePart ? addWholeLayer(row, first, end) : addLayer(row, first, end);
-            if (node) {
-                layers.push_back(*node);
-            }
-            first = end;
+        std::vector<std::uint32_t> nets;  ///< of the layer that is open
+        SolidMesh whole;                  ///< all of that layer, where it becomes one part
+    };
+
+    /// The nodes of the layers of a step; what is in them with the first copy of the step.
+    base::Result<std::vector<std::uint32_t>> addLayers(std::uint32_t row) {
+        Tree tree{row, {}, {}, {}};
+        Made& made = m_made[row];
+        if (made.isComplete) {
+            addAgain(tree);
+            return std::move(tree.layers);
         }
-        return layers;
+        made.groups.resize(m_plan.steps[row].groups.size());
+        const MeshTaker taker{
+            [this](SolidMesh& own) { own = isOnePart() ? std::move(own) : inGoodOrder(std::move(own)); },
+            [&](std::size_t index, GroupMesh mesh, const std::vector<SolidMesh>& shapes) {
+                take(tree, index, std::move(mesh), shapes);
+                return m_scene.status();
+            }};
+        ASSIGN_OR_RETURN(StepMeshes passed, passMeshes(m_plan, row, m_options.how, taker, m_progress));
+        made.missing = std::move(passed.missing);
+        made.isComplete = true;
+        return std::move(tree.layers);
     }
 
-    std::optional<std::uint32_t> addLayer(std::uint32_t row, std::size_t first, std::size_t end) {
-        const StepSolids& step = m_plan.steps[row];
-        std::vector<std::uint32_t> nets;
-        for (std::size_t i = first; i < end; ++i) {
-            if (const auto node = addGroup(row, i)) {
-                nets.push_back(*node);
+    void addAgain(Tree& tree) {
+        for (std::size_t i = 0; i < m_made[tree.row].groups.size() && !m_progress.isCancelled(); ++i) {
+            if (!isOnePart()) {
+                addGroup(tree, i, m_made[tree.row].groups[i], {});
             }
+            endGroup(tree, i);
         }
-        const std::string& name = step.document->layer(step.groups[first].layer).name;
-        return nets.empty() ? std::nullopt : std::optional(m_scene.addNode({name, {}, {}, {}, nets}));
     }
 
-    std::optional<std::uint32_t> addWholeLayer(std::uint32_t row, std::size_t first, std::size_t end) {
-        const StepSolids& step = m_plan.steps[row];
-        const LayerId layer = step.groups[first].layer;
-        auto found = m_made[row].layers.find(layer);
-        if (found == m_made[row].layers.end()) {
-            SolidMesh all;
-            for (std::size_t i = first; i < end; ++i) {
-                all.append(writtenOut(m_meshes[row], m_meshes[row].groups[i]));
+    void take(Tree& tree, std::size_t index, GroupMesh mesh, std::span<const SolidMesh> shapes) {
+        if (isOnePart()) {
+            tree.whole.append(mesh.own);
+            for (const PlacedMesh& placed : mesh.placed) {
+                tree.whole.append(shapes[placed.shape], placed.placement);
             }
-            if (all.triangles.empty()) {
-                return std::nullopt;
+        } else {
+            const StepSolids& step = m_plan.steps[tree.row];
+            MadeGroup made{{}, std::move(mesh.placed)};
+            if (!mesh.own.triangles.empty()) {
+                made.own = m_scene.addMesh(mesh.own, materialOf(step, step.groups[index].layer), true);
             }
-            found = m_made[row].layers.emplace(layer, m_scene.addMesh(all, materialOf(step, layer), true)).first;
+            addGroup(tree, index, made, shapes);
+            if (isPlacedOften(tree.row)) {
+                m_made[tree.row].groups[index] = std::move(made);
+            }
         }
-        return m_scene.addNode({step.document->layer(layer).name, {}, found->second.row, found->second.transform, {}});
+        endGroup(tree, index);
     }
 
-    std::optional<std::uint32_t> addGroup(std::uint32_t row, std::size_t index) {
-        const StepSolids& step = m_plan.steps[row];
+    [[nodiscard]] bool isPlacedOften(std::uint32_t row) const {
+        return std::ranges::count(m_plan.copies, row, &SolidCopy::step) > 1;
+    }
+
+    /// Behind the last group of a layer comes the node of the layer.
+    void endGroup(Tree& tree, std::size_t index) {
+        const StepSolids& step = m_plan.steps[tree.row];
+        const LayerId layer = step.groups[index].layer;
+        if (index + 1 < step.groups.size() && step.groups[index + 1].layer == layer) {
+            return;
+        }
+        if (isOnePart()) {
+            addWholeLayer(tree, layer);
+        } else if (!tree.nets.empty()) {
+            tree.layers.push_back(m_scene.addNode({step.document->layer(layer).name, {}, {}, {}, tree.nets}));
+            tree.nets.clear();
+        }
+    }
+
+    void addWholeLayer(Tree& tree, LayerId layer) {
+        const StepSolids& step = m_plan.steps[tree.row];
+        auto& layers = m_made[tree.row].layers;
+        if (!tree.whole.triangles.empty()) {
+            const SolidMesh whole = inGoodOrder(std::exchange(tree.whole, {}));
+            layers.emplace(layer, m_scene.addMesh(whole, materialOf(step, layer), true));
+        }
+        const auto found = layers.find(layer);
+        if (found != layers.end()) {
+            const GltfScene::Mesh& mesh = found->second;
+            tree.layers.push_back(
+                m_scene.addNode({step.document->layer(layer).name, {}, mesh.row, mesh.transform, {}}));
+        }
+    }
+
+    /// `shapes` are those of the step; not needed when it is added again.
+    void addGroup(Tree& tree, std::size_t index, const MadeGroup& made, std::span<const SolidMesh> shapes) {
+        const StepSolids& step = m_plan.steps[tree.row];
         const SolidGroup& group = step.groups[index];
-        const GroupMesh& mesh = m_meshes[row].groups[index];
         GltfNode node{m_plan.nameOf(step, group), extrasOf(step, group), {}, {}, {}};
-        if (!mesh.own.triangles.empty()) {
-            std::optional<GltfScene::Mesh>& own = m_made[row].own[index];
-            if (!own) {
-                own = m_scene.addMesh(mesh.own, materialOf(step, group.layer), true);
-            }
-            if (own->transform.empty()) {
-                node.mesh = own->row;
-            } else {
-                node.children.push_back(m_scene.addNode({{}, {}, own->row, own->transform, {}}));
-            }
+        if (made.own && made.own->transform.empty()) {
+            node.mesh = made.own->row;
+        } else if (made.own) {
+            node.children.push_back(m_scene.addNode({{}, {}, made.own->row, made.own->transform, {}}));
         }
         if (m_options.isInstanced) {
-            addInstances(row, group, mesh.placed, node.children);
+            addInstances(tree.row, group, made.placed, shapes, node.children);
         } else {
-            for (const PlacedMesh& placed : mesh.placed) {
-                node.children.push_back(addPlaced(row, group, placed));
+            for (const PlacedMesh& placed : made.placed) {
+                node.children.push_back(addPlaced(tree.row, group, placed, shapes));
             }
         }
-        return node.mesh || !node.children.empty() ? std::optional(m_scene.addNode(node)) : std::nullopt;
+        if (node.mesh || !node.children.empty()) {
+            tree.nets.push_back(m_scene.addNode(node));
+        }
     }
 
-    std::uint32_t meshOf(std::uint32_t row, const SolidGroup& group, std::uint32_t shape) {
+    std::uint32_t meshOf(std::uint32_t row, const SolidGroup& group, std::uint32_t shape,
+                         std::span<const SolidMesh> shapes) {
         const std::uint32_t material = materialOf(m_plan.steps[row], group.layer);
-        auto& shapes = m_made[row].shapes;
-        auto found = shapes.find({shape, material});
-        if (found == shapes.end()) {
-            const SolidMesh& mesh = m_meshes[row].shapes[shape];
-            found = shapes.emplace(std::pair{shape, material}, m_scene.addMesh(mesh, material, false)).first;
+        auto& made = m_made[row].shapes;
+        auto found = made.find({shape, material});
+        if (found == made.end()) {
+            const GltfScene::Mesh mesh = m_scene.addMesh(inGoodOrder(shapes[shape]), material, false);
+            found = made.emplace(std::pair{shape, material}, mesh).first;
         }
         return found->second.row;
     }
 
-    std::uint32_t addPlaced(std::uint32_t row, const SolidGroup& group, const PlacedMesh& placed) {
+    std::uint32_t addPlaced(std::uint32_t row, const SolidGroup& group, const PlacedMesh& placed,
+                            std::span<const SolidMesh> shapes) {
         ++m_copies;
-        GltfNode node{{}, {}, meshOf(row, group, placed.shape), gltfPlacement(placed.placement), {}};
+        GltfNode node{{}, {}, meshOf(row, group, placed.shape, shapes), gltfPlacement(placed.placement), {}};
         describePad(*m_plan.steps[row].document, placed.element, node);
         return m_scene.addNode(node);
     }
 
     /// One node for each shape, single ones as addPlaced has them.
     void addInstances(std::uint32_t row, const SolidGroup& group, const std::vector<PlacedMesh>& all,
-                      std::vector<std::uint32_t>& children) {
+                      std::span<const SolidMesh> shapes, std::vector<std::uint32_t>& children) {
         std::map<std::uint32_t, std::vector<Placement>> byShape;
         for (const PlacedMesh& placed : all) {
             byShape[placed.shape].push_back(placed.placement);
@@ -151,10 +213,10 @@ private:
         for (const PlacedMesh& placed : all) {
             std::vector<Placement>& placements = byShape[placed.shape];
             if (placements.size() == 1) {
-                children.push_back(addPlaced(row, group, placed));
+                children.push_back(addPlaced(row, group, placed, shapes));
             } else if (!placements.empty()) {
                 m_copies += placements.size();
-                const std::uint32_t mesh = meshOf(row, group, placed.shape);
+                const std::uint32_t mesh = meshOf(row, group, placed.shape, shapes);
                 children.push_back(m_scene.addNode({{}, {}, mesh, m_scene.addInstances(placements), {}}));
                 placements.clear();
             }
@@ -204,9 +266,12 @@ private:
         return material;
     }
 
+    [[nodiscard]] bool isOnePart() const { return m_plan.choice.isOnePart; }
+
     const SolidPlan& m_plan;
     const GlbOptions& m_options;
-    const std::vector<StepMeshes>& m_meshes;
+    FileWriter& m_file;
+    base::Progress& m_progress;
     GltfScene m_scene;
     std::vector<Made> m_made;
     std::map<LayerId, std::uint32_t> m_materials;
@@ -217,20 +282,12 @@ private:
 
 base::Result<MeshReport> exportGlb(const SolidPlan& plan, const GlbOptions& options, const std::filesystem::path& path,
                                    base::Progress& progress) {
-    MeshReport report;
-    ASSIGN_OR_RETURN(const std::vector<StepMeshes> meshes, allMeshes(plan, options.how, progress, report));
-    progress.beginPhase("Writing triangles");
-    const std::vector<std::string> pieces = GlbWriter(plan, options, meshes).write(report, progress);
-    if (progress.isCancelled()) {
-        return base::Error{base::ErrorCode::Cancelled, "the export was cancelled"};
-    }
-    if (pieces.empty()) {
-        return base::Error{base::ErrorCode::OutputFailed, path.string() + " would be larger than GLB can be (4 GiB)"};
-    }
+    progress.beginPhase("Triangulating solids");
     FileWriter file(path);
-    for (const std::string& piece : pieces) {
-        file.write(piece);
-    }
+    RETURN_IF_ERROR(file.status());
+    GlbWriter writer(plan, options, file, progress);
+    RETURN_IF_ERROR(writer.write());
+    MeshReport report = writer.report();
     report.bytes = file.size();
     RETURN_IF_ERROR(file.commit());
     return report;

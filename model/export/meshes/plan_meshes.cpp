@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <unordered_map>
 
 #include "model/base/parallel.h"
 #include "model/export/meshes/united.h"
@@ -13,6 +14,10 @@ namespace {
 
 /// Of tracks that are united. Fields of hatched copper have thousands that all hang together.
 constexpr std::size_t kTracksAtOnce = 256;
+/// Of groups that are made at once: what takes some hundred megabytes.
+constexpr std::size_t kCornersAtOnce = 1'000'000;
+/// A track, a pad or a hole in a plane has about so many for each node that a job has of it.
+constexpr std::size_t kCornersPerNode = 16;
 constexpr std::string_view kNoTriangles = "it has no area, or cannot be triangulated";
 
 /// Makes the meshes of one step.
@@ -21,32 +26,76 @@ public:
     Mesher(const SolidPlan& plan, std::uint32_t step, const Discretisation& how, base::Progress& progress)
         : m_plan(plan), m_row(step), m_step(plan.steps[step]), m_how(how), m_progress(progress) {}
 
-    StepMeshes make() {
+    base::Result<StepMeshes> pass(const MeshTaker& taker) {
         StepMeshes meshes;
-        if (!m_plan.choice.isMerged) {
-            findShapes();
-        }
-        meshes.shapes.resize(m_keys.size());
-        base::parallelFor(m_keys.size(), [&](std::size_t i) {
-            for (const Shell& shell : m_plan.shellsOf(m_step, m_keys[i]).shells) {
-                static_cast<void>(appendPrisms(polygonsOf(shell.outline, m_how), shell.z, meshes.shapes[i]));
+        meshes.shapes = makeShapes();
+        for (std::size_t first = 0; first < m_step.groups.size();) {
+            const std::size_t end = endOfBatch(first);
+            std::vector<Made> batch(end - first);
+            base::parallelFor(batch.size(), [&](std::size_t i) {
+                if (!m_progress.isCancelled()) {
+                    batch[i].mesh = meshOf(m_step.groups[first + i], meshes.shapes, batch[i].missing);
+                    taker.finish(batch[i].mesh.own);
+                    m_progress.setFraction(static_cast<float>(++m_done) / static_cast<float>(m_step.groups.size()));
+                }
+            });
+            for (Made& made : batch) {
+                if (m_progress.isCancelled()) {
+                    return base::Error{base::ErrorCode::Cancelled, "the export was cancelled"};
+                }
+                meshes.missing.insert(meshes.missing.end(), made.missing.begin(), made.missing.end());
+                RETURN_IF_ERROR(taker.take(first++, std::move(made.mesh), meshes.shapes));
             }
-        });
-        meshes.groups.resize(m_step.groups.size());
-        std::vector<std::vector<MissingSolid>> missing(m_step.groups.size());
-        base::parallelFor(m_step.groups.size(), [&](std::size_t i) {
-            if (!m_progress.isCancelled()) {
-                meshes.groups[i] = meshOf(m_step.groups[i], meshes.shapes, missing[i]);
-                m_progress.setFraction(static_cast<float>(++m_done) / static_cast<float>(m_step.groups.size()));
-            }
-        });
-        for (const auto& some : missing) {
-            meshes.missing.insert(meshes.missing.end(), some.begin(), some.end());
         }
         return meshes;
     }
 
 private:
+    /// What became of a group.
+    struct Made {
+        GroupMesh mesh;
+        std::vector<MissingSolid> missing;
+    };
+
+    /// Groups are made at once up to about kCornersAtOnce; a larger one alone.
+    [[nodiscard]] std::size_t endOfBatch(std::size_t first) const {
+        std::size_t end = first;
+        std::size_t corners = 0;
+        do {
+            corners += cornersOf(m_step.groups[end++]);
+        } while (end < m_step.groups.size() && corners + cornersOf(m_step.groups[end]) <= kCornersAtOnce);
+        return end;
+    }
+
+    /// About as many as its mesh has on one of its faces.
+    [[nodiscard]] std::size_t cornersOf(const SolidGroup& group) const {
+        const Document& document = *m_step.document;
+        std::size_t nodes = group.elements.count;
+        for (std::uint32_t i = group.elements.first; i < group.elements.first + group.elements.count; ++i) {
+            const ElementId element = m_step.elements[i];
+            if (document.elements.kind[element.row()] == ElementKind::Area) {
+                const ShapeId shape = document.areas[document.elements.geometry[element.row()]].shape;
+                for (const Contour& contour : document.shapes.contoursOf(shape)) {
+                    nodes += contour.nodeCount;
+                }
+            }
+        }
+        return nodes * kCornersPerNode;
+    }
+
+    std::vector<SolidMesh> makeShapes() {
+        if (!m_plan.choice.isMerged) {
+            findShapes();
+        }
+        std::vector<SolidMesh> shapes(m_keys.size());
+        base::parallelFor(m_keys.size(), [&](std::size_t i) {
+            for (const Shell& shell : m_plan.shellsOf(m_step, m_keys[i]).shells) {
+                static_cast<void>(appendPrisms(polygonsOf(shell.outline, m_how), shell.z, shapes[i]));
+            }
+        });
+        return shapes;
+    }
+
     void findShapes() {
         for (const ElementId element : m_step.elements) {
             const auto shared = sharedShapeOf(element);
@@ -135,12 +184,20 @@ private:
 
 }  // namespace
 
+base::Result<StepMeshes> passMeshes(const SolidPlan& plan, std::uint32_t step, const Discretisation& how,
+                                    const MeshTaker& taker, base::Progress& progress) {
+    return Mesher(plan, step, how, progress).pass(taker);
+}
+
 base::Result<StepMeshes> meshesOf(const SolidPlan& plan, std::uint32_t step, const Discretisation& how,
                                   base::Progress& progress) {
-    StepMeshes meshes = Mesher(plan, step, how, progress).make();
-    if (progress.isCancelled()) {
-        return base::Error{base::ErrorCode::Cancelled, "the export was cancelled"};
-    }
+    std::vector<GroupMesh> groups;
+    const auto take = [&groups](std::size_t /*row*/, GroupMesh mesh, const auto& /*shapes*/) {
+        groups.push_back(std::move(mesh));
+        return base::Status(base::Done{});
+    };
+    ASSIGN_OR_RETURN(StepMeshes meshes, passMeshes(plan, step, how, {[](SolidMesh& /*own*/) {}, take}, progress));
+    meshes.groups = std::move(groups);
     return meshes;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <unordered_map>
+#include <functional>
 #include <vector>
 
 #include "model/base/progress.h"
@@ -34,5 +34,19 @@ struct StepMeshes {
 /// high are united, with SolidChoice::isMerged all of it, and then nothing is shared. Errors: Cancelled.
 [[nodiscard]] base::Result<StepMeshes> meshesOf(const SolidPlan& plan, std::uint32_t step, const Discretisation& how,
                                                 base::Progress& progress);
+
+/// Who takes the meshes of a step one by one.
+struct MeshTaker {
+    /// What is left to do with GroupMesh::own, by the thread that made it.
+    std::function<void(SolidMesh& own)> finish;
+    /// What became of a row of StepSolids::groups, in rising order; `shapes` as StepMeshes::shapes. An error ends it
+    /// all.
+    std::function<base::Status(std::size_t row, GroupMesh mesh, const std::vector<SolidMesh>& shapes)> take;
+};
+
+/// meshesOf, with only as many groups in memory as keep all cores busy: StepMeshes::groups stays empty. Errors:
+/// Cancelled; what `taker` returns.
+[[nodiscard]] base::Result<StepMeshes> passMeshes(const SolidPlan& plan, std::uint32_t step, const Discretisation& how,
+                                                  const MeshTaker& taker, base::Progress& progress);
 
 }  // namespace model

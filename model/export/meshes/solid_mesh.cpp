@@ -108,6 +108,14 @@ struct UsedPoints {
     }
 };
 
+/// Planes have millions of triangles: exactly the room for them, where that is more than twice of what is there.
+template <class T>
+void makeRoom(std::vector<T>& list, std::size_t more) {
+    if (list.size() + more > list.capacity()) {
+        list.reserve(std::max(list.size() + more, 2 * list.capacity()));
+    }
+}
+
 }  // namespace
 
 void SolidMesh::append(const SolidMesh& other) {
@@ -155,6 +163,7 @@ bool appendPrism(const LoopSet& given, const ZRange& z, SolidMesh& mesh) {
     const UsedPoints used(flat, loops.points.size());
     const auto below = static_cast<std::uint32_t>(mesh.points.size());
     const auto above = below + static_cast<std::uint32_t>(used.rows.size());
+    makeRoom(mesh.points, 2 * used.rows.size());
     for (const Nm height : {z.bottom, z.top}) {
         for (const std::uint32_t row : used.rows) {
             mesh.points.push_back({loops.points[row].x, loops.points[row].y, height});
@@ -163,11 +172,13 @@ bool appendPrism(const LoopSet& given, const ZRange& z, SolidMesh& mesh) {
     for (std::uint32_t& corner : flat) {
         corner = used.rowOf[corner];
     }
+    const auto border = borderOf(flat);
+    makeRoom(mesh.triangles, 2 * flat.size() + 6 * border.size());
     for (std::size_t i = 0; i < flat.size(); i += 3) {
         mesh.triangles.insert(mesh.triangles.end(), {above + flat[i], above + flat[i + 1], above + flat[i + 2]});
         mesh.triangles.insert(mesh.triangles.end(), {below + flat[i + 2], below + flat[i + 1], below + flat[i]});
     }
-    for (const auto& [a, b] : borderOf(flat)) {
+    for (const auto& [a, b] : border) {
         mesh.triangles.insert(mesh.triangles.end(), {below + a, below + b, above + b});
         mesh.triangles.insert(mesh.triangles.end(), {below + a, above + b, above + a});
     }

@@ -1,7 +1,11 @@
 #include "model/export/meshes/gltf_scene.h"
 
+#include <QTemporaryDir>
 #include <QtTest>
+#include <cstring>
 
+#include "model/text/file_writer.h"
+#include "model/text/whole_file.h"
 #include "tests/unit/model/export/meshes/mesh_board.h"
 
 using model::GlbPacking;
@@ -28,11 +32,30 @@ model::SolidMesh strip(int squares) {
     return mesh;
 }
 
-std::string jsonOf(const model::SolidMesh& mesh, GlbPacking packing) {
-    GltfScene scene(packing);
+/// The file of a scene with one mesh in one node.
+std::string fileOf(const model::SolidMesh& mesh, GlbPacking packing) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("a.glb").toStdString();
+    model::FileWriter file(path);
+    GltfScene scene(packing, file.scratchFolder());
     const auto added = scene.addMesh(mesh, scene.addMaterial("copper", 0x808080, 1.0, true), true);
     const std::uint32_t node = scene.addNode({"n", {}, added.row, added.transform, {}});
-    return scene.finish(node, "test").at(1);
+    if (!scene.finish(node, "test", file, base::Progress()) || !file.commit() ||
+        scene.triangles() != mesh.triangleCount()) {
+        qFatal("not written");
+    }
+    return *model::readWholeFile(path);
+}
+
+std::size_t wordAt(const std::string& file, std::size_t at) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, file.data() + at, sizeof word);
+    return word;
+}
+
+std::string jsonOf(const model::SolidMesh& mesh, GlbPacking packing) {
+    const std::string file = fileOf(mesh, packing);
+    return file.substr(20, wordAt(file, 12));
 }
 
 }  // namespace
@@ -72,20 +95,43 @@ private slots:
         QVERIFY(packed.find("\"fallback\":true") != std::string::npos);
     }
 
+    void filesAreOfGlbsForm_data() {
+        QTest::addColumn<int>("squares");
+        QTest::addRow("kept in memory") << 1;
+        QTest::addRow("in files meanwhile") << 17'000;
+    }
     void filesAreOfGlbsForm() {
-        GltfScene scene(GlbPacking::Plain);
-        const auto mesh = scene.addMesh(strip(1), scene.addMaterial("m", 0, 1.0, false), false);
-        const std::vector<std::string> pieces = scene.finish(scene.addNode({{}, {}, mesh.row, {}, {}}), "test");
-        std::string file;
-        for (const std::string& piece : pieces) {
-            file += piece;
+        QFETCH(int, squares);
+        for (const GlbPacking packing : {GlbPacking::Plain, GlbPacking::Quantised, GlbPacking::Compressed}) {
+            const std::string file = fileOf(strip(squares), packing);
+            QVERIFY(file.starts_with(std::string("glTF\2\0\0\0", 8)));
+            QCOMPARE(wordAt(file, 8), file.size());
+            const std::size_t json = wordAt(file, 12);
+            QCOMPARE(file.substr(16, 4), std::string("JSON"));
+            QCOMPARE(file.at(20), '{');
+            QVERIFY(file.substr(20, json).find_last_of('}') + 4 >= json);
+            QCOMPARE(20 + json + 8 + wordAt(file, 20 + json), file.size());
+            QCOMPARE(file.substr(24 + json, 4), std::string("BIN\0", 4));
+            QCOMPARE(file.size() % 4, std::size_t{0});
         }
-        QVERIFY(file.starts_with(std::string("glTF\2\0\0\0", 8)));
-        QCOMPARE(file.size() % 4, std::size_t{0});
-        QCOMPARE(static_cast<std::size_t>(static_cast<unsigned char>(file[8])) +
-                     256 * static_cast<std::size_t>(static_cast<unsigned char>(file[9])),
-                 file.size());
-        QCOMPARE(scene.triangles(), std::uint64_t{12});
+    }
+
+    void placesWithoutRoomAreSaid() {
+        GltfScene scene(GlbPacking::Plain, "/nowhere");
+        static_cast<void>(scene.addMesh(strip(1), 0, true));
+        QVERIFY(scene.status());
+        static_cast<void>(scene.addMesh(strip(17'000), 0, true));
+        QVERIFY(!scene.status() && scene.status().error().code == base::ErrorCode::OutputFailed);
+    }
+
+    void writingIsCancelled() {
+        const QTemporaryDir folder;
+        model::FileWriter file(folder.filePath("a.glb").toStdString());
+        GltfScene scene(GlbPacking::Plain, file.scratchFolder());
+        base::Progress progress;
+        progress.cancel();
+        const base::Status done = scene.finish(scene.addNode({}), "test", file, progress);
+        QVERIFY(!done && done.error().code == base::ErrorCode::Cancelled);
     }
 };
 
