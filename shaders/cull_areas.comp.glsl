@@ -6,7 +6,7 @@
 #include "lib/in_view.glsl"
 #include "lib/level.glsl"
 
-// One thread per area instance: lists those in view for the two draws (caps and walls) of their batch, or as patches of their layer.
+// One thread per area instance: lists those in view for their draw, or as patches of their layer. line_up_areas makes the commands.
 layout(local_size_x = kCullGroupSize) in;
 
 // Parts of bodies (leads, print) that are smaller than this are not drawn; there are many of them.
@@ -64,7 +64,6 @@ void main() {
         return;
     }
     const uint draw = FRAME.drawOfInstance.at[index];
-    const uint slot = atomicAdd(FRAME.capDraws.at[draw].instanceCount, 1u);
-    atomicAdd(FRAME.wallDraws.at[draw].instanceCount, 1u);
-    FRAME.visibleInstances.at[FRAME.capDraws.at[draw].firstInstance + slot] = index;
+    const uint slot = atomicAdd(FRAME.areaCounts.at[draw], 1u);
+    FRAME.visibleInstances.at[FRAME.areaDraws.at[draw].firstInstance + slot] = index;
 }

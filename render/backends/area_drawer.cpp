@@ -1,7 +1,5 @@
 #include "render/backends/area_drawer.h"
 
-#include <algorithm>
-
 #include "shaders/spirv.h"
 
 namespace render {
@@ -13,36 +11,24 @@ PassPipelines makePipelines(gpu::Device& device, std::string_view label, gpu::Sp
                              target);
 }
 
-void copyTo(VkCommandBuffer commands, const gpu::Buffer& from, const BufferPart& to) {
-    if (to.size > 0) {
-        const VkBufferCopy region{0, to.offset, to.size};
-        vkCmdCopyBuffer(commands, from.handle(), to.buffer, 1, &region);
-    }
-}
+/// Where the draws of a run are.
+struct RunOfDraws {
+    std::uint64_t firstDraw = 0;
+    std::uint64_t countOffset = 0;  ///< in the buffer of DrawLists::commandCounts
+    std::uint32_t most = 0;
+};
 
-/// Runs of area batches on layers of which `side` is seen; neighbouring layers join.
-std::vector<LayerRun> runsOf(const Recording& recording, std::uint32_t batch, bool SeenFaces::*side) {
-    std::vector<LayerRun> runs;
+/// Calls `draw` with each run of areas of a batch on layers of which `side` is seen.
+template <class Draw>
+void forRuns(const Recording& recording, std::uint32_t batch, bool SeenFaces::*side, const Draw& draw) {
     for (const std::uint32_t layer : recording.layers.batches[batch]) {
-        const LayerRun run = recording.step.layers[layer].areaBatches;
-        if (run.count == 0 || !(recording.layers.faces[layer].*side)) {
+        if (!(recording.layers.faces[layer].*side)) {
             continue;
         }
-        if (!runs.empty() && runs.back().first + runs.back().count == run.first) {
-            runs.back().count += run.count;
-        } else {
-            runs.push_back(run);
-        }
-    }
-    return runs;
-}
-
-/// Calls `draw(first, count)` in pieces the device takes at once.
-template <class Draw>
-void forPieces(std::span<const LayerRun> runs, std::uint32_t largest, const Draw& draw) {
-    for (const LayerRun& run : runs) {
-        for (std::uint32_t done = 0; done < run.count; done += largest) {
-            draw(run.first + done, std::min(largest, run.count - done));
+        const LayerRun runs = recording.step.layers[layer].areas;
+        for (std::uint32_t i = runs.first; i < runs.first + runs.count; ++i) {
+            const shader::AreaRun& run = recording.step.areaRuns[i];
+            draw(RunOfDraws{run.first, recording.lists.commandCounts.offset + i * sizeof(std::uint32_t), run.count});
         }
     }
 }
@@ -50,23 +36,33 @@ void forPieces(std::span<const LayerRun> runs, std::uint32_t largest, const Draw
 }  // namespace
 
 AreaDrawer::AreaDrawer(gpu::Device& device, const TargetFormat& target)
-    : m_maxDraws(device.caps().maxDrawIndirectCount),
-      m_cull(device, {"cull areas", shader::spirv::kCullAreasComp, sizeof(shader::Push)}),
+    : m_cull(device, {"cull areas", shader::spirv::kCullAreasComp, sizeof(shader::Push)}),
+      m_lineUp(device, {"line up areas", shader::spirv::kLineUpAreasComp, sizeof(shader::Push)}),
       m_caps(makePipelines(device, "area caps", shader::spirv::kAreaCapVert, false, target)),
       m_patches(makePipelines(device, "area patches", shader::spirv::kAreaPatchVert, false, target)),
       m_walls(makePipelines(device, "area walls", shader::spirv::kAreaWallVert, true, target)),
       m_outlines(makePipelines(device, "area outlines", shader::spirv::kAreaOutlineVert, false, target)) {}
 
 void AreaDrawer::reset(const Recording& recording) const {
-    copyTo(recording.commands(), recording.step.geometry.capDraws, recording.lists.capDraws);
-    copyTo(recording.commands(), recording.step.geometry.wallDraws, recording.lists.wallDraws);
-    copyTo(recording.commands(), recording.step.geometry.patchDraws, recording.lists.patchDraws);
+    const DrawLists& lists = recording.lists;
+    if (lists.areaCounts.size > 0) {
+        vkCmdFillBuffer(recording.commands(), lists.areaCounts.buffer, lists.areaCounts.offset, lists.areaCounts.size,
+                        0);
+        const VkBufferCopy patches{0, lists.patchDraws.offset, lists.patchDraws.size};
+        vkCmdCopyBuffer(recording.commands(), recording.step.geometry.patchDraws.handle(), lists.patchDraws.buffer, 1,
+                        &patches);
+    }
 }
 
 void AreaDrawer::cull(const Recording& recording) const {
     recording.bind(m_cull);
     const std::uint32_t groups = (recording.step.instanceCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
     vkCmdDispatch(recording.commands(), groups, 1, 1);
+}
+
+void AreaDrawer::lineUp(const Recording& recording) const {
+    recording.bind(m_lineUp);
+    vkCmdDispatch(recording.commands(), static_cast<std::uint32_t>(recording.step.areaRuns.size()), 1, 1);
 }
 
 void AreaDrawer::draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const {
@@ -84,13 +80,13 @@ void AreaDrawer::draw(const Recording& recording, std::uint32_t batch, gpu::Pass
 void AreaDrawer::drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t batch, std::uint32_t face) const {
     recording.bind(m_caps[passRow(pass)], 0, face);
     vkCmdBindIndexBuffer(recording.commands(), recording.step.geometry.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
-    constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
-    forPieces(runsOf(recording, batch, face == 0 ? &SeenFaces::upper : &SeenFaces::lower), m_maxDraws,
-              [&](std::uint32_t first, std::uint32_t count) {
-                  vkCmdDrawIndexedIndirect(recording.commands(), recording.lists.capDraws.buffer,
-                                           recording.lists.capDraws.offset + std::uint64_t{first} * kStride, count,
-                                           kStride);
-              });
+    const DrawLists& lists = recording.lists;
+    forRuns(recording, batch, face == 0 ? &SeenFaces::upper : &SeenFaces::lower, [&](const RunOfDraws& run) {
+        constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
+        vkCmdDrawIndexedIndirectCount(recording.commands(), lists.capDraws.buffer,
+                                      lists.capDraws.offset + run.firstDraw * kStride, lists.commandCounts.buffer,
+                                      run.countOffset, run.most, kStride);
+    });
 }
 
 void AreaDrawer::drawPatches(const Recording& recording, gpu::Pass pass, std::uint32_t batch) const {
@@ -99,10 +95,10 @@ void AreaDrawer::drawPatches(const Recording& recording, gpu::Pass pass, std::ui
     }
     recording.bind(m_patches[passRow(pass)]);
     for (const std::uint32_t layer : recording.layers.batches[batch]) {
-        if (recording.step.layers[layer].areaBatches.count > 0) {
-            vkCmdDrawIndirect(recording.commands(), recording.lists.patchDraws.buffer,
-                              recording.lists.patchDraws.offset + layer * sizeof(shader::Draw), 1,
-                              sizeof(shader::Draw));
+        if (recording.step.layers[layer].areas.count > 0) {
+            vkCmdDrawIndirectCount(recording.commands(), recording.lists.patchDraws.buffer,
+                                   recording.lists.patchDraws.offset + layer * sizeof(shader::Draw),
+                                   recording.step.geometry.countOfAll.handle(), 0, 1, sizeof(shader::Draw));
         }
     }
 }
@@ -110,10 +106,12 @@ void AreaDrawer::drawPatches(const Recording& recording, gpu::Pass pass, std::ui
 void AreaDrawer::drawEdges(const Recording& recording, gpu::Pass pass, std::uint32_t batch,
                            const PassPipelines& pipelines, bool SeenFaces::*side) const {
     recording.bind(pipelines[passRow(pass)]);
-    constexpr std::uint32_t kStride = sizeof(shader::Draw);
-    forPieces(runsOf(recording, batch, side), m_maxDraws, [&](std::uint32_t first, std::uint32_t count) {
-        vkCmdDrawIndirect(recording.commands(), recording.lists.wallDraws.buffer,
-                          recording.lists.wallDraws.offset + std::uint64_t{first} * kStride, count, kStride);
+    const DrawLists& lists = recording.lists;
+    forRuns(recording, batch, side, [&](const RunOfDraws& run) {
+        constexpr std::uint32_t kStride = sizeof(shader::Draw);
+        vkCmdDrawIndirectCount(recording.commands(), lists.wallDraws.buffer,
+                               lists.wallDraws.offset + run.firstDraw * kStride, lists.commandCounts.buffer,
+                               run.countOffset, run.most, kStride);
     });
 }
 

@@ -12,6 +12,9 @@ public:
 
     void reset(const Recording& recording) const;
     void cull(const Recording& recording) const;
+    /// Makes commands of what `cull` has found, in order and without gaps: a device takes its time for each command,
+    /// whether it draws something or not.
+    void lineUp(const Recording& recording) const;
     void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const;
 
 private:
@@ -22,8 +25,8 @@ private:
     void drawEdges(const Recording& recording, gpu::Pass pass, std::uint32_t batch, const PassPipelines& pipelines,
                    bool SeenFaces::*side) const;
 
-    std::uint32_t m_maxDraws;
     gpu::Pipeline m_cull;
+    gpu::Pipeline m_lineUp;
     PassPipelines m_caps;
     PassPipelines m_patches;
     PassPipelines m_walls;

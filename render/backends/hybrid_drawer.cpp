@@ -33,6 +33,11 @@ public:
             m_areas.cull(recording);
         }
         m_lets->cull(group);
+        group.front().frame.beginStage("line up areas");
+        gpu::memoryBarrier(commands, gpu::kCompute, gpu::kCompute);
+        for (const Recording& recording : group) {
+            m_areas.lineUp(recording);
+        }
         gpu::memoryBarrier(commands, gpu::kCompute, gpu::kAnyRead);
     }
 

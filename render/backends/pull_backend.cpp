@@ -67,9 +67,9 @@ void PullBackend::draw(const Recording& recording, std::uint32_t batch, gpu::Pas
     recording.bind(pipelinesFor(recording.plan)[passRow(pass)]);
     vkCmdBindIndexBuffer(recording.commands(), recording.scene.letIndices.handle(), 0, VK_INDEX_TYPE_UINT32);
     constexpr std::uint32_t kStride = sizeof(shader::DrawIndexed);
-    vkCmdDrawIndexedIndirect(recording.commands(), recording.lists.letDraws.buffer,
-                             recording.lists.letDraws.offset + std::uint64_t{batch} * shader::kDrawCount * kStride,
-                             shader::kDrawCount, kStride);
+    vkCmdDrawIndexedIndirectCount(recording.commands(), recording.lists.letDraws.buffer,
+                                  recording.lists.letDraws.offset + std::uint64_t{batch} * shader::kDrawCount * kStride,
+                                  recording.step.geometry.countOfAll.handle(), 0, shader::kDrawCount, kStride);
 }
 
 void dispatchForClusters(const gpu::Pipeline& pipeline, std::span<const Recording> recordings) {

@@ -50,21 +50,26 @@ std::optional<std::uint64_t> letTriangles(const Recording& copy) {
 
 std::optional<std::uint64_t> areaTriangles(const Recording& copy) {
     const std::uint32_t count = copy.step.areaDrawCount;
+    const auto counts =
+        readBack<std::uint32_t>(*copy.scene.device, copy.lists.commandCounts, copy.step.areaRuns.size());
     const auto caps = readBack<shader::DrawIndexed>(*copy.scene.device, copy.lists.capDraws, count);
     const auto walls = readBack<shader::Draw>(*copy.scene.device, copy.lists.wallDraws, count);
     const auto patches = readBack<shader::Draw>(*copy.scene.device, copy.lists.patchDraws, copy.step.layers.size());
-    if (!caps || !walls || !patches) {
+    if (!counts || !caps || !walls || !patches) {
         return std::nullopt;
     }
     std::uint64_t sum = 0;
     for (std::size_t layer = 0; layer < copy.step.layers.size(); ++layer) {
         const SeenFaces& faces = copy.layers.faces[layer];
         const std::uint64_t capsSeen = (faces.upper ? 1U : 0U) + (faces.lower ? 1U : 0U);
-        const LayerRun run = copy.step.layers[layer].areaBatches;
+        const LayerRun runs = copy.step.layers[layer].areas;
         sum += (*patches)[layer].vertexCount / 3;
-        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-            sum += capsSeen * ((*caps)[i].indexCount / 3) * (*caps)[i].instanceCount;
-            sum += (faces.walls ? 1U : 0U) * std::uint64_t{(*walls)[i].vertexCount / 3} * (*walls)[i].instanceCount;
+        for (std::uint32_t run = runs.first; run < runs.first + runs.count; ++run) {
+            const std::uint32_t first = copy.step.areaRuns[run].first;
+            for (std::uint32_t i = first; i < first + (*counts)[run]; ++i) {
+                sum += capsSeen * ((*caps)[i].indexCount / 3) * (*caps)[i].instanceCount;
+                sum += (faces.walls ? 1U : 0U) * std::uint64_t{(*walls)[i].vertexCount / 3} * (*walls)[i].instanceCount;
+            }
         }
     }
     return sum;

@@ -42,11 +42,10 @@ struct Caps {
     bool hasAtomic64 = false;    ///< 64-bit atomics on buffers, enabled
     bool hasTimestamps = false;
     double timestampPeriodNs = 0.0;
-    bool canSmooth = false;           ///< 4x multisampling for our colour and depth formats
-    bool canShadeSamples = false;     ///< fragment shaders for every sample by itself
-    std::uint32_t maxImageSize = 0;   ///< pixels along one side
-    std::uint32_t maxTaskGroups = 0;  ///< along x, 0 without mesh shaders
-    std::uint32_t maxDrawIndirectCount = 0;
+    bool canSmooth = false;                ///< 4x multisampling for our colour and depth formats
+    bool canShadeSamples = false;          ///< fragment shaders for every sample by itself
+    std::uint32_t maxImageSize = 0;        ///< pixels along one side
+    std::uint32_t maxTaskGroups = 0;       ///< along x, 0 without mesh shaders
     std::uint64_t maxAllocationBytes = 0;  ///< of one image or buffer
     std::uint64_t memoryBudgetBytes = 0;   ///< of the largest device-local heap, when the device was made
     PipelineCacheOwner cacheOwner;         ///< of the pipelines it compiles

@@ -102,7 +102,6 @@ Caps capsOf(VkPhysicalDevice device, const Extensions& extensions, bool hasMesh)
     caps.maxImageSize = std::min({core.limits.maxImageDimension2D, core.limits.maxFramebufferWidth,
                                   core.limits.maxFramebufferHeight, core.limits.maxViewportDimensions[0]});
     caps.maxTaskGroups = hasMesh ? mesh.maxTaskWorkGroupCount[0] : 0;
-    caps.maxDrawIndirectCount = core.limits.maxDrawIndirectCount;
     caps.maxAllocationBytes = sizes.maxMemoryAllocationSize;
     caps.cacheOwner = cacheOwnerOf(core, driver.driverID);
     caps.memoryBudgetBytes = memoryBudget(device, has(extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME));
@@ -175,6 +174,7 @@ Features::Features(bool hasMesh) {
 std::vector<std::pair<const char*, VkBool32*>> Features::needed() {
     return {{"multiDrawIndirect", &core.features.multiDrawIndirect},
             {"drawIndirectFirstInstance", &core.features.drawIndirectFirstInstance},
+            {"drawIndirectCount", &v12.drawIndirectCount},
             {"bufferDeviceAddress", &v12.bufferDeviceAddress},
             {"scalarBlockLayout", &v12.scalarBlockLayout},
             {"timelineSemaphore", &v12.timelineSemaphore},

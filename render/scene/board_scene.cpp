@@ -18,6 +18,9 @@ namespace {
 using gpu::Buffer;
 using gpu::MemoryUse;
 
+/// Of one list, on every device (Vulkan's required limit).
+constexpr std::uint32_t kMostCommands = 65535;
+
 std::vector<std::uint32_t> drawOfInstance(const BoardModel& model) {
     std::vector<std::uint32_t> draws(model.instances.size());
     for (std::uint32_t i = 0; i < model.areaBatches.size(); ++i) {
@@ -27,21 +30,13 @@ std::vector<std::uint32_t> drawOfInstance(const BoardModel& model) {
     return draws;
 }
 
-std::vector<shader::DrawIndexed> capDraws(const BoardModel& model) {
-    std::vector<shader::DrawIndexed> draws;
-    for (const AreaBatch& batch : model.areaBatches) {
-        const AreaShape& shape = model.shapes[batch.shape];
-        draws.push_back({shape.triangleCount * 3, 0, shape.firstIndex, shape.firstVertex, batch.firstInstance});
-    }
-    return draws;
-}
-
-std::vector<shader::Draw> wallDraws(const BoardModel& model) {
+std::vector<shader::AreaDraw> areaDraws(const BoardModel& model) {
     constexpr std::uint32_t kPerEdge = 6;
-    std::vector<shader::Draw> draws;
+    std::vector<shader::AreaDraw> draws;
     for (const AreaBatch& batch : model.areaBatches) {
         const AreaShape& shape = model.shapes[batch.shape];
-        draws.push_back({shape.wallCount * kPerEdge, 0, shape.firstWall * kPerEdge, batch.firstInstance});
+        draws.push_back({shape.triangleCount * 3, shape.firstIndex, shape.firstVertex, shape.wallCount * kPerEdge,
+                         shape.firstWall * kPerEdge, batch.firstInstance});
     }
     return draws;
 }
@@ -71,13 +66,13 @@ Box2 reachOf(const BoardModel& model, std::span<const shader::ShapeBound> bounds
     return reach;
 }
 
-std::vector<SceneStep::Layer> layersOfStep(const BoardModel& model, std::size_t layerCount) {
-    ASSERT(model.layers.size() <= layerCount);
-    std::vector<SceneStep::Layer> layers(layerCount);
-    for (std::size_t i = 0; i < model.layers.size(); ++i) {
-        layers[i] = {model.clustersOfLayer[i], model.areaBatchesOfLayer[i]};
+/// Appends the runs of a layer's area batches to `runs`.
+LayerRun addRuns(const LayerRun& batches, std::vector<shader::AreaRun>& runs) {
+    const auto first = static_cast<std::uint32_t>(runs.size());
+    for (std::uint32_t done = 0; done < batches.count; done += shader::kMostAreaDraws) {
+        runs.push_back({batches.first + done, std::min(shader::kMostAreaDraws, batches.count - done)});
     }
-    return layers;
+    return {first, static_cast<std::uint32_t>(runs.size()) - first};
 }
 
 /// Of the board and all its steps. Layers of flipped copies lie elsewhere: there nothing is said to be hidden.
@@ -95,9 +90,8 @@ std::vector<LayerInSubstrate> inSubstrate(const BoardModel& model) {
     return hasFlipped ? std::vector<LayerInSubstrate>(layers.size()) : layers;
 }
 
-GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model,
-                             const std::vector<shader::ShapeBound>& bounds, const std::vector<ElementState>& states,
-                             std::size_t layerCount) {
+GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const SceneStep& step,
+                             const std::vector<shader::ShapeBound>& bounds) {
     SceneLoader loader(device);
     GeometryBuffers b;
     b.lets = loader.load("lets", model.lets);
@@ -108,10 +102,11 @@ GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model,
     b.instances = loader.load("instances", model.instances);
     b.drawOfInstance = loader.load("drawOfInstance", drawOfInstance(model));
     b.bounds = loader.load("bounds", bounds);
-    b.elementStates = loader.load("element states", states);
-    b.capDraws = loader.load("capDraws", capDraws(model));
-    b.wallDraws = loader.load("wallDraws", wallDraws(model));
-    b.patchDraws = loader.load("patchDraws", patchDraws(model, layerCount));
+    b.elementStates = loader.load("element states", step.states);
+    b.areaDraws = loader.load("areaDraws", areaDraws(model));
+    b.areaRuns = loader.load("areaRuns", step.areaRuns);
+    b.patchDraws = loader.load("patchDraws", patchDraws(model, step.layers.size()));
+    b.countOfAll = loader.load("count of all", std::vector{kMostCommands});
     b.topShadows = loader.load("shadows on top", model.shadows.top.cells);
     b.bottomShadows = loader.load("shadows on the bottom", model.shadows.bottom.cells);
     b.bytes = loader.bytes();
@@ -229,9 +224,11 @@ DrawLists takeLists(const SceneStep& step, Parts& parts) {
     lists.letSlots = parts.take(std::uint64_t{step.letCount} * kWord);
     lists.visibleLets = parts.take((step.letCount + batches * shader::kQuadGroup) * kWord);
     lists.letDraws = parts.take(batches * shader::kDrawCount * sizeof(shader::DrawIndexed));
+    lists.areaCounts = parts.take(step.areaDrawCount * kWord);
     lists.visibleInstances = parts.take(step.instanceCount * kWord);
     lists.visiblePatches = parts.take(step.instanceCount * kWord);
     lists.patchDraws = parts.take(step.layers.size() * sizeof(shader::Draw));
+    lists.commandCounts = parts.take(step.areaRuns.size() * kWord);
     lists.capDraws = parts.take(step.areaDrawCount * sizeof(shader::DrawIndexed));
     lists.wallDraws = parts.take(step.areaDrawCount * sizeof(shader::Draw));
     return lists;
@@ -240,19 +237,24 @@ DrawLists takeLists(const SceneStep& step, Parts& parts) {
 }  // namespace
 
 SceneStep::SceneStep(const BoardModel& model, std::size_t layerCount)
-    : layers(layersOfStep(model, layerCount)),
+    : layers(layerCount),
       letCount(static_cast<std::uint32_t>(model.lets.size())),
       clusterCount(static_cast<std::uint32_t>(model.clusters.size())),
       instanceCount(static_cast<std::uint32_t>(model.instances.size())),
       areaDrawCount(static_cast<std::uint32_t>(model.areaBatches.size())),
       states(plainStates(model.elementCount)),
       topShadows(model.shadows.top),
-      bottomShadows(model.shadows.bottom) {}
+      bottomShadows(model.shadows.bottom) {
+    ASSERT(model.layers.size() <= layerCount);
+    for (std::size_t i = 0; i < model.layers.size(); ++i) {
+        layers[i] = {model.clustersOfLayer[i], addRuns(model.areaBatchesOfLayer[i], areaRuns)};
+    }
+}
 
 void SceneStep::load(gpu::Device& device, const BoardModel& model) {
     const std::vector<shader::ShapeBound> bounds = boundsOf(model);
     reach = reachOf(model, bounds);
-    geometry = loadGeometry(device, model, bounds, states, layers.size());
+    geometry = loadGeometry(device, model, *this, bounds);
     unsent = {};
 }
 
@@ -281,6 +283,8 @@ void SceneStep::setAddresses(shader::FrameData& data, const DrawLists& lists) co
     data.vertices = geometry.vertices.address();
     data.next = geometry.next.address();
     data.instances = geometry.instances.address();
+    data.areaDraws = geometry.areaDraws.address();
+    data.areaRuns = geometry.areaRuns.address();
     data.drawOfInstance = geometry.drawOfInstance.address();
     data.bounds = geometry.bounds.address();
     data.elementStates = geometry.elementStates.address();
@@ -288,9 +292,11 @@ void SceneStep::setAddresses(shader::FrameData& data, const DrawLists& lists) co
     data.letSlots = lists.letSlots.address;
     data.visibleLets = lists.visibleLets.address;
     data.letDraws = lists.letDraws.address;
+    data.areaCounts = lists.areaCounts.address;
     data.visibleInstances = lists.visibleInstances.address;
     data.visiblePatches = lists.visiblePatches.address;
     data.patchDraws = lists.patchDraws.address;
+    data.commandCounts = lists.commandCounts.address;
     data.capDraws = lists.capDraws.address;
     data.wallDraws = lists.wallDraws.address;
     data.standardParts = standard ? standard->records.address() : 0;

@@ -20,9 +20,10 @@ struct GeometryBuffers {
     gpu::Buffer drawOfInstance;
     gpu::Buffer bounds;
     gpu::Buffer elementStates;  ///< a byte per element, ElementState
-    gpu::Buffer capDraws;       ///< commands without instances: what each frame starts from
-    gpu::Buffer wallDraws;
-    gpu::Buffer patchDraws;
+    gpu::Buffer areaDraws;
+    gpu::Buffer areaRuns;    ///< SceneStep::areaRuns
+    gpu::Buffer patchDraws;  ///< commands that draw nothing: what each frame starts from
+    gpu::Buffer countOfAll;  ///< as many commands as there may be (docs/driver-notes.md)
     gpu::Buffer topShadows;  ///< ShadowMap::cells
     gpu::Buffer bottomShadows;
     std::uint64_t bytes = 0;  ///< of all of them
@@ -43,7 +44,9 @@ struct DrawLists {
     BufferPart letSlots;
     BufferPart visibleLets;
     BufferPart letDraws;
+    BufferPart areaCounts;
     BufferPart visibleInstances;
+    BufferPart commandCounts;
     BufferPart capDraws;
     BufferPart wallDraws;
     BufferPart visiblePatches;
@@ -70,7 +73,7 @@ struct ElementRun {
 struct SceneStep {
     struct Layer {
         LayerRun clusters;
-        LayerRun areaBatches;
+        LayerRun areas;  ///< rows of `areaRuns`
     };
     std::vector<Layer> layers;
     Box2 reach;  ///< of everything it draws
@@ -78,6 +81,7 @@ struct SceneStep {
     std::uint32_t clusterCount = 0;
     std::uint32_t instanceCount = 0;
     std::uint32_t areaDrawCount = 0;
+    std::vector<shader::AreaRun> areaRuns;  ///< areas by indirect command list
     std::vector<ElementState> states;
     ElementRun unsent;            ///< of `states`; `geometry.elementStates` gets them with the next frame
     std::size_t standingOut = 0;  ///< so many of them are highlighted or have a colour

@@ -24,6 +24,21 @@ struct Draw {
 };
 GPU_SIZE(Draw, 16);
 
+// The areas of one layer that have one shape: what drawing them takes.
+struct AreaDraw {
+    uint indexCount, firstIndex, vertexOffset;  // of caps
+    uint wallVertexCount, firstWallVertex;
+    uint firstInstance;
+};
+GPU_SIZE(AreaDraw, 24);
+// AreaDraws of one layer, one behind the other: those with areas in view are drawn by one indirect command list, which
+// every device takes.
+GPU_CONST kMostAreaDraws = 4096;
+struct AreaRun {
+    uint first, count;
+};
+GPU_SIZE(AreaRun, 8);
+
 // Some elements of one layer in the standard pipeline.
 GPU_READ(StandardVertices, StandardVertex, 4);
 struct StandardPartRecord {
@@ -50,6 +65,8 @@ GPU_READ(Vertices, vec2, 4);
 GPU_READ(Words, uint, 4);
 GPU_READ(Instances, AreaInstance, 4);
 GPU_READ(Bounds, ShapeBound, 4);
+GPU_READ(AreaDraws, AreaDraw, 4);
+GPU_READ(AreaRuns, AreaRun, 4);
 GPU_READ(Colours, vec3, 4);
 GPU_WRITE(WordList, uint, 4);
 GPU_WRITE(IndexedDraws, DrawIndexed, 4);
@@ -129,13 +146,17 @@ struct FrameData {
     GPU_ADDRESS(Vertices) vertices;
     GPU_ADDRESS(Words) next;
     GPU_ADDRESS(Instances) instances;
-    GPU_ADDRESS(Words) drawOfInstance;
+    GPU_ADDRESS(AreaDraws) areaDraws;
+    GPU_ADDRESS(AreaRuns) areaRuns;
+    GPU_ADDRESS(Words) drawOfInstance;  // row of areaDraws
     GPU_ADDRESS(Bounds) bounds;
-    GPU_ADDRESS(WordList) visibleInstances;  // by draw: at[firstInstance + instance]
-    GPU_ADDRESS(WordList) visiblePatches;    // by layer: at[firstInstance + vertex / 6]
-    GPU_ADDRESS(Draws) patchDraws;           // by layer
-    GPU_ADDRESS(IndexedDraws) capDraws;
-    GPU_ADDRESS(Draws) wallDraws;
+    GPU_ADDRESS(WordList) areaCounts;          // by draw: so many instances are in view
+    GPU_ADDRESS(WordList) visibleInstances;    // by draw: at[firstInstance + instance]
+    GPU_ADDRESS(WordList) visiblePatches;      // by layer: at[firstInstance + vertex / 6]
+    GPU_ADDRESS(Draws) patchDraws;             // by layer
+    GPU_ADDRESS(WordList) commandCounts;       // by run: how many of its draws have instances in view
+    GPU_ADDRESS(IndexedDraws) capDraws;        // by run, from its first draw on: the commands of those
+    GPU_ADDRESS(Draws) wallDraws;              // likewise
     GPU_ADDRESS(Words) elementStates;          // a byte per element
     GPU_ADDRESS(Colours) palette;              // colours of elements, linear
     GPU_ADDRESS(StandardParts) standardParts;  // null in the hybrid pipeline
@@ -145,7 +166,7 @@ struct FrameData {
 
     Shadows shadows;
 };
-GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 22 * 4 + 20 * 8 + 16 + 32);
+GPU_SIZE(FrameData, 64 + 96 + 16 + 4 * 12 + 8 + 16 + 22 * 4 + 24 * 8 + 16 + 32);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Frame {

@@ -307,6 +307,49 @@ private slots:
         QVERIFY(triangles() % 2 == 0 && triangles() > 20 * (6 + 16));
     }
 
+    /// More shapes on a layer than one list of commands takes. At one depth the later area wins.
+    void areasOfManyShapesAreDrawnInTheirOrder() {
+        constexpr std::uint32_t kColumns = 100;
+        constexpr std::uint32_t kRows = shader::kMostAreaDraws / kColumns + 2;
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.02F, {0.8F, 0.2F, 0.2F});
+        for (std::uint32_t i = 0; i < kColumns * kRows; ++i) {
+            board.addArea({{{0, 0}, {600, 0}, {0, 600}}},
+                          {at({0.4F * static_cast<float>(i % kColumns), static_cast<float>(i / kColumns)})});
+        }
+        Scene scene(board);
+        const glm::vec3 palette[] = {{1.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}};
+        scene.scene.setPalette(palette);
+        std::vector<ElementState> states(scene.model.elementCount);
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            states[i] = static_cast<ElementState>(1 + i % 2);
+        }
+        scene.scene.setStates(states);
+        scene.camera.fit({0, 0, 0}, {0.4F * kColumns, kRows, 0.02F}, NamedView::Top, 1.0F);
+        scene.lookDown({0, 0}, {0.4F * kColumns, kRows});
+        ViewSettings how = settings(Backend::Pull);
+        how.is2d = true;
+        how.isSmoothed = false;
+        constexpr std::uint32_t kPixelsPerMm = 20;
+        constexpr std::uint32_t kHeight = kPixelsPerMm * kRows;
+        const Image all = scene.draw(how, kPixelsPerMm * kColumns * 2 / 5, kHeight);
+        const auto triangles = [&] {
+            return drawnTriangles(scene.scene, scene.camera, how, kPixelsPerMm * kColumns * 2 / 5, kHeight).value_or(0);
+        };
+        QCOMPARE(triangles(), std::uint64_t{kColumns * kRows});
+        for (std::uint32_t i = 0; i < kColumns * kRows; ++i) {
+            if (i % kColumns == kColumns - 1) {
+                continue;
+            }
+            // Where it and the next one overlap.
+            const Rgb both = pixel(all, i % kColumns * 8 + 9, kHeight - 1 - i / kColumns * kPixelsPerMm - 2);
+            QCOMPARE(both, (i % 2 == 0 ? Rgb{0, 255, 0} : Rgb{255, 0, 0}));
+        }
+        scene.lookDown({0, 0}, {0.4F * kColumns / 20, kRows / 20.0F});
+        scene.draw(how, kPixelsPerMm * kColumns * 2 / 5, kHeight);
+        QVERIFY2(triangles() > 0 && triangles() < 30, qPrintable(QString::number(triangles())));
+    }
+
     /// A step of a hundredth of zoom moves all outlines. A level of detail that strays from the exact outlines by much
     /// less than that is not seen to come or go.
     void changesOfLevelAreNotSeen() {

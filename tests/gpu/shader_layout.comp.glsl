@@ -13,6 +13,8 @@ layout(set = 0, binding = 4, scalar) buffer AreaInstanceBlock { AreaInstance are
 layout(set = 0, binding = 5, scalar) buffer ShapeBoundBlock { ShapeBound shapeBound[2]; };
 layout(set = 0, binding = 6, scalar) buffer DrawIndexedBlock { DrawIndexed drawIndexed[2]; };
 layout(set = 0, binding = 7, scalar) buffer DrawBlock { Draw draw[2]; };
+layout(set = 0, binding = 3, scalar) buffer AreaDrawBlock { AreaDraw areaDraw[2]; };
+layout(set = 0, binding = 16, scalar) buffer AreaRunBlock { AreaRun areaRun[2]; };
 layout(set = 0, binding = 8, scalar) buffer FrameDataBlock { FrameData frameData[2]; };
 layout(set = 0, binding = 9, scalar) buffer PushStructBlock { Push pushStruct[2]; };
 layout(set = 0, binding = 10, scalar) buffer StandardVertexBlock { StandardVertex standardVertex[2]; };
@@ -31,6 +33,8 @@ void main() {
     shapeBound[0] = shapeBound[1];
     drawIndexed[0] = drawIndexed[1];
     draw[0] = draw[1];
+    areaDraw[0] = areaDraw[1];
+    areaRun[0] = areaRun[1];
     frameData[0] = frameData[1];
     pushStruct[0] = pushStruct[1];
     standardVertex[0] = standardVertex[1];
