@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "render/gpu/check.h"
-#include "render/gpu/memory.h"
 
 namespace render::gpu {
 namespace {
@@ -30,7 +29,7 @@ MemoryOptions memoryFor(Device& device, VkBuffer buffer, const BufferOptions& op
     memory.wanted =
         options.host == HostAccess::Reads ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
     memory.use = options.use;
-    memory.hasAddress = true;
+    memory.isBuffer = true;
     memory.label = options.label;
     return memory;
 }
@@ -39,16 +38,13 @@ MemoryOptions memoryFor(Device& device, VkBuffer buffer, const BufferOptions& op
 
 Buffer::Buffer(Device& device, const BufferOptions& options)
     : m_handle(createBuffer(device, options)), m_size(std::max(options.size, kSmallest)) {
-    m_memory = allocate(device, memoryFor(device, handle(), options));
-    VK_CHECK(vkBindBufferMemory(device.handle(), handle(), m_memory.get(), 0));
+    m_memory = Memory(device, memoryFor(device, handle(), options));
+    const MemoryPart& part = m_memory.part();
+    VK_CHECK(vkBindBufferMemory(device.handle(), handle(), part.memory, part.offset));
     auto info = vkInfo<VkBufferDeviceAddressInfo>(VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO);
     info.buffer = handle();
     m_address = vkGetBufferDeviceAddress(device.handle(), &info);
-    if (options.host != HostAccess::None) {
-        void* mapped = nullptr;
-        VK_CHECK(vkMapMemory(device.handle(), m_memory.get(), 0, VK_WHOLE_SIZE, 0, &mapped));
-        m_mapped = static_cast<std::byte*>(mapped);
-    }
+    m_mapped = options.host != HostAccess::None ? part.mapped : nullptr;
 }
 
 }  // namespace render::gpu

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "render/gpu/deferred_destroy.h"
+#include "render/gpu/memory.h"
 
 namespace render::gpu {
 
@@ -34,7 +35,7 @@ public:
     [[nodiscard]] std::span<std::byte> mapped() const { return {m_mapped, m_mapped == nullptr ? 0 : m_size}; }
 
 private:
-    Unique<VkDeviceMemory> m_memory;
+    Memory m_memory;
     Unique<VkBuffer> m_handle;
     VkDeviceAddress m_address = 0;
     std::uint64_t m_size = 0;

@@ -5,8 +5,6 @@
 #include <functional>
 #include <mutex>
 #include <tuple>
-#include <type_traits>
-#include <unordered_map>
 #include <utility>
 
 #include "render/gpu/device.h"
@@ -26,7 +24,6 @@ inline constexpr std::tuple kKinds{
     Kind<VkBuffer>{VK_OBJECT_TYPE_BUFFER, vkDestroyBuffer},
     Kind<VkImage>{VK_OBJECT_TYPE_IMAGE, vkDestroyImage},
     Kind<VkImageView>{VK_OBJECT_TYPE_IMAGE_VIEW, vkDestroyImageView},
-    Kind<VkDeviceMemory>{VK_OBJECT_TYPE_DEVICE_MEMORY, vkFreeMemory},
     Kind<VkPipeline>{VK_OBJECT_TYPE_PIPELINE, vkDestroyPipeline},
     Kind<VkPipelineLayout>{VK_OBJECT_TYPE_PIPELINE_LAYOUT, vkDestroyPipelineLayout},
     Kind<VkShaderModule>{VK_OBJECT_TYPE_SHADER_MODULE, vkDestroyShaderModule},
@@ -38,8 +35,8 @@ inline constexpr std::tuple kKinds{
 template <class Handle>
 inline constexpr Kind<Handle> kKind = std::get<Kind<Handle>>(kKinds);
 
-/// Keeps dropped Vulkan objects until the submissions that may use them are done, and books memory by use. Owned by the
-/// Device. Objects may be dropped on any thread.
+/// Keeps dropped Vulkan objects and their memory until the submissions that may use them are done. Owned by the Device.
+/// Objects may be dropped on any thread.
 class DeferredDestroy {
 public:
     explicit DeferredDestroy(VkDevice device) : m_device(device) {}
@@ -50,13 +47,12 @@ public:
     /// still counts.
     template <class Handle>
     void retire(Handle handle) {
+        later([this, handle] { kKind<Handle>.destroy(m_device, handle, nullptr); });
+    }
+    /// The same for what is no Vulkan object. `destroy` is called on the device's thread.
+    void later(std::function<void()> destroy) {
         const std::lock_guard lock(m_mutex);
-        m_retired.push_back({m_submitted + 1, [this, handle] {
-                                 if constexpr (std::is_same_v<Handle, VkDeviceMemory>) {
-                                     noteFree(handle);
-                                 }
-                                 kKind<Handle>.destroy(m_device, handle, nullptr);
-                             }});
+        m_retired.push_back({m_submitted + 1, std::move(destroy)});
     }
     void noteSubmission(std::uint64_t number) {
         const std::lock_guard lock(m_mutex);
@@ -67,26 +63,16 @@ public:
     /// For an idle device.
     void collectAll() { collect(~std::uint64_t{0}); }
 
-    void noteAllocation(VkDeviceMemory memory, MemoryUse use, std::uint64_t bytes);
-    [[nodiscard]] const MemoryReport& memory() const { return m_report; }
-
 private:
     struct Retired {
         std::uint64_t after;
         std::function<void()> destroy;
     };
-    struct Allocation {
-        MemoryUse use;
-        std::uint64_t bytes;
-    };
-    void noteFree(VkDeviceMemory memory);
 
     VkDevice m_device;
     std::mutex m_mutex;  ///< of the next two
     std::uint64_t m_submitted = 0;
     std::deque<Retired> m_retired;
-    std::unordered_map<VkDeviceMemory, Allocation> m_allocations;
-    MemoryReport m_report;
 };
 
 /// The one owner of a Vulkan object: move-only, hands it to DeferredDestroy when dropped. Classes above it default

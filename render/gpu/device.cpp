@@ -10,6 +10,7 @@
 #include "render/gpu/check.h"
 #include "render/gpu/deferred_destroy.h"
 #include "render/gpu/device_select.h"
+#include "render/gpu/memory_blocks.h"
 #include "render/gpu/pipeline_store.h"
 
 namespace render::gpu {
@@ -29,6 +30,7 @@ Device::State::~State() {
     if (deferred != nullptr) {
         deferred->collectAll();
     }
+    memory.reset();
     vkDestroySemaphore(handle, timeline, nullptr);
     savePipelineCache();
     vkDestroyPipelineCache(handle, pipelineCache, nullptr);
@@ -94,6 +96,7 @@ void Device::State::createObjects(bool hasDebugUtils) {
     semaphore.pNext = &type;
     VK_CHECK(vkCreateSemaphore(handle, &semaphore, nullptr, &timeline));
     createPipelineCache();
+    memory = std::make_unique<MemoryBlocks>(choice.physical, handle);
     deferred = std::make_unique<DeferredDestroy>(handle);
     pipelines = std::make_unique<PipelineStore>();
 }
@@ -146,15 +149,19 @@ base::Result<Device> Device::create(const Instance& instance, VkSurfaceKHR prese
 }
 
 MemoryReport Device::memoryReport() const {
-    return deferred().memory();
+    return memory().report();
 }
 
 bool Device::mayAllocate(std::uint64_t bytes) {
     Faults& faults = m_state->faults;
     const bool isFault = faults.failAllocation == 1;
     faults.failAllocation -= faults.failAllocation > (faults.failsFromThere ? 1U : 0U) ? 1 : 0;
-    const bool isTooMuch = faults.mostBytes > 0 && bytes > faults.mostBytes;
-    return !isFault && !isTooMuch && bytes <= caps().maxAllocationBytes;
+    return !isFault && isWithinLimits(bytes);
+}
+
+bool Device::isWithinLimits(std::uint64_t bytes) const {
+    const std::uint64_t ordered = faults().mostBytes;
+    return bytes <= caps().maxAllocationBytes && (ordered == 0 || bytes <= ordered);
 }
 
 bool Device::canPresentTo(VkSurfaceKHR surface) const {

@@ -15,6 +15,7 @@
 namespace render::gpu {
 
 class DeferredDestroy;
+class MemoryBlocks;
 class PipelineStore;
 
 /// What memory is spent on.
@@ -26,9 +27,12 @@ enum class MemoryUse : std::uint8_t {
 };
 inline constexpr std::size_t kMemoryUseCount = 4;
 
-/// Bytes of device memory in use, by use.
+/// Device memory of resources, by use, and what the device gave for them.
 struct MemoryReport {
-    std::array<std::uint64_t, kMemoryUseCount> bytes{};
+    std::array<std::uint64_t, kMemoryUseCount> bytes{};  ///< as many as the device says that each resource needs
+    std::uint64_t heldBytes = 0;                         ///< with the room in blocks that is free (memory_blocks.h)
+    std::uint64_t allocations = 0;                       ///< what is held, in so many pieces
+    /// Of all resources.
     [[nodiscard]] std::uint64_t total() const;
     [[nodiscard]] std::uint64_t of(MemoryUse use) const { return bytes[static_cast<std::size_t>(use)]; }
 };
@@ -61,7 +65,7 @@ struct DeviceChoice {
 
 /// Faults to order, for tests. Counts begin when they are set, the next one being 1; 0: none.
 struct Faults {
-    std::uint64_t failAllocation = 0;    ///< has no memory
+    std::uint64_t failAllocation = 0;    ///< of memory for a resource: there is none
     bool failsFromThere = false;         ///< nor has any after it
     std::uint64_t loseAtSubmission = 0;  ///< finds the device lost
     std::uint64_t mostBytes = 0;         ///< of one allocation, where that is less than the device can
@@ -116,11 +120,15 @@ public:
     void inject(const Faults& faults) { m_state->faults = faults; }
     /// Those to come.
     [[nodiscard]] const Faults& faults() const { return m_state->faults; }
-    /// Counts an allocation of device memory; false if the device cannot have it: too large for one, or a fault.
+    /// Counts memory for a resource; false if the device cannot have it: too large, or a fault.
     [[nodiscard]] bool mayAllocate(std::uint64_t bytes);
+    /// Whether one allocation may have so many bytes.
+    [[nodiscard]] bool isWithinLimits(std::uint64_t bytes) const;
 
     /// Where resources go when their owners drop them: freed after the submissions that may use them.
     [[nodiscard]] DeferredDestroy& deferred() const { return *m_state->deferred; }
+    /// Where they get their memory.
+    [[nodiscard]] MemoryBlocks& memory() const { return *m_state->memory; }
     [[nodiscard]] MemoryReport memoryReport() const;
 
     /// Gives a Vulkan object the name that validation messages and frame debuggers show.
@@ -144,6 +152,7 @@ private:
         PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;  ///< null, as the next two: nobody listens
         PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;
         PFN_vkCmdEndDebugUtilsLabelEXT endLabel = nullptr;
+        std::unique_ptr<MemoryBlocks> memory;
         std::unique_ptr<DeferredDestroy> deferred;
         std::unique_ptr<PipelineStore> pipelines;
 

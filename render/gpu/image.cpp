@@ -1,7 +1,6 @@
 #include "render/gpu/image.h"
 
 #include "render/gpu/check.h"
-#include "render/gpu/memory.h"
 
 namespace render::gpu {
 namespace {
@@ -39,8 +38,8 @@ Image::Image(Device& device, const ImageOptions& options) : m_handle(createImage
     memory.wanted = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
     memory.use = MemoryUse::Targets;
     memory.label = options.label;
-    m_memory = allocate(device, memory);
-    VK_CHECK(vkBindImageMemory(device.handle(), handle(), m_memory.get(), 0));
+    m_memory = Memory(device, memory);
+    VK_CHECK(vkBindImageMemory(device.handle(), handle(), m_memory.part().memory, m_memory.part().offset));
     m_view = createView(device, handle(), options);
 }
 

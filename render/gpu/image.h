@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/gpu/deferred_destroy.h"
+#include "render/gpu/memory.h"
 
 namespace render::gpu {
 
@@ -24,7 +25,7 @@ public:
     explicit operator bool() const { return static_cast<bool>(m_handle); }
 
 private:
-    Unique<VkDeviceMemory> m_memory;
+    Memory m_memory;
     Unique<VkImage> m_handle;
     Unique<VkImageView> m_view;
 };

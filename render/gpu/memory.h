@@ -1,22 +1,28 @@
 #pragma once
 
-#include "render/gpu/deferred_destroy.h"
+#include "render/gpu/memory_blocks.h"
 
 namespace render::gpu {
 
-/// Memory for one resource. `wanted` are tried first; when the device has no room left there, any memory that
-/// `required` allows is taken.
-struct MemoryOptions {
-    VkMemoryRequirements requirements{};
-    VkMemoryPropertyFlags required = 0;
-    VkMemoryPropertyFlags wanted = 0;
-    MemoryUse use = MemoryUse::Geometry;
-    bool hasAddress = false;  ///< for buffers whose address shaders see
-    std::string_view label;
-};
+class DeferredDestroy;
 
-/// One allocation per resource: we have tens of resources, devices allow thousands of allocations. Throws
-/// OutOfMemory when none is left.
-[[nodiscard]] Unique<VkDeviceMemory> allocate(Device& device, const MemoryOptions& options);
+/// Owns the memory of one resource: move-only, goes back after the submissions that may use it. Dropped after the
+/// resource, so declared before it.
+class Memory {
+public:
+    Memory() = default;
+    /// Throws OutOfMemory as MemoryBlocks::take does.
+    Memory(Device& device, const MemoryOptions& options);
+    ~Memory();
+    Memory(Memory&& other) noexcept;
+    Memory& operator=(Memory&& other) noexcept;
+
+    [[nodiscard]] const MemoryPart& part() const { return m_part; }
+
+private:
+    DeferredDestroy* m_deferred = nullptr;
+    MemoryBlocks* m_blocks = nullptr;
+    MemoryPart m_part;
+};
 
 }  // namespace render::gpu
