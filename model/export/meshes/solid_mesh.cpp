@@ -93,20 +93,36 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> borderOf(std::span<const st
     return border;
 }
 
-/// Rows of the points that triangles use, numbered anew.
+/// Rows of the points that triangles use, numbered anew in the same order.
 struct UsedPoints {
     std::vector<std::uint32_t> rows;
     std::vector<std::uint32_t> rowOf;
 
-    UsedPoints(std::span<const std::uint32_t> triangles, std::size_t points) : rowOf(points, 0xFFFFFFFFU) {
+    UsedPoints(std::span<const std::uint32_t> triangles, std::size_t points) : rowOf(points, 0) {
         for (const std::uint32_t corner : triangles) {
-            if (rowOf[corner] == 0xFFFFFFFFU) {
-                rowOf[corner] = static_cast<std::uint32_t>(rows.size());
-                rows.push_back(corner);
+            rowOf[corner] = 1;
+        }
+        for (std::uint32_t row = 0; row < points; ++row) {
+            if (rowOf[row] != 0) {
+                rowOf[row] = static_cast<std::uint32_t>(rows.size());
+                rows.push_back(row);
             }
         }
     }
 };
+
+/// Each from its smallest row on, in rising order: several cores find them in another order every time.
+std::vector<std::array<std::uint32_t, 3>> inRisingOrder(std::span<const std::uint32_t> flat) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    triangles.reserve(flat.size() / 3);
+    for (std::size_t i = 0; i < flat.size(); i += 3) {
+        std::array<std::uint32_t, 3> triangle{flat[i], flat[i + 1], flat[i + 2]};
+        std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+        triangles.push_back(triangle);
+    }
+    std::ranges::sort(triangles);
+    return triangles;
+}
 
 /// Planes have millions of triangles: exactly the room for them, where that is more than twice of what is there.
 template <class T>
@@ -174,9 +190,9 @@ bool appendPrism(const LoopSet& given, const ZRange& z, SolidMesh& mesh) {
     }
     const auto border = borderOf(flat);
     makeRoom(mesh.triangles, 2 * flat.size() + 6 * border.size());
-    for (std::size_t i = 0; i < flat.size(); i += 3) {
-        mesh.triangles.insert(mesh.triangles.end(), {above + flat[i], above + flat[i + 1], above + flat[i + 2]});
-        mesh.triangles.insert(mesh.triangles.end(), {below + flat[i + 2], below + flat[i + 1], below + flat[i]});
+    for (const auto& [a, b, c] : inRisingOrder(flat)) {
+        mesh.triangles.insert(mesh.triangles.end(), {above + a, above + b, above + c});
+        mesh.triangles.insert(mesh.triangles.end(), {below + c, below + b, below + a});
     }
     for (const auto& [a, b] : border) {
         mesh.triangles.insert(mesh.triangles.end(), {below + a, below + b, above + b});

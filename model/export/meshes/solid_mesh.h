@@ -34,7 +34,8 @@ struct SolidMesh {
 [[nodiscard]] PolygonSet polygonsOf(const EdgeLoops& region, const Discretisation& how);
 
 /// Appends the closed prism over the loops. Those that cross go through integer booleans. False where nothing is left,
-/// or they cannot be triangulated: then nothing is appended.
+/// or they cannot be triangulated: then nothing is appended. Corners come in the order of the loops, triangles of the
+/// faces in that of their corners, however many cores there are.
 [[nodiscard]] bool appendPrism(const LoopSet& loops, const ZRange& z, SolidMesh& mesh);
 /// The same over polygons, one by one.
 [[nodiscard]] bool appendPrisms(const PolygonSet& polygons, const ZRange& z, SolidMesh& mesh);

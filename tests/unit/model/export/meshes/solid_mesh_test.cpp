@@ -1,6 +1,8 @@
 #include "model/export/meshes/solid_mesh.h"
 
 #include <QtTest>
+#include <algorithm>
+#include <array>
 
 #include "tests/unit/model/export/meshes/mesh_board.h"
 
@@ -50,6 +52,31 @@ private slots:
         QVERIFY(isClosed(mesh.triangles));
         QCOMPARE(mesh.triangleCount(), std::size_t{2 * 8 + 2 * 8});
         QVERIFY(isNear(model::volumeOf(mesh), 30 * kMm3, 1e-12));
+    }
+
+    /// Many cores find triangles in another order every time.
+    void cornersAndTrianglesKeepTheOrderOfTheLoops() {
+        std::vector<std::vector<Point>> loops{square(0, 30 * kMm)};
+        for (model::Nm at = 1; at < 14; ++at) {
+            loops.push_back(square(2 * at * kMm, (2 * at + 1) * kMm));
+        }
+        SolidMesh mesh;
+        QVERIFY(model::appendPrisms(polygons(loops), kHeights, mesh));
+        const std::size_t half = mesh.points.size() / 2;
+        QCOMPARE(half, 4 * loops.size());
+        for (std::size_t row = 0; row < half; ++row) {
+            const Point corner{mesh.points[row].x, mesh.points[row].y};
+            QVERIFY(std::ranges::find(loops[row / 4], corner) != loops[row / 4].end());
+        }
+        std::vector<std::array<std::uint32_t, 3>> upper;
+        for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+            const std::array triangle{mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]};
+            if (std::ranges::all_of(triangle, [&](std::uint32_t corner) { return corner >= half; })) {
+                upper.push_back(triangle);
+            }
+        }
+        QVERIFY(upper.size() > 50);
+        QVERIFY(std::ranges::is_sorted(upper));
     }
 
     /// Chords lie within a disc: what is missing is known from their number.
