@@ -19,8 +19,8 @@ enum class Keep {
 template <class Key>
 class KeptPicture {
 public:
-    /// Larger ones are painted every time: to get memory for one of a whole view takes 5 ms, longer than to paint what is
-    /// in it.
+    /// Larger ones are painted every time: to get memory for one of a whole view takes 5 ms, longer than to paint what
+    /// is in it.
     static constexpr int kMostPixels = 1 << 19;
 
     explicit KeptPicture(Keep keep) : m_keep(keep) {}
