@@ -33,5 +33,8 @@ status=0
 "$root/build/$preset/tests/soak" use --seed "$seed" --seconds $((minutes * 60)) --stall-ms 250 "${faults[@]}" \
     "$root"/resources/sample/*.tgz "$root"/tests/data/odb/everything "${boards[@]}" >"$numbers" || status=$?
 cat "$numbers"
-[ -z "$writes" ] || { measured_at "$preset"; echo; cat "$numbers"; } | write_numbers "scripts/soak.sh" "Random use of the window"
+# Beside the numbers it holds all that the window reported.
+# shellcheck disable=SC2016
+[ -z "$writes" ] || { measured_at "$preset"; echo; printf '```\n%s\n```\n' "$(grep -E '^random use|^ .* times, longest|^longest' "$numbers")"; } |
+    write_numbers "scripts/soak.sh" "Random use of the window"
 exit "$status"
