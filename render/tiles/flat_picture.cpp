@@ -188,7 +188,13 @@ bool FlatPicture::setLook(const FlatRequest& request, const FramePlan& plan) {
     const bool isStackSame =
         colours && m_colours && std::ranges::equal(paints, m_paints, isAlike) && colours->after() == m_colours->after();
     m_stack += isStackSame ? 0 : 1;
-    ++m_look;
+    // What begins or ends to stand out is painted where it lies, on pixels that stay as they are.
+    const bool isOverAlone = isStackSame && paints == m_paints && plan.data.background == m_background &&
+                             (overColours.empty() || m_inksOfTiles.empty() || overColours == m_inksOfTiles);
+    m_look += isOverAlone ? 0 : 1;
+    if (!isOverAlone || !overColours.empty()) {
+        m_inksOfTiles = overColours;
+    }
     m_paints = std::move(paints);
     m_overColours = std::move(overColours);
     m_background = plan.data.background;

@@ -161,6 +161,7 @@ private:
     std::uint64_t m_edgedLook = 1;  ///< the same, as of the frame before
     std::vector<Paint> m_paints;
     std::vector<glm::vec3> m_overColours;
+    std::vector<glm::vec3> m_inksOfTiles;  ///< the last of those that were any: pictures of tiles may still have them
     std::vector<OverPaint> m_over;
     glm::vec3 m_background{0.0F};
     std::optional<SampleColours> m_colours;

@@ -201,6 +201,23 @@ private slots:
         both.compare();
     }
 
+    /// Its tiles keep what they showed while the view is elsewhere.
+    void whatStandsOutAnewHasItsNewColourAlsoWhereItWasNotInView() {
+        Both both(everything());
+        both.scene.camera.zoom(4.0F, {0.0F, 0.0F}, kAspect);
+        for (const ElementState state : {kHighlighted, highlightedAs(1)}) {
+            both.setStates(std::vector<ElementState>(64, state));
+            both.compare();
+            both.scene.camera.pan({700.0F, 0.0F}, kHeight);
+            both.setStates(std::vector<ElementState>(64, kPlain));
+            both.compare();
+            both.setStates(std::vector<ElementState>(64, state == kHighlighted ? highlightedAs(1) : kHighlighted));
+            both.compare();
+            both.scene.camera.pan({-700.0F, 0.0F}, kHeight);
+            both.compare();
+        }
+    }
+
     void keepsWithinItsMemory() {
         constexpr std::uint64_t kBytes = 16ULL << 20U;
         Both both(randomTraces(400, 3), kBytes);
