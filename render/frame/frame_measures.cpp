@@ -35,17 +35,26 @@ std::uint64_t standardTriangles(const LayerPlan& plan, const StandardBuffers& bu
     return sum;
 }
 
-std::optional<std::uint64_t> letTriangles(const Recording& copy) {
-    const auto draws = readBack<shader::DrawIndexed>(*copy.scene.device, copy.lists.letDraws,
-                                                     copy.layers.batches.size() * shader::kDrawCount);
-    if (!draws) {
-        return std::nullopt;
-    }
+std::uint64_t trianglesOf(std::span<const shader::DrawIndexed> draws) {
     std::uint64_t sum = 0;
-    for (const shader::DrawIndexed& draw : *draws) {
+    for (const shader::DrawIndexed& draw : draws) {
         sum += std::uint64_t{draw.indexCount / 3} * draw.instanceCount;
     }
     return sum;
+}
+
+std::uint64_t trianglesOf(std::span<const shader::Draw> draws) {
+    std::uint64_t sum = 0;
+    for (const shader::Draw& draw : draws) {
+        sum += std::uint64_t{draw.vertexCount / 3} * draw.instanceCount;
+    }
+    return sum;
+}
+
+std::optional<std::uint64_t> letTriangles(const Recording& copy) {
+    const auto draws = readBack<shader::DrawIndexed>(*copy.scene.device, copy.lists.letDraws,
+                                                     copy.layers.batches.size() * shader::kDrawCount);
+    return draws ? std::optional(trianglesOf(*draws)) : std::nullopt;
 }
 
 std::optional<std::uint64_t> areaTriangles(const Recording& copy) {
@@ -66,10 +75,8 @@ std::optional<std::uint64_t> areaTriangles(const Recording& copy) {
         sum += (*patches)[layer].vertexCount / 3;
         for (std::uint32_t run = runs.first; run < runs.first + runs.count; ++run) {
             const std::uint32_t first = copy.step.areaRuns[run].first;
-            for (std::uint32_t i = first; i < first + (*counts)[run]; ++i) {
-                sum += capsSeen * ((*caps)[i].indexCount / 3) * (*caps)[i].instanceCount;
-                sum += (faces.walls ? 1U : 0U) * std::uint64_t{(*walls)[i].vertexCount / 3} * (*walls)[i].instanceCount;
-            }
+            sum += capsSeen * trianglesOf(std::span(*caps).subspan(first, (*counts)[run]));
+            sum += (faces.walls ? 1U : 0U) * trianglesOf(std::span(*walls).subspan(first, (*counts)[run]));
         }
     }
     return sum;
