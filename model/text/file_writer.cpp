@@ -61,12 +61,13 @@ bool FileWriter::write(std::string_view bytes) {
     return m_failure.empty();
 }
 
-fs::path FileWriter::scratchFolder() const {
-    std::error_code error;
+ScratchPlace FileWriter::scratchPlace() const {
     if (!m_isPlain) {
-        return fs::temp_directory_path(error);
+        std::error_code error;
+        const fs::path folder = fs::temp_directory_path(error);
+        return {folder, folder};
     }
-    return m_path.has_parent_path() ? m_path.parent_path() : fs::path(".");
+    return {m_path.has_parent_path() ? m_path.parent_path() : fs::path("."), m_path};
 }
 
 base::Status FileWriter::status() const {

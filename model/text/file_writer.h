@@ -12,6 +12,12 @@ namespace model {
 
 class GzipStream;
 
+/// Where a ScratchFile keeps what has to wait for its place in a file.
+struct ScratchPlace {
+    std::filesystem::path folder;
+    std::filesystem::path named;  ///< what messages say cannot be written
+};
+
 /// Writes a file piece by piece, all of it or nothing: the pieces go into a file beside it, which commit() gives its
 /// name. What had the name before stays until then, and for good when anything fails or nobody commits; nothing else is
 /// left in the folder. A link stays one, and the file it names is replaced. What is no plain file, as a pipe or a
@@ -34,9 +40,8 @@ public:
     [[nodiscard]] std::uint64_t size() const { return m_size; }
     /// What of it is in the file: all of it after commit().
     [[nodiscard]] std::uint64_t packedSize() const { return m_packedSize; }
-    /// Where there is room for what a ScratchFile keeps of it: its folder; of what is no plain file, that of temporary
-    /// files.
-    [[nodiscard]] std::filesystem::path scratchFolder() const;
+    /// Beside it, and failures are said of it; of what is no plain file both are the folder of temporary files.
+    [[nodiscard]] ScratchPlace scratchPlace() const;
     /// The first failure: OutputFailed with the path and the reason.
     [[nodiscard]] base::Status status() const;
     /// Once, at the end: the file is whole on the disk and has its name. Errors: as status().

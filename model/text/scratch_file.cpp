@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "model/text/file_writer.h"
 #include "model/text/write_all.h"
 
 namespace model {
@@ -32,9 +31,9 @@ void ScratchFile::write(std::string_view bytes) {
 }
 
 base::Status ScratchFile::status() const {
-    return m_failure.empty()
-               ? base::Status(base::Done{})
-               : base::Error{base::ErrorCode::OutputFailed, m_folder.string() + " cannot be written to: " + m_failure};
+    return m_failure.empty() ? base::Status(base::Done{})
+                             : base::Error{base::ErrorCode::OutputFailed,
+                                           m_place.named.string() + " cannot be written: " + m_failure};
 }
 
 std::string_view ScratchFile::bytes() {
@@ -90,7 +89,7 @@ void ScratchFile::flush() {
 }
 
 void ScratchFile::open() {
-    std::string name = (m_folder / "copperscope.partXXXXXX").string();
+    std::string name = (m_place.folder / "copperscope.partXXXXXX").string();
     m_file = ::mkostemp(name.data(), O_CLOEXEC);
     if (m_file < 0 || ::unlink(name.c_str()) != 0) {
         fail();

@@ -1,23 +1,21 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
+#include "model/text/file_writer.h"
 
 namespace model {
-
-class FileWriter;
 
 /// Bytes of a file that is being written, kept until what stands before them in it is known: a few in memory, more in a
 /// file without a name, which is gone when this is, however the program ends.
 class ScratchFile {
 public:
-    /// In this folder the file is made, once one is needed. Failures are kept: see status().
-    explicit ScratchFile(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+    /// The file is made once one is needed. Failures are kept: see status().
+    explicit ScratchFile(ScratchPlace place) : m_place(std::move(place)) {}
     ~ScratchFile();
     ScratchFile(const ScratchFile&) = delete;
     ScratchFile& operator=(const ScratchFile&) = delete;
@@ -25,7 +23,7 @@ public:
     /// Pieces may be small, they are gathered. After a failure nothing happens any more.
     void write(std::string_view bytes);
     [[nodiscard]] std::uint64_t size() const { return m_size; }
-    /// The first failure: OutputFailed with the folder and the reason.
+    /// The first failure: OutputFailed with ScratchPlace::named and the reason.
     [[nodiscard]] base::Status status() const;
 
     /// All of it at once, mapped rather than read; nothing is written after that. Empty after a failure.
@@ -40,7 +38,7 @@ private:
     void open();
     void close();
 
-    std::filesystem::path m_folder;
+    ScratchPlace m_place;
     std::string m_pending;
     std::string m_failure;
     std::string_view m_mapped;

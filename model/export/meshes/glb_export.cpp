@@ -23,7 +23,7 @@ public:
           m_options(options),
           m_file(file),
           m_progress(progress),
-          m_scene(options.packing, file.scratchFolder()),
+          m_scene(options.packing, file.scratchPlace()),
           m_made(plan.steps.size()) {}
 
     base::Status write() {

@@ -12,7 +12,6 @@
 #include <numbers>
 #include <variant>
 
-#include "model/text/file_writer.h"
 #include "model/text/number_text.h"
 
 namespace model {
@@ -167,7 +166,7 @@ std::uint32_t GltfScene::List::add(std::string_view entry) {
     return count++;
 }
 
-GltfScene::GltfScene(GlbPacking packing, const std::filesystem::path& folder) : m_packing(packing), m_folder(folder) {}
+GltfScene::GltfScene(GlbPacking packing, ScratchPlace place) : m_packing(packing), m_place(std::move(place)) {}
 
 std::string jsonString(std::string_view text) {
     return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -343,7 +342,7 @@ std::vector<GltfScene::Stream*> GltfScene::usedStreams() {
 }
 
 ScratchFile& GltfScene::compressed(Stream& stream) {
-    ScratchFile& packed = m_packed.emplace_back(m_folder);
+    ScratchFile& packed = m_packed.emplace_back(m_place);
     const std::string_view elements = stream.elements.bytes();
     if (!elements.empty() && stream.isIndex) {
         compressCorners({reinterpret_cast<const std::uint32_t*>(elements.data()), stream.count}, packed);

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <deque>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,11 +11,10 @@
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/export/meshes/solid_mesh.h"
+#include "model/text/file_writer.h"
 #include "model/text/scratch_file.h"
 
 namespace model {
-
-class FileWriter;
 
 /// How positions and rows of corners are stored.
 enum class GlbPacking : std::uint8_t {
@@ -47,8 +45,8 @@ struct GltfNode {
 /// files without names.
 class GltfScene {
 public:
-    /// Those files are made in `folder`: FileWriter::scratchFolder.
-    GltfScene(GlbPacking packing, const std::filesystem::path& folder);
+    /// `place` of those files: FileWriter::scratchPlace.
+    GltfScene(GlbPacking packing, ScratchPlace place);
 
     /// `rgb` is sRGB; glTF wants linear.
     std::uint32_t addMaterial(std::string_view name, std::uint32_t rgb, double opacity, bool isMetal);
@@ -104,17 +102,17 @@ private:
     [[nodiscard]] std::string extensionsUsed() const;
 
     GlbPacking m_packing;
-    std::filesystem::path m_folder;
-    List m_materials{ScratchFile(m_folder)};
-    List m_meshes{ScratchFile(m_folder)};
-    List m_nodes{ScratchFile(m_folder)};
-    List m_accessors{ScratchFile(m_folder)};
+    ScratchPlace m_place;
+    List m_materials{ScratchFile(m_place)};
+    List m_meshes{ScratchFile(m_place)};
+    List m_nodes{ScratchFile(m_place)};
+    List m_accessors{ScratchFile(m_place)};
     int m_viewCount = 0;
-    Stream m_floats{ScratchFile(m_folder), 12, false};
-    Stream m_quads{ScratchFile(m_folder), 16, false};
-    Stream m_words{ScratchFile(m_folder), 8, false};
-    Stream m_short{ScratchFile(m_folder), 2, true};
-    Stream m_long{ScratchFile(m_folder), 4, true};
+    Stream m_floats{ScratchFile(m_place), 12, false};
+    Stream m_quads{ScratchFile(m_place), 16, false};
+    Stream m_words{ScratchFile(m_place), 8, false};
+    Stream m_short{ScratchFile(m_place), 2, true};
+    Stream m_long{ScratchFile(m_place), 4, true};
     std::deque<ScratchFile> m_packed;  ///< streams, compressed
     std::uint64_t m_triangles = 0;
     bool m_hasQuantised = false;

@@ -20,6 +20,10 @@ std::string linesOf(std::size_t bytes) {
     return lines;
 }
 
+model::ScratchPlace placeIn(const QTemporaryDir& folder) {
+    return {folder.path().toStdString(), folder.filePath("whole").toStdString()};
+}
+
 void writeInPieces(model::ScratchFile& scratch, const std::string& text) {
     for (std::size_t at = 0; at < text.size(); at += 1'000) {
         scratch.write(std::string_view(text).substr(at, 1'000));
@@ -42,7 +46,7 @@ private slots:
         QFETCH(std::size_t, size);
         const QTemporaryDir folder;
         const std::string text = linesOf(size);
-        model::ScratchFile scratch(folder.path().toStdString());
+        model::ScratchFile scratch(placeIn(folder));
         writeInPieces(scratch, text);
         QCOMPARE(scratch.size(), std::uint64_t{size});
         QVERIFY(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
@@ -55,7 +59,7 @@ private slots:
     }
 
     void nothingIsMadeBeforeItIsNeeded() {
-        model::ScratchFile scratch("/nowhere");
+        model::ScratchFile scratch({"/nowhere", "/nowhere/whole"});
         writeInPieces(scratch, linesOf(200'000));
         QVERIFY(scratch.status());
         writeInPieces(scratch, linesOf(200'000));
@@ -66,16 +70,18 @@ private slots:
     void fullDisksAreSaid() {
         const QTemporaryDir folder;
         const FullDisk disk(500'000);
-        model::ScratchFile scratch(folder.path().toStdString());
+        model::ScratchFile scratch(placeIn(folder));
         writeInPieces(scratch, linesOf(1'000'000));
         QVERIFY(!scratch.status());
         QCOMPARE(scratch.status().error().code, base::ErrorCode::OutputFailed);
+        QVERIFY(
+            scratch.status().error().text.starts_with(folder.filePath("whole").toStdString() + " cannot be written: "));
         QVERIFY(scratch.bytes().empty());
     }
 
     void movingIsCancelled() {
         const QTemporaryDir folder;
-        model::ScratchFile scratch(folder.path().toStdString());
+        model::ScratchFile scratch(placeIn(folder));
         writeInPieces(scratch, linesOf(1'000'000));
         model::FileWriter file(folder.filePath("whole").toStdString());
         base::Progress progress;
@@ -86,8 +92,12 @@ private slots:
 
     /// What is no plain file has no folder of its own.
     void scratchesLieBesideTheFile() {
-        QCOMPARE(model::FileWriter("/nowhere/a.glb").scratchFolder(), std::filesystem::path("/nowhere"));
-        QCOMPARE(model::FileWriter("/dev/null").scratchFolder(), std::filesystem::temp_directory_path());
+        const model::ScratchPlace beside = model::FileWriter("/nowhere/a.glb").scratchPlace();
+        QCOMPARE(beside.folder, std::filesystem::path("/nowhere"));
+        QCOMPARE(beside.named, std::filesystem::path("/nowhere/a.glb"));
+        const model::ScratchPlace elsewhere = model::FileWriter("/dev/null").scratchPlace();
+        QCOMPARE(elsewhere.folder, std::filesystem::temp_directory_path());
+        QCOMPARE(elsewhere.named, elsewhere.folder);
     }
 };
 

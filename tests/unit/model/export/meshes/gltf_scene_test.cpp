@@ -37,7 +37,7 @@ std::string fileOf(const model::SolidMesh& mesh, GlbPacking packing) {
     const QTemporaryDir folder;
     const std::string path = folder.filePath("a.glb").toStdString();
     model::FileWriter file(path);
-    GltfScene scene(packing, file.scratchFolder());
+    GltfScene scene(packing, file.scratchPlace());
     const auto added = scene.addMesh(mesh, scene.addMaterial("copper", 0x808080, 1.0, true), true);
     const std::uint32_t node = scene.addNode({"n", {}, added.row, added.transform, {}});
     if (!scene.finish(node, "test", file, base::Progress()) || !file.commit() ||
@@ -117,7 +117,7 @@ private slots:
     }
 
     void placesWithoutRoomAreSaid() {
-        GltfScene scene(GlbPacking::Plain, "/nowhere");
+        GltfScene scene(GlbPacking::Plain, {"/nowhere", "/nowhere/a.glb"});
         static_cast<void>(scene.addMesh(strip(1), 0, true));
         QVERIFY(scene.status());
         static_cast<void>(scene.addMesh(strip(17'000), 0, true));
@@ -127,7 +127,7 @@ private slots:
     void writingIsCancelled() {
         const QTemporaryDir folder;
         model::FileWriter file(folder.filePath("a.glb").toStdString());
-        GltfScene scene(GlbPacking::Plain, file.scratchFolder());
+        GltfScene scene(GlbPacking::Plain, file.scratchPlace());
         base::Progress progress;
         progress.cancel();
         const base::Status done = scene.finish(scene.addNode({}), "test", file, progress);
