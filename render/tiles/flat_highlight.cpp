@@ -1,6 +1,7 @@
 // What stands out in a tile of a FlatPicture: as it is, then with its dark edge.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "render/tiles/flat_picture.h"
 
@@ -32,8 +33,10 @@ FlatPicture::OverWork& FlatPicture::workOn(Tile& tile) const {
     if (OverWork& work = *tile.work; work.look != m_overLook) {
         work.look = m_overLook;
         work.step = 0;
-        work.mask.fill(0);
-        work.samples->fill(0);
+        if (std::exchange(work.isUsed, false)) {
+            work.mask.fill(0);
+            work.samples->fill(0);
+        }
     }
     return *tile.work;
 }
@@ -49,6 +52,7 @@ void FlatPicture::drawOver(Tile& tile, const PlaneMap& map) const {
         const auto row = static_cast<std::uint32_t>(work.step++);
         const OverPaint& paint = m_over[row];
         if (board().drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, kUnmoved, work.mask)) {
+            work.isUsed = true;
             tile.overRows.push_back(row);
             stamp(work.mask, paint.isBore, paint.byte, *work.samples);
             work.mask.fill(0);
@@ -75,6 +79,7 @@ void FlatPicture::outlineOver(Tile& tile, const PlaneMap& map) const {
     constexpr std::size_t kEdgeSteps = std::size(kOutlinePx);
     constexpr std::size_t kWideSteps = std::size(kWidenPx);
     OverWork& work = workOn(tile);
+    work.isUsed = true;
     const auto draw = [&](const OverPaint& paint, std::span<const glm::dvec2> moves) {
         (void)board().drawStandingOut(paint.layer, map, {m_isFabricated, m_states}, paint.state, moves, work.mask);
     };

@@ -76,6 +76,7 @@ private:
         std::size_t step = 0;
         MaskTile mask{};
         std::unique_ptr<PixelTile> samples = std::make_unique<PixelTile>();
+        bool isUsed = false;  ///< something was drawn in either
     };
     struct Tile {
         std::vector<std::unique_ptr<MaskTile>> masks;  ///< by layer
