@@ -52,6 +52,8 @@ ElementOutlines::ElementOutlines(BoardViews& views, Workspace& workspace, QObjec
     connect(&m_selection, &SelectionModel::hoverChanged, this, &ElementOutlines::updateHovered);
     connect(&m_selection, &SelectionModel::highlightChanged, this, &ElementOutlines::updateSelected);
     connect(&m_selection, &SelectionModel::marksChanged, this, &ElementOutlines::updateSelected);
+    m_afterFrame.setSingleShot(true);
+    connect(&m_afterFrame, &QTimer::timeout, this, &ElementOutlines::showSelected);
     for (std::size_t i = 0; i < m_pointers.size(); ++i) {
         watch(*views.both()[i], m_pointers[i]);
     }
@@ -103,7 +105,17 @@ void ElementOutlines::updateSelected() {
             m_selected.back().isNear = elements == &m_selection.nearby();
         }
     }
+    std::size_t points = 0;
+    std::ranges::for_each(m_selected, [&](const Outline& outline) { points += outline.runs.pointCount(); });
+    m_isSelectedLate = points > kMostAtOnce;
+    m_afterFrame.stop();
     m_change += wasEmpty && m_selected.empty() ? 0 : 1;
+    m_views.requestOverlay();
+}
+
+void ElementOutlines::showSelected() {
+    m_isSelectedLate = false;
+    ++m_change;
     m_views.requestOverlay();
 }
 
@@ -128,7 +140,9 @@ OutlineStrokes ElementOutlines::strokesOver(const BoardView& view) const {
         strokes.add(outline.runs, isFromBelow ? z.z0 : z.z1, ink);
     };
     add(m_hovered, Hovered);  // first: what is too much goes from the end
-    std::ranges::for_each(m_selected, [&](const Outline& outline) { add(outline, outline.isNear ? Near : Selected); });
+    for (std::size_t i = 0; !m_isSelectedLate && i < m_selected.size(); ++i) {
+        add(m_selected[i], m_selected[i].isNear ? Near : Selected);
+    }
     strokes.thin();
     return strokes;
 }
@@ -145,6 +159,9 @@ ElementOutlines::Looks ElementOutlines::looksOf(const BoardView& view) const {
 void ElementOutlines::paint(QPainter& painter, const BoardView& view) {
     if (m_hovered.runs.isEmpty() && m_selected.empty()) {
         return;
+    }
+    if (m_isSelectedLate && !m_afterFrame.isActive()) {
+        m_afterFrame.start(0);
     }
     KeptPicture<Looks>& picture = m_pictures[rowOf(view)];
     const Looks looks = looksOf(view);

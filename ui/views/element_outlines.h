@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <array>
 #include <optional>
 #include <vector>
@@ -24,6 +25,9 @@ public:
     static constexpr std::size_t kMostOutlined = 500;
     /// Nodes of all that is selected. Elements beyond this go without an outline, those before them have theirs.
     static constexpr std::size_t kMostNodes = 400'000;
+    /// Points of all that is selected. Where there are more, their outlines come right after the frame in which it
+    /// stands out: they take half as long as that frame.
+    static constexpr std::size_t kMostAtOnce = 256;
 
     /// Of one element.
     struct Outline {
@@ -40,7 +44,7 @@ public:
     [[nodiscard]] const Outline& hovered() const { return m_hovered; }
     /// Of the elements selected, those near them, and those marked.
     [[nodiscard]] const std::vector<Outline>& selected() const { return m_selected; }
-    /// What is painted over a view as it is now.
+    /// What is painted over a view as it is now; without what is selected while that waits for a frame.
     [[nodiscard]] OutlineStrokes strokesOver(const BoardView& view) const;
 
 private:
@@ -58,6 +62,7 @@ private:
     void watch(BoardView& view, std::optional<QPointF>& pointer);
     void updateHovered();
     void updateSelected();
+    void showSelected();
     [[nodiscard]] Outline outlineOf(const model::BoardElement& at, std::size_t& pointsToUnite) const;
     [[nodiscard]] std::size_t rowOf(const BoardView& view) const { return &view == m_views.both()[0] ? 0 : 1; }
     [[nodiscard]] Looks looksOf(const BoardView& view) const;
@@ -68,6 +73,8 @@ private:
     SelectionModel& m_selection;
     Outline m_hovered;
     std::vector<Outline> m_selected;
+    bool m_isSelectedLate = false;                     ///< its outlines wait for a frame without them
+    QTimer m_afterFrame;                               ///< runs once there was one
     std::array<std::optional<QPointF>, 2> m_pointers;  ///< over each of the views
     std::uint64_t m_change = 0;
     std::array<KeptPicture<Looks>, 2> m_pictures{KeptPicture<Looks>(Keep::WhenRepeated),

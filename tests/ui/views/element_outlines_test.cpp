@@ -60,6 +60,10 @@ private slots:
         window().selection().select(all);
         QVERIFY(!outlines().selected().empty());
         for (const ui::BoardView* view : window().views().both()) {
+            QVERIFY2(outlines().strokesOver(*view).lines().empty(), "they come after the frame of what is selected");
+        }
+        for (const ui::BoardView* view : window().views().both()) {
+            QTRY_VERIFY(!outlines().strokesOver(*view).lines().empty());
             QVERIFY(outlines().strokesOver(*view).segmentCount() <= ui::OutlineStrokes::kMostSegments);
         }
     }
