@@ -27,14 +27,6 @@ constexpr QColor kAxisColour(190, 200, 215, 130);
 constexpr QColor kRulerGround(24, 26, 31, 240);
 constexpr QColor kRulerInk(190, 195, 205);
 
-constexpr int kGridRows = 64;  // of the picture of upright lines: as many as a processor keeps at hand
-
-QImage transparent(QSize size) {
-    QImage image(size, QImage::Format_ARGB32_Premultiplied);
-    image.fill(Qt::transparent);
-    return image;
-}
-
 QString number(double nm, LengthUnit unit) {
     return QString::number(nm / nmPer(unit), 'g', 6);
 }
@@ -173,21 +165,17 @@ void PlanPainter::paint(QPainter& painter) const {
     }
 }
 
-/// Lines are painted as pictures. Qt blends those at once and passes over where nothing is; a line in a translucent
-/// colour it blends in threads that it wakes for each, which took a quarter of a frame.
+/// Lines are painted as pictures, which Qt blends at once: a line in a translucent colour it blends in threads that it
+/// wakes for each, which took a quarter of a frame.
 void PlanPainter::paintGrid(QPainter& painter, double step) const {
     const model::Box box = shownBox();
     const QSize size = m_view.controller().viewport().toSize();
-    QImage upright = transparent({size.width(), kGridRows});
-    QPainter lines(&upright);
+    QImage upright({1, size.height()}, QImage::Format_ARGB32_Premultiplied);
     for (double x = std::ceil(box.min.x / step) * step; x <= box.max.x; x += step) {
-        lines.fillRect(QRectF(std::floor(screenOf(x, box.min.y).x()), 0.0, 1.0, kGridRows), gridColour(x, step));
+        upright.fill(gridColour(x, step));
+        painter.drawImage(QPointF(std::floor(screenOf(x, box.min.y).x()), 0.0), upright);
     }
-    lines.end();
-    for (int y = 0; y < size.height(); y += kGridRows) {
-        painter.drawImage(QPoint(0, y), upright, QRect(0, 0, size.width(), std::min(kGridRows, size.height() - y)));
-    }
-    QImage level = transparent({size.width(), 1});
+    QImage level({size.width(), 1}, QImage::Format_ARGB32_Premultiplied);
     for (double y = std::ceil(box.min.y / step) * step; y <= box.max.y; y += step) {
         level.fill(gridColour(y, step));
         painter.drawImage(QPointF(0.0, std::floor(screenOf(box.min.x, y).y())), level);
