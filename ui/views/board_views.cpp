@@ -34,6 +34,11 @@ BoardViews::BoardViews(GpuContext& context, QWidget* parent)
     connect(m_splitter, &QSplitter::splitterMoved, this, qOverload<>(&QWidget::update));
     m_load.setSingleShot(true);
     connect(&m_load, &QTimer::timeout, this, &BoardViews::loadScene);
+    connect(&context.turns(), &DeviceTurns::came, this, [this](QObject* user) {
+        if (user == this) {
+            loadInTurn();
+        }
+    });
     connect(&flat(), &BoardView::timed, this, [this](const render::FrameStats& stats) {
         if (m_load.isActive() && !stats.isOverlayAlone && !stats.isPartial) {
             m_load.start(0);
@@ -69,6 +74,7 @@ void BoardViews::onPointed(BoardView& view) {
 }
 
 BoardViews::~BoardViews() {
+    m_context.turns().end(*this);
     delete m_splitter;  // canvases must not draw a scene that is gone
 }
 
@@ -134,8 +140,15 @@ void BoardViews::makeScene() {
     }
 }
 
+/// Now, or when the device has drawn what it was given before: to copy a board there waits for that.
 void BoardViews::loadScene() {
     m_load.stop();
+    if (m_context.turns().begin(*this)) {
+        loadInTurn();
+    }
+}
+
+void BoardViews::loadInTurn() {
     if (const base::Status loaded = m_scene->load(); !loaded) {
         dropScene();
         emit troubled(QString::fromStdString(loaded.error().text));
@@ -146,6 +159,7 @@ void BoardViews::loadScene() {
             showScene(*view);
         }
     }
+    m_context.turns().end(*this);
 }
 
 void BoardViews::showScene(BoardView& view) {
@@ -155,6 +169,7 @@ void BoardViews::showScene(BoardView& view) {
 
 void BoardViews::dropScene() {
     m_load.stop();
+    m_context.turns().end(*this);
     for (BoardView* view : m_views) {
         view->setScene(nullptr, {});
         view->setModel(nullptr);

@@ -100,6 +100,7 @@ private:
     void onPointed(BoardView& view);
     void makeScene();
     void loadScene();
+    void loadInTurn();
     void dropScene();
     void showScene(BoardView& view);
     void applyHeights();
