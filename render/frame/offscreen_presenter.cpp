@@ -22,25 +22,24 @@ base::Error noMemory(const gpu::Device& device, const gpu::OutOfMemory& shortage
                                                ": there is no room for " + shortage.what + "."};
 }
 
-base::Status checkSize(std::uint32_t width, std::uint32_t height, const gpu::Caps& caps) {
-    const std::uint32_t largest = caps.maxImageSize;
-    if (width == 0 || height == 0 || width > largest || height > largest) {
-        return base::Error{base::ErrorCode::BadUsage,
-                           "A picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                               " pixels cannot be drawn: each side must be 1 to " + std::to_string(largest) + "."};
-    }
-    if (!fitsOn(caps, {width, height}, VK_SAMPLE_COUNT_1_BIT)) {
-        return base::Error{base::ErrorCode::BadUsage, "A picture of " + std::to_string(width) + "x" +
-                                                          std::to_string(height) +
-                                                          " pixels does not fit in the memory of " + caps.name + "."};
-    }
-    return base::Done{};
-}
-
 }  // namespace
 
 OffscreenPresenter::OffscreenPresenter(gpu::Device& device)
     : m_device(&device), m_ring(device, 1, "offscreen frames"), m_renderer(device), m_target(device) {}
+
+base::Status OffscreenPresenter::checkSize(const gpu::Device& device, std::uint32_t width, std::uint32_t height) {
+    const gpu::Caps& caps = device.caps();
+    const std::uint32_t largest = caps.maxImageSize;
+    const std::string picture = "A picture of " + std::to_string(width) + "x" + std::to_string(height) + " pixels ";
+    if (width == 0 || height == 0 || width > largest || height > largest) {
+        return base::Error{base::ErrorCode::BadUsage,
+                           picture + "cannot be drawn: each side must be 1 to " + std::to_string(largest) + "."};
+    }
+    if (!fitsOn(caps, {width, height}, VK_SAMPLE_COUNT_1_BIT)) {
+        return base::Error{base::ErrorCode::BadUsage, picture + "does not fit in the memory of " + caps.name + "."};
+    }
+    return base::Done{};
+}
 
 void OffscreenPresenter::makeReady(Backend backend, bool isSmoothed) {
     m_renderer.makeReady(gpu::kColourFormat, backend, isSmoothed);
@@ -86,7 +85,7 @@ FrameStats OffscreenPresenter::stats() const {
 
 base::Status OffscreenPresenter::begin(BoardScene& scene, const Camera& camera, const ViewSettings& settings,
                                        std::uint32_t width, std::uint32_t height) {
-    RETURN_IF_ERROR(checkSize(width, height, m_device->caps()));
+    RETURN_IF_ERROR(checkSize(*m_device, width, height));
     RETURN_IF_ERROR(scene.load());
     try {
         return submit(scene, camera, settings, {width, height}) ? base::Status(base::Done{}) : lostDevice();
@@ -114,8 +113,13 @@ base::Result<Image> OffscreenPresenter::render(BoardScene& scene, const Camera& 
     if (!m_ring.wait()) {
         return lostDevice();
     }
-    Image image{width, height, {}};
-    image.rgba.resize(std::size_t{width} * height * kBytesPerPixel);
+    return image();
+}
+
+Image OffscreenPresenter::image() const {
+    const VkExtent2D extent = m_target.extent();
+    Image image{extent.width, extent.height, {}};
+    image.rgba.resize(std::size_t{extent.width} * extent.height * kBytesPerPixel);
     std::memcpy(image.rgba.data(), m_readback.mapped().data(), image.rgba.size());
     return image;
 }

@@ -22,6 +22,10 @@ public:
                                      std::uint32_t width, std::uint32_t height);
     /// Is it done? Waits so many nanoseconds for it at most. Never, once the device is lost.
     [[nodiscard]] bool isDone(std::uint64_t patienceNs = 0) { return m_ring.poll(patienceNs); }
+    /// A copy of the frame that is done. On any thread, while no other frame is begun.
+    [[nodiscard]] Image image() const;
+    /// Whether a picture of this size can be drawn at all. Errors: BadUsage, saying what is the most.
+    [[nodiscard]] static base::Status checkSize(const gpu::Device& device, std::uint32_t width, std::uint32_t height);
     /// Copies the frame that is done to as many pixels, 0xffRRGGBB, rows from the top.
     void take(std::span<std::uint32_t> pixels) const;
     /// Of the frame that is done.

@@ -84,7 +84,7 @@ set(architecture_rows
     "ui/search                     | ui              | model/board model/index model/nets model/text ui/common ui/layers ui/parts ui/workspace | qt widgets"
     "ui/messages                   | ui              | model/board render/modelling render/scene ui/common ui/views ui/workspace | qt widgets"
     "ui/parts                      | ui              | model/board model/index model/nets ui/common ui/workspace | qt widgets"
-    "ui/views                      | ui              | model/board model/figures model/geometry model/index model/solids render/frame render/modelling render/scene ui/canvas ui/common ui/element ui/layers ui/nets ui/parts ui/workspace | qt widgets glm"
+    "ui/views                      | ui              | model/board model/figures model/geometry model/index model/solids model/text render/frame render/modelling render/scene ui/canvas ui/common ui/element ui/layers ui/nets ui/parts ui/workspace | qt widgets glm"
     "ui/saved_views                | ui              | model/board model/session ui/common ui/layers ui/views ui/workspace | qt widgets glm"
     "ui/measure                    | ui              | model/board model/index model/measure model/session ui/common ui/views ui/workspace | qt widgets"
     "ui/clearance                  | ui              | model/board model/clearance model/design_rules model/export model/index model/measure model/session render/scene ui/common ui/layers ui/views ui/workspace | qt widgets"

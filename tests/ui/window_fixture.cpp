@@ -57,8 +57,12 @@ QString TestWindow::fact(const QString& name) const {
     return {};
 }
 
-void TestWindow::savePicture(const QString& path, int width) {
-    workspace().reportSaved(ui::savePicture(views().active(), path, width), path);
+void TestWindow::savePicture(const QString& path, int width) const {
+    find<ui::PictureSaver>().save(views().active(), path, width);
+}
+
+bool TestWindow::awaitWork() const {
+    return QTest::qWaitFor([this] { return !workspace().isWorking(); }, kLoadMs);
 }
 
 WindowFixture::WindowFixture(const ui::Loader::Work& work)

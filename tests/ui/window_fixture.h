@@ -24,6 +24,7 @@
 #include "ui/stackup/stackup_view.h"
 #include "ui/statistics/histogram_view.h"
 #include "ui/views/frame_display.h"
+#include "ui/views/picture_saver.h"
 #include "ui/views/view_cube.h"
 #include "ui/views/view_history.h"
 #include "ui/views/views_feature.h"
@@ -55,8 +56,9 @@ public:
     [[nodiscard]] QString error() const { return messageBar().findChild<QLabel*>()->text(); }
     /// Triggers a command that saves a file, and names it in its dialog.
     void save(ui::ActionId id, const QString& path);
-    /// As the commands that save pictures do.
-    void savePicture(const QString& path, int width = 0);
+    /// As the commands that save pictures do: begins it. True from `awaitWork` once that and all other work is done.
+    void savePicture(const QString& path, int width = 0) const;
+    [[nodiscard]] bool awaitWork() const;
 
     [[nodiscard]] ui::Workspace& workspace() const { return find<ui::Workspace>(); }
     /// Null before the first board.

@@ -1,18 +1,10 @@
 #include "ui/canvas/picture.h"
 
-#include <QColor>
-
 #include "render/scene/scene_buffers.h"
 
 namespace ui {
 
 namespace {
-
-QImage background(const render::ViewSettings& settings, QSize size) {
-    QImage image(size, QImage::Format_RGBA8888);
-    image.fill(QColor::fromRgbF(settings.background.r, settings.background.g, settings.background.b));
-    return image;
-}
 
 /// None of a null image.
 render::Overlay pixelsOf(const QImage& image) {
@@ -20,15 +12,6 @@ render::Overlay pixelsOf(const QImage& image) {
         return {};
     }
     return {static_cast<std::uint32_t>(image.width()), static_cast<std::uint32_t>(image.height()), image.constBits()};
-}
-
-/// A QImage over the pixels, which live as long as it does.
-QImage adopt(render::Image pixels) {
-    auto* owner = new render::Image(std::move(pixels));
-    return QImage(
-        owner->rgba.data(), static_cast<int>(owner->width), static_cast<int>(owner->height),
-        static_cast<qsizetype>(owner->width) * 4, QImage::Format_RGBA8888,
-        [](void* image) { delete static_cast<render::Image*>(image); }, owner);
 }
 
 }  // namespace
@@ -43,15 +26,21 @@ render::ViewSettings Picture::frameSettings() const {
     return withOverlay;
 }
 
+/// They live as long as it does.
+QImage imageOf(render::Image pixels) {
+    auto* owner = new render::Image(std::move(pixels));
+    return QImage(
+        owner->rgba.data(), static_cast<int>(owner->width), static_cast<int>(owner->height),
+        static_cast<qsizetype>(owner->width) * 4, QImage::Format_RGBX8888,
+        [](void* image) { delete static_cast<render::Image*>(image); }, owner);
+}
+
 base::Result<QImage> drawPicture(render::OffscreenPresenter& presenter, const Picture& picture,
                                  const render::Camera& camera, QSize size) {
-    if (picture.scene == nullptr) {
-        return background(picture.settings, size);
-    }
     ASSIGN_OR_RETURN(render::Image pixels, presenter.render(*picture.scene, camera, picture.frameSettings(),
                                                             static_cast<std::uint32_t>(size.width()),
                                                             static_cast<std::uint32_t>(size.height())));
-    return adopt(std::move(pixels));
+    return imageOf(std::move(pixels));
 }
 
 render::FlatPicture::Quality drawFlat(const Picture& picture, const render::Camera& camera, QSize pixels,

@@ -38,7 +38,10 @@ struct Picture {
     [[nodiscard]] render::ViewSettings frameSettings() const;
 };
 
-/// Draws to memory, `size` in pixels. A null scene gives the background. Errors: those of OffscreenPresenter::render.
+/// The pixels as an image; no copy.
+[[nodiscard]] QImage imageOf(render::Image pixels);
+
+/// Draws to memory, `size` in pixels. Errors: those of OffscreenPresenter::render.
 [[nodiscard]] base::Result<QImage> drawPicture(render::OffscreenPresenter& presenter, const Picture& picture,
                                                const render::Camera& camera, QSize size);
 

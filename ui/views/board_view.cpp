@@ -6,6 +6,7 @@
 
 #include "render/scene/explosion.h"
 #include "ui/canvas/image_canvas.h"
+#include "ui/canvas/view_picture.h"
 #include "ui/canvas/vulkan_canvas.h"
 
 namespace ui {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kSlowMs = 50.0;  // 20 frames a second: below that a drag feels sticky
 constexpr int kRestMs = 250;
+constexpr std::uint64_t kPatienceNs = 1'000'000'000;
 
 /// As frames are while a slow view moves.
 void setCoarse(render::ViewSettings& settings, bool isCoarse) {
@@ -35,10 +37,10 @@ BoardView::BoardView(GpuContext& context, Kind kind, QWidget* parent)
     m_picture.settings.cachesBoard = true;
     m_picture.prepare = [this](QSize pixels) {
         m_picture.settings.isBoardCached = std::exchange(m_isBoardDrawn, true);
-        paintOverlay(m_picture, pixels, Shown::OnCanvas);
+        paintOverlay(pixels);
     };
     m_picture.isBoardSame = [this] { return std::exchange(m_isBoardDrawn, true); };
-    m_picture.preparePlane = [this](QSize pixels) { paintPlane(m_picture, pixels); };
+    m_picture.preparePlane = [this](QSize pixels) { paintPlane(pixels); };
     m_picture.paintOver = [this](QPainter& painter) {
         painter.setRenderHint(QPainter::Antialiasing);
         paintAll(painter, Shown::OnCanvas);
@@ -164,23 +166,22 @@ void BoardView::setPlanePainter(Painter painter, std::function<std::optional<flo
     m_planeHeight = std::move(height);
 }
 
-void BoardView::paintPlane(Picture& picture, QSize pixels) const {
-    const std::optional<float> height = m_planeHeight ? m_planeHeight() : std::nullopt;
-    if (height) {
-        picture.planeZ = *height;
-        paintOn(picture.inPlane, pixels, m_planePainter);
+void BoardView::paintPlane(QSize pixels) {
+    if (const std::optional<float> height = planeHeight()) {
+        m_picture.planeZ = *height;
+        paintOn(m_picture.inPlane, pixels, m_planePainter);
     } else {
-        picture.inPlane = {};
+        m_picture.inPlane = {};
     }
 }
 
-void BoardView::paintOverlay(Picture& picture, QSize pixels, Shown where) const {
-    paintPlane(picture, pixels);
+void BoardView::paintOverlay(QSize pixels) {
+    paintPlane(pixels);
     if (m_painters.empty()) {
-        picture.overlay = {};
+        m_picture.overlay = {};
         return;
     }
-    paintOn(picture.overlay, pixels, [&](QPainter& painter) { paintAll(painter, where); });
+    paintOn(m_picture.overlay, pixels, [&](QPainter& painter) { paintAll(painter, Shown::OnCanvas); });
 }
 
 base::Box BoardView::boxBetween(QPointF from, QPointF to) const {
@@ -289,17 +290,43 @@ QObject& BoardView::canvas() {
     return m_window != nullptr ? static_cast<QObject&>(*m_window) : *m_image;
 }
 
-base::Result<QImage> BoardView::grabPicture(double scale) {
-    if (m_context.device().isLost()) {
-        return base::Error{base::ErrorCode::DeviceFailed, "The graphics device failed"};
+ViewShot BoardView::shot(double scale) const {
+    ViewShot shot;
+    shot.camera = m_controller.camera();
+    shot.pixels = pixelsOf(scale);
+    Picture& picture = shot.picture;
+    picture.scene = m_picture.scene;
+    picture.settings = m_picture.settings;
+    setCoarse(picture.settings, false);
+    picture.settings.cachesBoard = picture.settings.isBoardCached = false;
+    picture.styles = m_picture.styles;
+    if (m_picture.scene != nullptr) {
+        shot.look.emplace(*m_picture.scene);
     }
-    render::OffscreenPresenter presenter(m_context.device());
-    const QSize pixels = (QSizeF(size()) * devicePixelRatioF() * scale).toSize();
-    Picture resting = m_picture;
-    setCoarse(resting.settings, false);
-    resting.settings.cachesBoard = resting.settings.isBoardCached = false;
-    paintOverlay(resting, pixels, Shown::Everywhere);
-    return drawPicture(presenter, resting, m_controller.camera(), pixels);
+    const auto record = [&](const auto& paint) {
+        return RecordedPainting::of(shot.pixels, [&](QPainter& painter) {
+            scaleToLogical(painter, shot.pixels);
+            paint(painter);
+        });
+    };
+    shot.overlay = record([&](QPainter& painter) { paintAll(painter, Shown::Everywhere); });
+    if (const std::optional<float> height = planeHeight()) {
+        picture.planeZ = *height;
+        shot.plane = record(m_planePainter);
+    }
+    return shot;
+}
+
+base::Result<QImage> BoardView::grabPicture(double scale) {
+    RETURN_IF_ERROR(ViewPicture::check(pixelsOf(scale), m_context.device()));
+    ViewPicture picture(shot(scale), m_context.device());
+    picture.prepare();
+    RETURN_IF_ERROR(picture.begin());
+    ASSIGN_OR_RETURN(bool isDone, picture.isDone());
+    while (!isDone) {
+        ASSIGN_OR_RETURN(isDone, picture.isDone(kPatienceNs));
+    }
+    return picture.finish();
 }
 
 void BoardView::releaseDevice() {

@@ -19,6 +19,7 @@ namespace ui {
 
 class ImageCanvas;
 class VulkanCanvas;
+struct ViewShot;
 
 /// A viewport: a camera, its input, and a canvas of the kind the platform can show. Draws only when something changed,
 /// and once however much changed since the last frame. Where frames are slow (software Vulkan), outlines are coarser
@@ -104,7 +105,11 @@ public:
     [[nodiscard]] bool isSlow() const { return m_isSlow; }
     /// The widget or window that takes the input.
     [[nodiscard]] QObject& canvas();
-    /// What the canvas shows, drawn to memory in its size times `scale`. Errors: BadUsage, DeviceFailed.
+    /// Pixels of the canvas times `scale`.
+    [[nodiscard]] QSize pixelsOf(double scale) const { return (QSizeF(size()) * devicePixelRatioF() * scale).toSize(); }
+    /// What the canvas shows at rest, in its size times `scale`, for pictures that are drawn later.
+    [[nodiscard]] ViewShot shot(double scale = 1.0) const;
+    /// The picture of that; waits for it. Errors: BadUsage, DeviceFailed.
     [[nodiscard]] base::Result<QImage> grabPicture(double scale = 1.0);
     /// Gives up what was made from the device, before it is renewed.
     void releaseDevice();
@@ -127,10 +132,11 @@ private:
     void requestRestingFrame();
     void onTimed(const render::FrameStats& stats);
     void updateBox();
-    void paintOverlay(Picture& picture, QSize pixels, Shown where) const;
+    void paintOverlay(QSize pixels);
     void scaleToLogical(QPainter& painter, QSize pixels) const;
     void paintAll(QPainter& painter, Shown where) const;
-    void paintPlane(Picture& picture, QSize pixels) const;
+    void paintPlane(QSize pixels);
+    [[nodiscard]] std::optional<float> planeHeight() const { return m_planeHeight ? m_planeHeight() : std::nullopt; }
     /// On a cleared image of this size, in logical pixels.
     template <class Paint>
     void paintOn(QImage& image, QSize pixels, const Paint& paint) const;

@@ -1,7 +1,5 @@
 #include "ui/views/views_feature.h"
 
-#include <QClipboard>
-#include <QGuiApplication>
 #include <QInputDialog>
 #include <algorithm>
 
@@ -11,6 +9,7 @@
 #include "ui/views/frame_display.h"
 #include "ui/views/layer_styles.h"
 #include "ui/views/outline_veil.h"
+#include "ui/views/picture_saver.h"
 #include "ui/views/plan_painter.h"
 #include "ui/views/probing.h"
 #include "ui/views/view_cube.h"
@@ -145,13 +144,13 @@ void connectAppearance(FeatureContext& context) {
     context.restorers.emplace_back([&context, setPalette] { setPalette(context.settings.choice<render::Palette>()); });
 }
 
-void requestPicture(FeatureContext& context, int width) {
-    context.saveFile(
+void requestPicture(FeatureContext& context, PictureSaver& pictures, int width) {
+    context.nameFile(
         BoardViews::tr("Save picture"), BoardViews::tr("picture"), {BoardViews::tr("PNG pictures (*.png)")},
-        [&context, width](const QString& path) { return savePicture(context.views.active(), path, width); });
+        [&context, &pictures, width](const QString& path) { pictures.save(context.views.active(), path, width); });
 }
 
-void requestWidth(FeatureContext& context) {
+void requestWidth(FeatureContext& context, PictureSaver& pictures) {
     const int most = static_cast<int>(context.device.device().caps().maxImageSize);
     auto* dialog = new QInputDialog(&context.window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -161,17 +160,15 @@ void requestWidth(FeatureContext& context) {
     dialog->setIntRange(16, most);
     dialog->setIntValue(std::min(kLargeWidth, most));
     QObject::connect(dialog, &QInputDialog::intValueSelected, &context.views,
-                     [&context](int width) { requestPicture(context, width); });
+                     [&context, &pictures](int width) { requestPicture(context, pictures, width); });
     dialog->open();
 }
 
-void copyPicture(BoardView& view, Workspace& workspace) {
-    if (const base::Result<QImage> picture = view.grabPicture()) {
-        QGuiApplication::clipboard()->setImage(picture->copy());
-        workspace.report(BoardViews::tr("The picture is on the clipboard"));
-    } else {
-        workspace.reportError(QString::fromStdString(picture.error().text));
-    }
+void connectPictures(FeatureContext& context) {
+    auto* pictures = new PictureSaver(context);
+    context.on(ActionId::SavePicture, [&context, pictures] { requestPicture(context, *pictures, 0); });
+    context.on(ActionId::SaveLargePicture, [&context, pictures] { requestWidth(context, *pictures); });
+    context.on(ActionId::CopyPicture, [&context, pictures] { pictures->copy(context.views.active()); });
 }
 
 }  // namespace
@@ -183,19 +180,7 @@ void addViews(FeatureContext& context) {
     addViewMenu(context);
     connectOverlays(context);
     connectAppearance(context);
-    context.on(ActionId::SavePicture, [&context] { requestPicture(context, 0); });
-    context.on(ActionId::SaveLargePicture, [&context] { requestWidth(context); });
-    context.on(ActionId::CopyPicture, [&context] { copyPicture(context.views.active(), context.workspace); });
-}
-
-base::Status savePicture(BoardView& view, const QString& path, int width) {
-    const double shown = view.width() * view.devicePixelRatioF();
-    ASSIGN_OR_RETURN(const QImage picture, view.grabPicture(width > 0 ? width / shown : 1.0));
-    if (!picture.save(path, "PNG")) {
-        return base::Error{base::ErrorCode::OutputFailed,
-                           BoardViews::tr("%1 cannot be written").arg(path).toStdString()};
-    }
-    return base::Done{};
+    connectPictures(context);
 }
 
 }  // namespace ui

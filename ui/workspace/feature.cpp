@@ -30,8 +30,8 @@ void FeatureContext::raise(QWidget& panel) {
     dock->raise();
 }
 
-void FeatureContext::saveFile(const QString& title, const QString& what, const QStringList& filters,
-                              const std::function<base::Status(const QString&)>& write) const {
+void FeatureContext::nameFile(const QString& title, const QString& what, const QStringList& filters,
+                              const std::function<void(const QString&)>& take) const {
     auto* dialog = new QFileDialog(&window, title, settings.lastFolder());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -44,9 +44,13 @@ void FeatureContext::saveFile(const QString& title, const QString& what, const Q
     const QString board = workspace.board() ? displayName(workspace.board()->request.path) : QString();
     dialog->selectFile((QFileInfo(board).completeBaseName() + ' ' + what).simplified().replace('.', '_'));
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, takeEnding);
-    QObject::connect(dialog, &QFileDialog::fileSelected, &workspace,
-                     [this, write](const QString& path) { workspace.reportSaved(write(path), path); });
+    QObject::connect(dialog, &QFileDialog::fileSelected, &workspace, take);
     dialog->open();
+}
+
+void FeatureContext::saveFile(const QString& title, const QString& what, const QStringList& filters,
+                              const std::function<base::Status(const QString&)>& write) const {
+    nameFile(title, what, filters, [this, write](const QString& path) { workspace.reportSaved(write(path), path); });
 }
 
 void FeatureContext::openFile(const QString& title, const QString& filters,

@@ -78,8 +78,11 @@ struct FeatureContext {
     /// Brings the panel to the front.
     static void raise(QWidget& panel);
 
-    /// Lets the user name a file, writes it and reports what came of it. Proposed is `what` after the name of the
-    /// board. Filters: "Name (*.ending)"; the chosen one's ending is added where the name has none.
+    /// `take` is called with the file that the user names. Proposed is `what` after the name of the board. Filters:
+    /// "Name (*.ending)"; the chosen one's ending is added where the name has none.
+    void nameFile(const QString& title, const QString& what, const QStringList& filters,
+                  const std::function<void(const QString&)>& take) const;
+    /// The same for a file that is written at once, and reports what came of it.
     void saveFile(const QString& title, const QString& what, const QStringList& filters,
                   const std::function<base::Status(const QString&)>& write) const;
     /// `open` is called with the file that the user chooses.

@@ -1,0 +1,226 @@
+#include "ui/views/picture_saver.h"
+
+#include <QClipboard>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QIODevice>
+#include <QImageWriter>
+#include <chrono>
+#include <utility>
+
+#include "model/text/file_writer.h"
+#include "ui/common/paths.h"
+#include "ui/views/board_views.h"
+#include "ui/workspace/feature.h"
+
+namespace ui {
+
+namespace {
+
+constexpr int kLookMs = 2;
+constexpr std::chrono::milliseconds kWait{5};
+
+base::Error cancelled() {
+    return {base::ErrorCode::Cancelled, "The picture is no longer wanted."};
+}
+
+/// Where an encoder writes: it fails, and ends, once the picture is no longer wanted.
+class PictureFile : public QIODevice {
+public:
+    PictureFile(model::FileWriter& writer, const base::Progress& progress) : m_writer(writer), m_progress(progress) {
+        open(QIODevice::WriteOnly);
+    }
+
+protected:
+    qint64 readData(char*, qint64) override { return -1; }
+    qint64 writeData(const char* bytes, qint64 size) override {
+        const std::string_view piece(bytes, static_cast<std::size_t>(size));
+        return !m_progress.isCancelled() && m_writer.write(piece) ? size : -1;
+    }
+
+private:
+    model::FileWriter& m_writer;
+    const base::Progress& m_progress;
+};
+
+base::Status write(const QImage& picture, model::FileWriter& writer, base::Progress& progress) {
+    progress.beginPhase(PictureSaver::tr("Writing the picture").toStdString());
+    PictureFile file(writer, progress);
+    QImageWriter png(&file, "PNG");
+    const bool isPacked = png.write(picture);
+    RETURN_IF_ERROR(writer.status());
+    if (!isPacked) {
+        return progress.isCancelled() ? cancelled()
+                                      : base::Error{base::ErrorCode::OutputFailed, png.errorString().toStdString()};
+    }
+    return writer.commit();
+}
+
+}  // namespace
+
+struct PictureSaver::Job {
+    Job(ViewShot shot, render::gpu::Device& device) : picture(std::move(shot), device) {}
+
+    /// On a thread of its own.
+    base::Result<QImage> draw(const base::Progress& progress) {
+        picture.prepare();
+        prepared.set_value();
+        std::future<base::Status> done = drawn.get_future();
+        while (done.wait_for(kWait) != std::future_status::ready) {
+            if (progress.isCancelled()) {
+                return cancelled();
+            }
+        }
+        RETURN_IF_ERROR(done.get());
+        return picture.finish();
+    }
+    base::Result<QImage> save(const std::filesystem::path& path, base::Progress& progress) {
+        model::FileWriter writer(path);
+        RETURN_IF_ERROR(writer.status());
+        ASSIGN_OR_RETURN(const QImage image, draw(progress));
+        RETURN_IF_ERROR(write(image, writer, progress));
+        return image;
+    }
+
+    ViewPicture picture;
+    std::promise<void> prepared;  ///< it can be begun
+    std::future<void> isPrepared = prepared.get_future();
+    std::promise<base::Status> drawn;  ///< the device is done
+};
+
+PictureSaver::PictureSaver(FeatureContext& context)
+    : QObject(&context.window), m_context(context.device), m_views(context.views), m_workspace(context.workspace) {
+    m_look.setTimerType(Qt::PreciseTimer);
+    m_look.setInterval(kLookMs);
+    connect(&m_look, &QTimer::timeout, this, &PictureSaver::look);
+    connect(&m_context.turns(), &DeviceTurns::came, this, [this](QObject* user) {
+        if (user == this) {
+            beginInTurn();
+        }
+    });
+    connect(&m_work.background(), &Background::finished, this, &PictureSaver::report);
+    connect(&m_work.background(), &Background::cancelled, this, [this] {
+        m_workspace.report(m_path.isEmpty() ? tr("Stopped: the picture was not copied")
+                                            : tr("Stopped: %1 was not saved").arg(m_path));
+        goOn();
+    });
+    m_workspace.watch(m_work.background(),
+                      [this] { return m_path.isEmpty() ? tr("Picture") : QFileInfo(m_path).fileName(); });
+    connect(&m_workspace, &Workspace::openingBegan, this, &PictureSaver::cancelAll);
+    connect(&m_workspace, &Workspace::boardLeaves, this, &PictureSaver::cancelAll);
+    connect(&m_workspace, &Workspace::deviceGoes, this, &PictureSaver::releaseDevice);
+}
+
+PictureSaver::~PictureSaver() {
+    m_context.turns().end(*this);
+}
+
+void PictureSaver::save(const BoardView& view, const QString& path, int width) {
+    add(view, width > 0 ? width / (view.width() * view.devicePixelRatioF()) : 1.0, path);
+}
+
+void PictureSaver::copy(const BoardView& view) {
+    add(view, 1.0, {});
+}
+
+void PictureSaver::add(const BoardView& view, double scale, const QString& path) {
+    if (const base::Status can = ViewPicture::check(view.pixelsOf(scale), m_context.device()); !can) {
+        m_workspace.reportError(QString::fromStdString(can.error().text));
+        return;
+    }
+    m_waiting.push_back({view.shot(scale), path});
+    goOn();
+}
+
+/// Once neither the thread nor the device is at work: with the next one.
+void PictureSaver::goOn() {
+    if (m_isDrawing || m_work.isRunning()) {
+        return;
+    }
+    m_look.stop();
+    m_context.turns().end(*this);
+    if (m_job) {
+        m_job->picture.release();  // its thread may not be at an end yet
+        m_job.reset();
+    }
+    if (!m_waiting.empty()) {
+        Wanted next = std::move(m_waiting.front());
+        m_waiting.pop_front();
+        start(std::move(next));
+    }
+}
+
+void PictureSaver::start(Wanted wanted) {
+    m_path = wanted.path;
+    m_job = std::make_shared<Job>(std::move(wanted.shot), m_context.device());
+    m_look.start();
+    m_work.run(
+        [job = m_job, path = m_path](base::Progress& progress) {
+            return path.isEmpty() ? job->draw(progress) : job->save(toPath(path), progress);
+        },
+        tr("Drawing the picture"), tr("There is not enough memory for a picture of that size."));
+}
+
+void PictureSaver::look() {
+    if (m_isDrawing) {
+        const base::Result<bool> isDone = m_job->picture.isDone();
+        if (!isDone || *isDone) {
+            end(isDone ? base::Status(base::Done{}) : isDone.error());
+        }
+    } else if (m_job->isPrepared.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+        m_look.stop();
+        if (m_context.turns().begin(*this)) {
+            beginInTurn();
+        }
+    }
+}
+
+void PictureSaver::beginInTurn() {
+    // The board may have been taken off the device for want of memory.
+    const bool isThere = m_job->picture.scene() == m_views.scene() || m_job->picture.scene() == nullptr;
+    const base::Status begun =
+        isThere ? m_job->picture.begin()
+                : base::Error{base::ErrorCode::DeviceFailed, "The board is no longer on the graphics device"};
+    if (!begun) {
+        end(begun);
+        return;
+    }
+    m_isDrawing = true;
+    m_look.start();
+}
+
+/// The turn is over, and the thread goes on.
+void PictureSaver::end(const base::Status& drawn) {
+    m_isDrawing = false;
+    m_look.stop();
+    m_job->drawn.set_value(drawn);
+    m_context.turns().end(*this);
+    if (m_context.device().isLost()) {
+        m_views.requestFrame();  // which has the device renewed
+    }
+    goOn();
+}
+
+void PictureSaver::report() {
+    const base::Result<QImage> picture = m_work.take();
+    if (picture && m_path.isEmpty()) {
+        QGuiApplication::clipboard()->setImage(*picture);
+        m_workspace.report(tr("The picture is on the clipboard"));
+    } else {
+        m_workspace.reportSaved(picture ? base::Status(base::Done{}) : picture.error(), m_path);
+    }
+    goOn();
+}
+
+void PictureSaver::cancelAll() {
+    m_waiting.clear();
+    m_work.cancel();
+}
+
+void PictureSaver::releaseDevice() {
+    m_isDrawing = false;
+    cancelAll();
+    goOn();
+}
+
+}  // namespace ui
