@@ -52,6 +52,8 @@ constexpr Work kWorks[] = {
     {"netlist check", [](Driver& driver) { driver.trigger(ActionId::CheckNets); }},
     {"export STEP", [](Driver& driver) { exportAs(driver, "STEP", "a.step"); }},
     {"export GLB", [](Driver& driver) { exportAs(driver, "GLB", "a.glb"); }},
+    {"save picture",
+     [](Driver& driver) { driver.window().savePicture(ui::fromPath(driver.outputFolder() / "a.png"), 2000); }},
     {"export PDF", [](Driver& driver) { exportAs(driver, "PDF", "a.pdf"); }},
 };
 // clang-format on
