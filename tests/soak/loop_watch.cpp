@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 
@@ -63,9 +64,13 @@ bool LoopWatch::event(QEvent* event) {
     }
     const std::int64_t withoutCore = waitedForCoreNs(m_thread) - m_waitedNs;
     const double ms = static_cast<double>(std::max<std::int64_t>(0, nowNs() - m_sentNs - withoutCore)) / 1e6;
-    Stalls& stalls = m_stalls[firstWord(ActionLog::instance().current())];
+    const std::string doing(ActionLog::instance().current());
+    Stalls& stalls = m_stalls[firstWord(doing)];
     stalls.longestMs = std::max(stalls.longestMs, ms);
-    stalls.overLimit += ms > m_limitMs ? 1 : 0;
+    if (ms > m_limitMs) {
+        ++stalls.overLimit;
+        std::fprintf(stderr, "soak: %.0f ms without an answer: %s\n", ms, doing.c_str());
+    }
     m_sentNs = 0;
     return true;
 }

@@ -25,7 +25,7 @@ public:
         double longestMs = 0.0;
         std::size_t overLimit = 0;
     };
-    /// What is more than this counts in Stalls::overLimit.
+    /// What is more than this counts in Stalls::overLimit, and is said on stderr.
     void setLimit(double ms) { m_limitMs = ms; }
     /// By what was being done (the first word of ActionLog::current).
     [[nodiscard]] const std::map<std::string, Stalls>& stalls() const { return m_stalls; }

@@ -67,9 +67,7 @@ private:
     void step() {
         Dice dice(m_dice.next());
         const Action& action = drawAction(dice, m_options.withFaults);
-        char text[64];
-        (void)std::snprintf(text, sizeof text, "%s (step %zu)", action.name, m_steps++);
-        ActionLog::instance().add(text);
+        ActionLog::instance().add(std::string(action.name) + " (step " + std::to_string(m_steps++) + boardName() + ")");
         if (m_window != &m_driver.window()) {
             m_window = &m_driver.window();
             m_errors.listenTo(m_window->workspace());
@@ -80,6 +78,12 @@ private:
             ++m_done[action.name];
             action.run(m_driver, dice);
         }
+    }
+
+    /// ", board.tgz"; empty before the first board.
+    [[nodiscard]] std::string boardName() {
+        const ui::LoadedBoard* board = m_driver.window().workspace().board();
+        return board != nullptr ? ", " + board->request.path.filename().string() : "";
     }
 
     void print(double seconds) const {
