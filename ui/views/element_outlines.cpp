@@ -19,6 +19,8 @@ constexpr double kWidth = 1.6;
 /// Track chains of more points than this, and those beyond so many in all, are outlined track by track: uniting them
 /// would take too long.
 constexpr std::size_t kMostToUnite = 4000;
+constexpr int kRestMs = 150;
+constexpr int kSmall = 256 * 256;  // pixels of the box of strokes that are painted every time
 
 model::PolygonSet loopsOf(const model::Document& step, model::ElementId element, std::size_t& pointsToUnite) {
     model::PolygonSet parts = model::discretise(step, element, {});
@@ -54,6 +56,12 @@ ElementOutlines::ElementOutlines(BoardViews& views, Workspace& workspace, QObjec
     connect(&m_selection, &SelectionModel::marksChanged, this, &ElementOutlines::updateSelected);
     m_afterFrame.setSingleShot(true);
     connect(&m_afterFrame, &QTimer::timeout, this, &ElementOutlines::showSelected);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        m_isAtRest = true;
+        m_views.requestOverlay();
+    });
     for (std::size_t i = 0; i < m_pointers.size(); ++i) {
         watch(*views.both()[i], m_pointers[i]);
     }
@@ -163,11 +171,28 @@ void ElementOutlines::paint(QPainter& painter, const BoardView& view) {
     if (m_isSelectedLate && !m_afterFrame.isActive()) {
         m_afterFrame.start(0);
     }
-    KeptPicture<Looks>& picture = m_pictures[rowOf(view)];
     const Looks looks = looksOf(view);
-    if (!picture.show(painter, looks)) {
-        const OutlineStrokes strokes = strokesOver(view);
-        picture.paint(painter, looks, strokes.box(2.0 * kWidth), [&](QPainter& own) { paintStrokes(own, strokes); });
+    if (!m_onViews[rowOf(view)].picture.show(painter, looks)) {
+        paintOrKeep(painter, view, looks);
+    }
+}
+
+/// Large strokes take Qt 3 to 4 ms, as threads are woken for pieces of them; a picture of them takes 1, but 10 when it
+/// is made.
+void ElementOutlines::paintOrKeep(QPainter& painter, const BoardView& view, const Looks& looks) {
+    OnView& own = m_onViews[rowOf(view)];
+    const OutlineStrokes strokes = strokesOver(view);
+    const QRect box = strokes.box(2.0 * kWidth);
+    const bool isLarge = box.width() * box.height() > kSmall;
+    if (isLarge && m_isAtRest && own.painted == looks) {
+        own.picture.keep(painter, looks, box, [&](QPainter& kept) { paintStrokes(kept, strokes); });
+        return;
+    }
+    paintStrokes(painter, strokes);
+    own.painted = looks;
+    if (isLarge) {
+        m_isAtRest = false;
+        m_rest.start();
     }
 }
 

@@ -67,6 +67,7 @@ private:
     [[nodiscard]] std::size_t rowOf(const BoardView& view) const { return &view == m_views.both()[0] ? 0 : 1; }
     [[nodiscard]] Looks looksOf(const BoardView& view) const;
     void paint(QPainter& painter, const BoardView& view);
+    void paintOrKeep(QPainter& painter, const BoardView& view, const Looks& looks);
     static void paintStrokes(QPainter& painter, const OutlineStrokes& strokes);
 
     BoardViews& m_views;
@@ -77,8 +78,13 @@ private:
     QTimer m_afterFrame;                               ///< runs once there was one
     std::array<std::optional<QPointF>, 2> m_pointers;  ///< over each of the views
     std::uint64_t m_change = 0;
-    std::array<KeptPicture<Looks>, 2> m_pictures{KeptPicture<Looks>(Keep::WhenRepeated),
-                                                 KeptPicture<Looks>(Keep::WhenRepeated)};  ///< of each of the views
+    struct OnView {
+        std::optional<Looks> painted;  ///< the last time, without a picture
+        KeptPicture<Looks> picture;
+    };
+    std::array<OnView, 2> m_onViews;
+    QTimer m_rest;            ///< runs while what is painted may soon be another
+    bool m_isAtRest = false;  ///< what is large becomes a picture when it is painted again
 };
 
 }  // namespace ui

@@ -191,12 +191,12 @@ void PlanPainter::paintRulers(QPainter& painter, double step) const {
     const QSize size = m_view.controller().viewport().toSize();
     const RulerKey key{box, screenOf(box.min.x, box.min.y), step, m_workspace.unit(), size, font};
     if (!m_upperRuler.show(painter, key)) {
-        m_upperRuler.paint(painter, key, QRect(0, 0, size.width(), kRulerPixels),
-                           [&](QPainter& own) { paintUpperRuler(own, key); });
+        m_upperRuler.keep(painter, key, QRect(0, 0, size.width(), kRulerPixels),
+                          [&](QPainter& own) { paintUpperRuler(own, key); });
     }
     if (!m_leftRuler.show(painter, key)) {
-        m_leftRuler.paint(painter, key, QRect(0, kRulerPixels, kRulerPixels, size.height() - kRulerPixels),
-                          [&](QPainter& own) { paintLeftRuler(own, key); });
+        m_leftRuler.keep(painter, key, QRect(0, kRulerPixels, kRulerPixels, size.height() - kRulerPixels),
+                         [&](QPainter& own) { paintLeftRuler(own, key); });
     }
 }
 

@@ -70,8 +70,8 @@ private:
     Workspace& m_workspace;
     const NetStyles& m_styles;
     std::shared_ptr<const model::BoardIndex> m_index;
-    mutable KeptPicture<RulerKey> m_upperRuler{Keep::AtOnce};  // letters take their time
-    mutable KeptPicture<RulerKey> m_leftRuler{Keep::AtOnce};
+    mutable KeptPicture<RulerKey> m_upperRuler;  // letters take their time
+    mutable KeptPicture<RulerKey> m_leftRuler;
     bool m_hasGrid = true;
     bool m_hasNames = true;
     bool m_hasPinNames = true;
