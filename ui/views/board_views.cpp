@@ -171,7 +171,7 @@ void BoardViews::dropScene() {
     m_load.stop();
     m_context.turns().end(*this);
     for (BoardView* view : m_views) {
-        view->setScene(nullptr, {});
+        view->setScene(nullptr, m_board ? stylesOf(*view) : std::vector<render::LayerStyle>());
         view->setModel(nullptr);
     }
     m_scene.reset();

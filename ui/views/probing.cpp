@@ -135,9 +135,12 @@ void Probing::hideNets() {
 }
 
 std::vector<model::PickLayer> Probing::layersOf(const BoardView& view) const {
-    const std::vector<render::ZRange> heights = m_picker ? view.drawnHeights() : std::vector<render::ZRange>();
-    std::vector<model::PickLayer> layers(heights.size());
-    for (std::size_t row = 0; row < layers.size(); ++row) {
+    if (!m_picker) {
+        return {};
+    }
+    std::vector<model::PickLayer> layers(m_picker->index().board->layers.size());
+    const std::vector<render::ZRange> heights = view.drawnHeights();
+    for (std::size_t row = 0; row < std::min(heights.size(), layers.size()); ++row) {
         layers[row].isVisible = isPickable(m_picker->index().board->layers[row], view.styles()[row]);
         layers[row].bottom = static_cast<double>(heights[row].z0) * base::kNmPerMm;
         layers[row].top = static_cast<double>(heights[row].z1) * base::kNmPerMm;
@@ -151,9 +154,6 @@ std::vector<model::Hit> Probing::hitsAt(const BoardView& view, QPointF position)
         return {};
     }
     const std::vector<model::PickLayer> layers = layersOf(view);
-    if (layers.empty()) {
-        return {};
-    }
     const auto [origin, direction] = view.controller().rayAt(position);
     const double reach = kReachPixels * view.controller().nmPerPixel();
     if (view.kind() == BoardView::Kind::Flat) {

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] bool isSelecting() const { return m_isSelecting; }
 
     [[nodiscard]] const BoardPosition& position() const { return m_views.flat().position(); }
-    /// What the view shows of each layer; empty without a board.
+    /// What the view shows of each layer, nothing while it waits for the board; empty without one.
     [[nodiscard]] std::vector<model::PickLayer> layersOf(const BoardView& view) const;
     /// What lies under a location on the canvas, see model::Picker.
     [[nodiscard]] std::vector<model::Hit> hitsAt(const BoardView& view, QPointF position);

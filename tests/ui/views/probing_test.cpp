@@ -369,6 +369,32 @@ private slots:
         }
     }
 
+    void nothingIsPickedInViewsThatWaitForTheirBoard() {
+        QObject other;  // something else has the device
+        QVERIFY(m_fixture->context().turns().begin(other));
+        views().setArrangement(ui::Arrangement::Solid);  // the flat view would show the board without the device
+        window().open(std::filesystem::path(locations::kTestData) / "odb" / "everything");
+        QTRY_VERIFY(!window().loader().isLoading());
+        QVERIFY(!views().solid().hasScene());
+        for (BoardView* view : views().both()) {
+            QVERIFY(!view->hasScene());
+            QCOMPARE(view->styles().size(), board().layers.size());
+            const std::vector<model::PickLayer> layers = window().probing().layersOf(*view);
+            QCOMPARE(layers.size(), board().layers.size());
+            QVERIFY(std::ranges::none_of(layers, &model::PickLayer::isVisible));
+            const QPointF corner(view->width() * 0.05, view->height() * 0.05);
+            const QPointF opposite(view->width() * 0.95, view->height() * 0.95);
+            click(*view, (corner + opposite) / 2.0);
+            drag(*view, corner, opposite);
+            drag(*view, opposite, corner);
+            QVERIFY(window().selection().selected().empty());
+        }
+        m_fixture->context().turns().end(other);
+        QTRY_VERIFY(views().solid().hasScene() && views().flat().hasScene());
+        views().setArrangement(ui::Arrangement::SideBySide);
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+    }
+
     void gridStepsAreRoundNumbersOfTheUnit() {
         using ui::LengthUnit;
         using ui::PlanPainter;
