@@ -86,11 +86,6 @@ private:
 
 }  // namespace
 
-struct NetModel::Arranged {
-    NetRows rows;
-    std::optional<model::NetGrouping> groupedBy;
-};
-
 /// What is worked out in the background, from frozen tables alone.
 struct NetModel::Task {
     std::shared_ptr<const model::Document> document;
@@ -113,11 +108,10 @@ struct NetModel::Task {
         }
     }
 
-    template <class IsWanted>
-    [[nodiscard]] Arranged run(const IsWanted& isWanted) const {
+    [[nodiscard]] Arranged run(const base::Progress& progress) const {
         std::vector<std::uint32_t> nets;
         for (std::uint32_t net = 0; net < document->nets.size(); ++net) {
-            if (net % kCheckEvery == 0 && !isWanted()) {
+            if (net % kCheckEvery == 0 && progress.isCancelled()) {
                 return {};
             }
             const std::string& name = document->nets[net].name;
@@ -158,13 +152,7 @@ NetModel::NetModel(QObject* parent)
                   {tr("Colour"), tr("The net's own colour; a click sets or changes it"), kColour | kEditable},
                   {tr("Show"), tr("Whether the net is drawn"), kCheck}},
                  parent) {
-    m_pool.setMaxThreadCount(1);
-}
-
-NetModel::~NetModel() {
-    ++m_wanted;  // ends what is being worked out
-    m_pool.clear();
-    m_pool.waitForDone();
+    connect(&m_work.background(), &Background::finished, this, &NetModel::deliver);
 }
 
 void NetModel::setNets(std::shared_ptr<const model::Document> document,
@@ -229,37 +217,32 @@ void NetModel::sort(int column, Qt::SortOrder order) {
 }
 
 void NetModel::arrange() {
-    const std::uint64_t number = ++m_wanted;
     if (!m_document) {
-        take(Arranged{}, number);
+        m_work.cancel();
+        take({});
         return;
     }
-    m_pool.clear();  // what has not begun is not wanted any more
     const NetRows::Groups known = m_groupedBy == m_grouping ? m_rows.groups() : nullptr;
-    m_pool.start(
-        [this, number,
-         task = Task{m_document, m_statistics, Filter(m_pattern, m_kind), m_grouping, known, m_column, m_order}] {
-            const auto isWanted = [&] { return m_wanted == number; };
-            Arranged out = task.run(isWanted);
-            if (isWanted()) {
-                QMetaObject::invokeMethod(
-                    this, [this, number, out = std::move(out)]() mutable { take(std::move(out), number); },
-                    Qt::QueuedConnection);
-            }
-        });
+    m_work.run([task = Task{m_document, m_statistics, Filter(m_pattern, m_kind), m_grouping, known, m_column, m_order}](
+                   base::Progress& progress) { return task.run(progress); },
+               tr("Listing the nets"), tr("There is not enough memory to list the nets."));
 }
 
-void NetModel::take(Arranged arranged, std::uint64_t number) {
-    if (number != m_wanted) {
-        return;
+void NetModel::deliver() {
+    base::Result<Arranged> arranged = m_work.take();
+    if (!arranged) {
+        emit failed(QString::fromStdString(arranged.error().text));
     }
+    take(arranged ? std::move(*arranged) : Arranged());
+}
+
+void NetModel::take(Arranged arranged) {
     beginResetModel();
     m_rows = std::move(arranged.rows);
     if (m_rows.groups() && m_pattern.isEmpty()) {
         m_rows.setFolded(m_folded);
     }
     m_groupedBy = arranged.groupedBy;
-    m_shown = number;
     endResetModel();
     emit this->arranged();
 }

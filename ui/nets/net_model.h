@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QThreadPool>
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "ui/common/table_model.h"
 #include "ui/nets/net_rows.h"
 #include "ui/nets/net_styles.h"
+#include "ui/workspace/background_result.h"
 
 namespace ui {
 
@@ -25,7 +24,6 @@ public:
     enum class FilterKind { Text, Wildcard, Regex };
 
     explicit NetModel(QObject* parent = nullptr);
-    ~NetModel() override;
 
     /// `statistics` may be null: then the numbers are 0 and names are in the order of the job. `step` is the row of the
     /// document in model::StepTree::steps.
@@ -45,7 +43,7 @@ public:
     /// Unfolds what a net is folded away in.
     void reveal(model::NetId net);
     /// Filter and order have been worked out for the last request.
-    [[nodiscard]] bool isArranged() const { return m_shown == m_wanted; }
+    [[nodiscard]] bool isArranged() const { return !m_work.isRunning(); }
 
     /// Headings, what lies within what, what is folded.
     [[nodiscard]] const NetRows& arrangement() const { return m_rows; }
@@ -67,13 +65,19 @@ public:
 signals:
     /// The rows are those of the last request.
     void arranged();
+    /// There are no rows.
+    void failed(const QString& reason);
 
 private:
     struct Task;
-    struct Arranged;
+    struct Arranged {
+        NetRows rows;
+        std::optional<model::NetGrouping> groupedBy;
+    };
 
     void arrange();
-    void take(Arranged arranged, std::uint64_t number);
+    void deliver();
+    void take(Arranged arranged);
     [[nodiscard]] int rows() const override { return m_rows.count(); }
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] Cell headingCell(int row, int column) const;
@@ -98,9 +102,7 @@ private:
     NetRows m_rows;
     std::optional<model::NetGrouping> m_groupedBy;  ///< those of the rows
     std::vector<bool> m_folded;                     ///< of the rows without a filter
-    std::atomic<std::uint64_t> m_wanted = 0;        ///< number of the last task
-    std::uint64_t m_shown = 0;
-    QThreadPool m_pool;  ///< of one thread; waits for it when it goes
+    BackgroundResult<Arranged> m_work;
 };
 
 }  // namespace ui

@@ -44,6 +44,7 @@ void NetsFeature::connectPanel(FeatureContext& context) {
     context.on(ActionId::FollowFromTables, m_panel, [this](bool isOn) { m_panel->setShowsChosen(isOn); });
     context.actions[ActionId::FollowInTables].setChecked(true);
     connect(m_panel, &NetsPanel::showRequested, &m_workspace, &Workspace::showNets);
+    connect(&m_nets, &NetModel::failed, &m_workspace, &Workspace::reportError);
     connect(&m_workspace, &Workspace::unitChanged, m_panel, &NetsPanel::setUnit);
     connect(&m_workspace, &Workspace::boardOpened, this, [this](const LoadedBoard& board) {
         m_editing.setBoard(board);
