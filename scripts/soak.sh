@@ -36,5 +36,5 @@ cat "$numbers"
 # Beside the numbers it holds all that the window reported.
 # shellcheck disable=SC2016
 [ -z "$writes" ] || { measured_at "$preset"; echo; printf '```\n%s\n```\n' "$(grep -E '^random use|^ .* times, longest|^longest' "$numbers")"; } |
-    write_numbers "scripts/soak.sh" "Random use of the window"
+    write_numbers "scripts/soak.sh --preset $preset" "Random use of the window, preset $preset"
 exit "$status"
