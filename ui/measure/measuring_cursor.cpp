@@ -142,10 +142,10 @@ std::vector<model::PickLayer> MeasuringCursor::layersFor(const BoardView& view, 
 
 std::optional<Caught> MeasuringCursor::pointAt(const BoardView& view, const Pointed& pointed, Catch what,
                                                bool isSnapping) {
-    const std::vector<model::PickLayer> layers = layersFor(view, pointed, what);
-    if (layers.empty()) {
+    if (!view.hasScene()) {
         return std::nullopt;
     }
+    const std::vector<model::PickLayer> layers = layersFor(view, pointed, what);
     if (isSnapping) {
         const model::SnapPoint snap =
             m_snapper->at(pointed.location, reachIn(view), layers, pointed.isFromBelow, m_skip);
@@ -182,7 +182,7 @@ std::optional<model::BoardElement> MeasuringCursor::emptyAt(const BoardView& vie
     const double reach = reachIn(view);
     const std::vector<model::PickLayer> layers = m_probing.layersOf(view);
     std::optional<model::BoardElement> found;
-    for (std::uint32_t copy = 0; copy < m_index->tree.copies.size() && !layers.empty(); ++copy) {
+    for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
         const model::StepCopy& how = m_index->tree.copies[copy];
         const model::Document& step = *m_index->tree.steps[how.step];
         const base::PointD there = model::unplaced(location, how.placement);

@@ -119,6 +119,9 @@ struct NetModel::Task {
                 nets.push_back(net);
             }
         }
+        if (progress.isCancelled()) {
+            return {};
+        }
         const NetRows::Groups known =
             grouping && !groups ? std::make_shared<model::NetGroups>(model::groupNets(*document, *grouping)) : groups;
         sort(nets, known.get());
