@@ -373,7 +373,7 @@ private slots:
         QObject other;  // something else has the device
         QVERIFY(m_fixture->context().turns().begin(other));
         views().setArrangement(ui::Arrangement::Solid);  // the flat view would show the board without the device
-        window().open(std::filesystem::path(locations::kTestData) / "odb" / "everything");
+        window().open(m_fixture->copyOfJob("everything"));
         QTRY_VERIFY(!window().loader().isLoading());
         QVERIFY(!views().solid().hasScene());
         for (BoardView* view : views().both()) {
@@ -388,6 +388,11 @@ private slots:
             drag(*view, corner, opposite);
             drag(*view, opposite, corner);
             QVERIFY(window().selection().selected().empty());
+            window().actions()[ActionId::MeasurePoints].trigger();
+            click(*view, (corner + opposite) / 2.0);
+            click(*view, corner);
+            window().actions()[ActionId::MeasurePoints].trigger();
+            QVERIFY(window().measurements().measurements().empty());
         }
         m_fixture->context().turns().end(other);
         QTRY_VERIFY(views().solid().hasScene() && views().flat().hasScene());
