@@ -66,11 +66,11 @@ Result<VerifyReport> verify(const Document& board, const VerifyArguments& argume
         std::fprintf(stderr, "%.1f MB written\n", static_cast<double>(written.bytes) / 1e6);
     }
     progress.beginPhase("Reading solids");
-    ASSIGN_OR_RETURN(const StepFile read, StepFile::read(file.path(), arguments.isStrict));
+    ASSIGN_OR_RETURN(const std::unique_ptr<StepFile> read, StepFile::read(file.path(), arguments.isStrict));
     VerifyReport report;
-    compareSolids(read, expectedSolids(plan, options.limits), report);
+    compareSolids(*read, expectedSolids(plan, options.limits), report);
     progress.beginPhase("Comparing points");
-    report.points = comparePoints(plan, read, arguments.points, 1);
+    report.points = comparePoints(plan, *read, arguments.points, 1);
     if (!arguments.noPictures) {
         ASSIGN_OR_RETURN(report.pictures, comparePictures(board, discretisationOf(arguments.board), progress));
     }

@@ -1,24 +1,20 @@
 #include "app/common/open_board.h"
 
 #include <cstdio>
-#include <filesystem>
 #include <optional>
 #include <utility>
 
+#include "app/common/beside_program.h"
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
 
 namespace app {
 
-namespace fs = std::filesystem;
 using Board = std::shared_ptr<const model::Document>;
 
 model::OpenRequest orSample(model::OpenRequest request) {
     if (request.path.empty()) {
-        std::error_code error;
-        const fs::path program = fs::read_symlink("/proc/self/exe", error);
-        const fs::path resources = program.parent_path() / COPPERSCOPE_RESOURCES;
-        request.path = (resources / "sample" / "ocp_tap_sa45_odb.tgz").lexically_normal();
+        request.path = besideProgram(COPPERSCOPE_RESOURCES "/sample/ocp_tap_sa45_odb.tgz");
     }
     return request;
 }

@@ -21,21 +21,16 @@ struct StepSolid {
 /// shapes count each time they are placed, in the order of the assembly tree.
 class StepFile {
 public:
-    /// `isStrict` reads without the repairs that readers make on their own, which hide wrong loops. Errors: BadInput;
-    /// BadUsage in builds without OpenCASCADE.
-    [[nodiscard]] static base::Result<StepFile> read(const std::filesystem::path& path, bool isStrict);
-    StepFile(StepFile&&) noexcept;
-    ~StepFile();
+    virtual ~StepFile() = default;
 
-    [[nodiscard]] std::size_t size() const;
-    [[nodiscard]] StepSolid solid(std::size_t row) const;
+    /// `isStrict` reads without the repairs that readers make on their own, which hide wrong loops. Loads the module
+    /// that reads (app/step_reader). Errors: BadInput; BadUsage where the module is missing.
+    [[nodiscard]] static base::Result<std::unique_ptr<StepFile>> read(const std::filesystem::path& path, bool isStrict);
+
+    [[nodiscard]] virtual std::size_t size() const = 0;
+    [[nodiscard]] virtual StepSolid solid(std::size_t row) const = 0;
     /// Is the point (nm) in the solid? Points on the surface count as in it.
-    [[nodiscard]] bool contains(std::size_t row, const std::array<double, 3>& point) const;
-
-private:
-    struct Shapes;
-    explicit StepFile(std::unique_ptr<Shapes> shapes);
-    std::unique_ptr<Shapes> m_shapes;
+    [[nodiscard]] virtual bool contains(std::size_t row, const std::array<double, 3>& point) const = 0;
 };
 
 }  // namespace app

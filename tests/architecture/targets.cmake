@@ -2,26 +2,21 @@
 # include. copperscope_model, _render, _ui and _app stand for all folders below these.
 include(${CMAKE_CURRENT_LIST_DIR}/rules.cmake)
 
-# What a build without the workbench leaves out.
+# Not what a build without the workbench leaves out, and not the module of app/CMakeLists.txt.
 function(is_built path result)
     set(${result} TRUE PARENT_SCOPE)
-    if(NOT COPPERSCOPE_GUI AND path MATCHES "^ui/")
+    if(path STREQUAL "app/step_reader" OR (NOT COPPERSCOPE_GUI AND path MATCHES "^ui/"))
         set(${result} FALSE PARENT_SCOPE)
     endif()
 endfunction()
 
-# The sources of a folder, in ARG: builds with and without the workbench, and with and without OpenCASCADE, differ in one file each.
+# The sources of a folder, in ARG: builds with and without the workbench differ in one file.
 function(folder_sources folder result)
     file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
     if(COPPERSCOPE_GUI)
         list(FILTER sources EXCLUDE REGEX "/no_workbench_command\\.cpp$")
     else()
         list(FILTER sources EXCLUDE REGEX "/workbench_command\\.cpp$")
-    endif()
-    if(COPPERSCOPE_OCCT)
-        list(FILTER sources EXCLUDE REGEX "/no_step_file\\.cpp$")
-    else()
-        list(FILTER sources EXCLUDE REGEX "/step_file\\.cpp$")
     endif()
     set(${result} ${sources} PARENT_SCOPE)
 endfunction()
