@@ -8,24 +8,27 @@ namespace model::formats {
 
 namespace {
 
-/// What the tools of a layer say together: nothing, the same, or this and that.
-struct ToolsPlating {
-    bool isPlated = false;
-    bool isNonPlated = false;
-
-    void include(const DrillTool& tool) {
-        isPlated = isPlated || model::isPlated(tool.plating);
-        isNonPlated = isNonPlated || tool.plating == Plating::NonPlated;
-    }
-    [[nodiscard]] bool isClear() const { return isPlated != isNonPlated; }
-};
-
 /// What the copper leaves: kPlating from each side, or half of a hole that is smaller than that.
 Nm finishedSize(Nm size) {
     return size > 4 * kPlating ? size - 2 * kPlating : size / 2;
 }
 
+void setBarrel(const DrillTool* tool, Nm size, Hole& hole) {
+    if (tool != nullptr && tool->finishedSize > 0 && tool->drillSize > tool->finishedSize) {
+        hole.drilled = tool->drillSize;
+        hole.finished = tool->finishedSize;
+        return;
+    }
+    hole.isBarrelAssumed = true;
+    hole.finished = finishedSize(size);
+}
+
 }  // namespace
+
+void ToolsPlating::include(const DrillTool& tool) {
+    isPlated = isPlated || model::isPlated(tool.plating);
+    isNonPlated = isNonPlated || tool.plating == Plating::NonPlated;
+}
 
 PinLocations::PinLocations(std::vector<Point> pins) : m_pins(std::move(pins)) {
     std::ranges::sort(m_pins, {}, &Point::x);
@@ -43,63 +46,65 @@ bool PinLocations::isAnyWithin(Point centre, Nm reach) const {
     return false;
 }
 
+HoleRules::HoleRules(const Layer& layer, const std::vector<DrillTool>& tools, const PinLocations& pins)
+    : m_layer(layer), m_tools(tools), m_pins(pins) {
+    for (const DrillTool& tool : m_tools) {
+        m_all.include(tool);
+    }
+}
+
+const HoleRules::ToolsOfSize& HoleRules::toolsOf(Nm size) const {
+    const auto [at, isNew] = m_ofSize.try_emplace(size);
+    ToolsOfSize& found = at->second;
+    if (isNew) {
+        found.plated = findTool(m_tools, size, true);
+        for (const DrillTool& tool : m_tools) {
+            if (fits(tool, size)) {
+                found.plating.include(tool);
+                found.hasVia = found.hasVia || tool.plating == Plating::Via;
+                found.hasPlated = found.hasPlated || tool.plating == Plating::Plated;
+            }
+        }
+    }
+    return found;
+}
+
 Hole HoleRules::hole(const DrillHit& hit, Nm size) const {
     Hole hole;
     hole.drilled = hole.finished = size;
-    if (!isPlated(hit, size, hole)) {
+    const ToolsOfSize& tools = toolsOf(size);
+    if (!isPlated(hit, tools, hole)) {
         return hole;
     }
     const bool hasPin = hit.centre && m_pins.isAnyWithin(*hit.centre, size / 4);
-    const int purpose = (isVia(hit, size, hasPin) ? kVia : 0) | (hasPin ? kPinHole : 0);
+    const int purpose = (isVia(hit, tools, hasPin) ? kVia : 0) | (hasPin ? kPinHole : 0);
     hole.flags = static_cast<std::uint8_t>(kHole | kPlated | purpose);
-    setBarrel(size, hole);
+    setBarrel(tools.plated, size, hole);
     return hole;
 }
 
-bool HoleRules::isPlated(const DrillHit& hit, Nm size, Hole& hole) const {
+bool HoleRules::isPlated(const DrillHit& hit, const ToolsOfSize& tools, Hole& hole) const {
     if (m_layer.use == LayerUse::Backdrill) {
         return false;
     }
-    ToolsPlating sameSize;
-    ToolsPlating all;
-    for (const DrillTool& tool : m_tools) {
-        all.include(tool);
-        if (fits(tool, size)) {
-            sameSize.include(tool);
-        }
-    }
     if (hit.plating != Plating::NotSaid) {
         const bool isPlated = model::isPlated(hit.plating);
-        hole.isContradicted = sameSize.isClear() && sameSize.isPlated != isPlated;
+        hole.isContradicted = tools.plating.isClear() && tools.plating.isPlated != isPlated;
         return isPlated;
     }
-    const ToolsPlating& found = sameSize.isClear() ? sameSize : all;
+    const ToolsPlating& found = tools.plating.isClear() ? tools.plating : m_all;
     hole.isPlatingAssumed = !found.isClear();
     return found.isClear() ? found.isPlated : m_layer.type == LayerType::Drill;
 }
 
-bool HoleRules::isVia(const DrillHit& hit, Nm size, bool hasPin) const {
+bool HoleRules::isVia(const DrillHit& hit, const ToolsOfSize& tools, bool hasPin) {
     if (hit.plating != Plating::NotSaid) {
         return hit.plating == Plating::Via;
     }
-    const auto has = [&](Plating plating) {
-        return std::ranges::any_of(m_tools, [&](const DrillTool& t) { return fits(t, size) && t.plating == plating; });
-    };
-    if (has(Plating::Via) != has(Plating::Plated)) {
-        return has(Plating::Via);
+    if (tools.hasVia != tools.hasPlated) {
+        return tools.hasVia;
     }
-    return !hasPin && (hit.hasNet || has(Plating::Via));
-}
-
-void HoleRules::setBarrel(Nm size, Hole& hole) const {
-    const DrillTool* tool = findTool(m_tools, size, true);
-    if (tool != nullptr && tool->finishedSize > 0 && tool->drillSize > tool->finishedSize) {
-        hole.drilled = tool->drillSize;
-        hole.finished = tool->finishedSize;
-        return;
-    }
-    hole.isBarrelAssumed = true;
-    hole.finished = finishedSize(size);
+    return !hasPin && (hit.hasNet || tools.hasVia);
 }
 
 }  // namespace model::formats

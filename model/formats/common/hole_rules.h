@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -39,29 +40,47 @@ struct Hole {
     bool isContradicted = false;  ///< the tools say otherwise than the hit, which is believed
 };
 
+/// What tools say together of whether they plate: nothing, the same, or this and that.
+struct ToolsPlating {
+    bool isPlated = false;
+    bool isNonPlated = false;
+
+    void include(const DrillTool& tool);
+    [[nodiscard]] bool isClear() const { return isPlated != isNonPlated; }
+};
+
 /// What makes the features of one layer of drills or routed slots holes.
 class HoleRules {
 public:
     /// All must live as long as the rules.
-    HoleRules(const Layer& layer, const std::vector<DrillTool>& tools, const PinLocations& pins)
-        : m_layer(layer), m_tools(tools), m_pins(pins) {}
+    HoleRules(const Layer& layer, const std::vector<DrillTool>& tools, const PinLocations& pins);
 
     /// Plated as the hit says, else as the tools of that size or of the whole layer say, else by the layer: drills are
     /// plated, routed slots are not. Back-drills are never plated. A plated hole is a via by the same sources; where
     /// these are silent, a net without a pin makes it one. Its barrel follows from the tool's drilled and finished size
     /// where they differ.
+    /// On one thread at a time.
     [[nodiscard]] Hole hole(const DrillHit& hit, Nm size) const;
     /// A routed path is one long hole; each track of a drill layer is a slot of its own.
     [[nodiscard]] bool joinsTracks() const { return m_layer.type == LayerType::Rout; }
 
 private:
-    [[nodiscard]] bool isPlated(const DrillHit& hit, Nm size, Hole& hole) const;
-    [[nodiscard]] bool isVia(const DrillHit& hit, Nm size, bool hasPin) const;
-    void setBarrel(Nm size, Hole& hole) const;
+    /// The tools that fit a size.
+    struct ToolsOfSize {
+        ToolsPlating plating;
+        bool hasVia = false;
+        bool hasPlated = false;             ///< that is no via
+        const DrillTool* plated = nullptr;  ///< the best for a plated hole, if any
+    };
+    [[nodiscard]] const ToolsOfSize& toolsOf(Nm size) const;
+    [[nodiscard]] bool isPlated(const DrillHit& hit, const ToolsOfSize& tools, Hole& hole) const;
+    [[nodiscard]] static bool isVia(const DrillHit& hit, const ToolsOfSize& tools, bool hasPin);
 
     const Layer& m_layer;
     const std::vector<DrillTool>& m_tools;
     const PinLocations& m_pins;
+    ToolsPlating m_all;
+    mutable std::map<Nm, ToolsOfSize> m_ofSize;  ///< boards have few sizes and many holes
 };
 
 }  // namespace model::formats

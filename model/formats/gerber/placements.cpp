@@ -116,7 +116,15 @@ std::optional<double> unitIn(std::string_view text) {
                                  : std::nullopt;
 }
 
+/// Every name of a column of locations has its letter in it: few lines of other files need a closer look.
+bool mayBeHead(std::string_view line) {
+    return line.find_first_of("xX") != std::string_view::npos && line.find_first_of("yY") != std::string_view::npos;
+}
+
 Head readHead(std::string_view line) {
+    if (!mayBeHead(line)) {
+        return {};
+    }
     for (const char separator : {',', ';', '\t', '!', ' '}) {
         Head head;
         head.separator = separator;
