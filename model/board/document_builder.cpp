@@ -67,9 +67,11 @@ AttributeSetId DocumentBuilder::attributes(const AttributeValues& values) {
     return location->second;
 }
 
-ShapeId DocumentBuilder::addShape(const ShapeSketch& sketch) {
-    const std::optional<ShapeSketch> healed = healSlits(sketch);
-    return m_document->shapes.add(nestHoles(healed ? *healed : sketch));
+ShapeId DocumentBuilder::addShape(ShapeSketch sketch) {
+    if (std::optional<ShapeSketch> healed = healSlits(sketch)) {
+        sketch = std::move(*healed);
+    }
+    return m_document->shapes.add(nestHoles(std::move(sketch)));
 }
 
 ComponentId DocumentBuilder::addComponent(Component component, std::span<const Pin> pins) {
@@ -191,9 +193,14 @@ std::shared_ptr<const Document> DocumentBuilder::finish() {
     return frozen;
 }
 
-/// Tables double while they grow; a frozen one keeps what it holds.
+/// Tables double while they grow; a frozen one keeps what it holds, and a quarter at most.
 void DocumentBuilder::giveBackReserves() {
-    const auto shrink = [](auto&... tables) { (tables.edit().shrink_to_fit(), ...); };
+    const auto shrinkOne = [](auto& rows) {
+        if (rows.capacity() - rows.size() > rows.size() / 4) {
+            rows.shrink_to_fit();
+        }
+    };
+    const auto shrink = [&](auto&... tables) { (shrinkOne(tables.edit()), ...); };
     Document& d = *m_document;
     ElementTable& e = d.elements;
     shrink(e.kind, e.flags, e.layer, e.net, e.subnet, e.symbol, e.geometry, e.firstFeature, e.line, e.attributes);

@@ -39,9 +39,11 @@ public:
     SymbolId symbol(std::string_view name);  ///< row of the name, added on first use
     /// Row of this set of attributes, added on first use; none for an empty one.
     AttributeSetId attributes(const AttributeValues& values);
+    /// Makes room for shapes with so many nodes in all, so that tables need not grow towards them.
+    void expectNodes(std::size_t nodes) { m_document->shapes.nodes.edit().reserve(nodes); }
     /// Slits are healed into holes (model/geometry/slits.h), and holes are put behind the island that contains them, in
     /// whatever order they were sketched.
-    ShapeId addShape(const ShapeSketch& sketch);
+    ShapeId addShape(ShapeSketch sketch);
     [[nodiscard]] const ShapeTable& shapes() const { return m_document->shapes; }
     void addTool(DrillTool tool) { m_document->tools.push_back(std::move(tool)); }
     /// `package.pins` is filled in.

@@ -119,7 +119,7 @@ bool hasSeveralIslandsAndHoles(const ShapeSketch& sketch) {
 
 }  // namespace
 
-ShapeSketch nestHoles(const ShapeSketch& sketch) {
+ShapeSketch nestHoles(ShapeSketch sketch) {
     if (!hasSeveralIslandsAndHoles(sketch)) {
         return sketch;
     }

@@ -101,7 +101,17 @@ private:
 
     // ---- elements ----
 
+    /// Surfaces are most of the nodes; pads of symbols, outlines and bodies add a fifth on boards with planes.
+    void expectSurfaces() {
+        std::size_t nodes = 0;
+        for (const StepLayer& layer : m_step.layers) {
+            nodes += layer.features.value.surfaces.nodes.size();
+        }
+        m_builder.expectNodes(nodes + nodes / 4);
+    }
+
     bool buildPositives() {
+        expectSurfaces();
         for (const std::size_t row : m_layers.order()) {
             if (m_parts.progress.isCancelled()) {
                 return false;

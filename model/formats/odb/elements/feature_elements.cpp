@@ -123,13 +123,13 @@ private:
             m_maker.endChain();
             return report(Severity::Warning, feature, "a surface without a usable polygon draws nothing");
         }
-        const ShapeSketch sketch = sketchOf(m_file.surfaces, ShapeId{std::size_t{feature.index}});
+        ShapeSketch sketch = sketchOf(m_file.surfaces, ShapeId{std::size_t{feature.index}});
         if (hasTooManyCorners(sketch)) {
             m_maker.endChain();
             return report(Severity::Error, feature,
                           "a contour of " + base::moreThan(base::kMostCorners, "corners") + "; it was left out");
         }
-        m_maker.addArea(sourceOf(row), m_builder.addShape(sketch), {});
+        m_maker.addArea(sourceOf(row), m_builder.addShape(std::move(sketch)), {});
     }
 
     void addText(std::size_t row) {
