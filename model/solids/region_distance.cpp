@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace model {
 
@@ -118,20 +119,27 @@ bool regionsTouch(const PolygonSet& set, std::span<const PolygonSet::Polygon> a,
     return contains(set, a, firstPoint(b)) || contains(set, b, firstPoint(a));
 }
 
-EdgeStrips::EdgeStrips(const PolygonSet& region) : m_box(boxOf(region.points)) {
+EdgeStrips::EdgeStrips(const PolygonSet& region)
     // About one edge per strip where edges are short and evenly spread.
-    m_strips.resize(std::clamp<std::size_t>(region.points.size(), 1, 4096));
-    forEachEdge(region, region.polygons, [this](Point a, Point b) {
-        const std::size_t last = stripOf(std::max(a.y, b.y));
-        for (std::size_t i = stripOf(std::min(a.y, b.y)); i <= last; ++i) {
-            m_strips[i].push_back({a, b});
-        }
-    });
+    : m_box(boxOf(region.points)), m_first(std::clamp<std::size_t>(region.points.size(), 1, 4096) + 1, 0) {
+    const auto forEachStrip = [&](const auto& visit) {
+        forEachEdge(region, region.polygons, [&](Point a, Point b) {
+            const std::size_t last = stripOf(std::max(a.y, b.y));
+            for (std::size_t strip = stripOf(std::min(a.y, b.y)); strip <= last; ++strip) {
+                visit(strip, Edge{a, b});
+            }
+        });
+    };
+    forEachStrip([&](std::size_t strip, const Edge&) { ++m_first[strip + 1]; });
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    m_edges.resize(m_first.back());
+    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
+    forEachStrip([&](std::size_t strip, const Edge& edge) { m_edges[next[strip]++] = edge; });
 }
 
 std::size_t EdgeStrips::stripOf(std::int64_t y) const {
     const std::int64_t offset = std::clamp<std::int64_t>(y - m_box.min.y, 0, m_box.height());
-    return static_cast<std::size_t>(offset * static_cast<std::int64_t>(m_strips.size() - 1) /
+    return static_cast<std::size_t>(offset * static_cast<std::int64_t>(m_first.size() - 2) /
                                     std::max<std::int64_t>(m_box.height(), 1));
 }
 
@@ -140,7 +148,7 @@ bool EdgeStrips::contains(Point p) const {
         return false;
     }
     bool isIn = false;
-    for (const Edge& edge : m_strips[stripOf(p.y)]) {
+    for (const Edge& edge : edgesIn(stripOf(p.y))) {
         isIn ^= isCrossed(edge.a, edge.b, p);
     }
     return isIn;
@@ -152,7 +160,7 @@ bool EdgeStrips::meets(const Box& box) const {
     }
     const std::size_t last = stripOf(box.max.y);
     for (std::size_t i = stripOf(box.min.y); i <= last; ++i) {
-        for (const Edge& edge : m_strips[i]) {
+        for (const Edge& edge : edgesIn(i)) {
             if (boxesTouch(edge.a, edge.b, box, 0.0) && !isBeside(box, edge.a, edge.b)) {
                 return true;
             }
@@ -178,7 +186,7 @@ bool EdgeStrips::comesNear(const PolygonSet& set, std::span<const PolygonSet::Po
     const auto reach = static_cast<std::int64_t>(margin);
     const std::size_t last = stripOf(box.max.y + reach);
     for (std::size_t i = stripOf(box.min.y - reach); i <= last; ++i) {
-        for (const Edge& edge : m_strips[i]) {
+        for (const Edge& edge : edgesIn(i)) {
             if (boxesTouch(edge.a, edge.b, box, margin) && comesNear(edge, set, polygons, margin)) {
                 return true;
             }

@@ -42,9 +42,13 @@ private:
     [[nodiscard]] static bool comesNear(const Edge& edge, const PolygonSet& set,
                                         std::span<const PolygonSet::Polygon> polygons, double margin);
     [[nodiscard]] std::size_t stripOf(std::int64_t y) const;
+    [[nodiscard]] std::span<const Edge> edgesIn(std::size_t strip) const {
+        return std::span(m_edges).subspan(m_first[strip], m_first[strip + 1] - m_first[strip]);
+    }
 
     Box m_box;
-    std::vector<std::vector<Edge>> m_strips;
+    std::vector<Edge> m_edges;         ///< strip by strip; in each that it passes through
+    std::vector<std::size_t> m_first;  ///< by strip, of m_edges; and the end
 };
 
 }  // namespace model
