@@ -97,20 +97,20 @@ void printDiagnostics(const model::Diagnostics& diagnostics) {
     }
 }
 
-void printModel(const OpenBoard& board) {
+void printModel(const CountedBoard& board) {
     const model::ReadTimes& read = board.document->times;
     const render::ModelTimes& modelled = board.model.times;
     std::printf(
-        "\nmodel       %zu lets, %zu pieces of areas at %zu locations, %zu triangles stored (standard pipeline: "
+        "\nmodel       %zu lets, %zu shapes of areas at %zu locations, %llu triangles stored (standard pipeline: "
         "%llu)\n",
-        board.model.lets.size(), board.model.shapes.size(), board.model.instances.size(),
-        board.model.indices.size() / 3,
+        board.model.lets, board.model.shapes, board.model.instances,
+        static_cast<unsigned long long>(board.model.triangles),
         static_cast<unsigned long long>(render::countStandardTriangles(*board.document, board.how)));
     std::printf("times       parse %.1f ms, create %.1f ms, discretise %.1f ms, triangulate %.1f ms\n", read.parseMs,
                 read.createMs + modelled.createMs, modelled.discretiseMs, modelled.triangulateMs);
 }
 
-void printText(const OpenBoard& board, const std::vector<StepCheck>* checks) {
+void printText(const CountedBoard& board, const std::vector<StepCheck>* checks) {
     printJob(*board.document, board.format);
     printLayers(*board.document);
     printStackup(*board.document);
@@ -143,7 +143,7 @@ Outcome runInfo(const InfoArguments& arguments) {
     if (arguments.printsLayerMap) {
         return printLayerMap(arguments.board.request);
     }
-    ASSIGN_OR_RETURN(const OpenBoard board, openBoard(arguments.board));
+    ASSIGN_OR_RETURN(const CountedBoard board, countBoard(arguments.board));
     std::optional<std::vector<StepCheck>> checks;
     if (arguments.checkNets) {
         ConsoleProgress console;

@@ -39,28 +39,45 @@ model::Discretisation discretisationOf(const BoardArguments& arguments) {
     return {arguments.chordUm * base::kNmPerUm, arguments.paperSegments};
 }
 
-base::Result<render::BoardModel> modelBoard(const model::Document& document, const BoardArguments& arguments,
-                                            base::Progress& progress) {
-    const tri::Triangulator wanted = tri::triangulatorNamed(arguments.triangulator).value_or(tri::Triangulator::Auto);
-    render::AreaTriangulator areas;
+namespace {
+
+/// What triangulates areas, and the device that it may need.
+struct WantedTriangulator {
     std::optional<DeviceTriangulator> device;
+    render::AreaTriangulator areas;
+};
+
+base::Result<WantedTriangulator> openTriangulator(const BoardArguments& arguments) {
+    const tri::Triangulator wanted = tri::triangulatorNamed(arguments.triangulator).value_or(tri::Triangulator::Auto);
+    WantedTriangulator result;
     if (wanted == tri::Triangulator::Gpu) {
-        ASSIGN_OR_RETURN(DeviceTriangulator opened, DeviceTriangulator::open());
-        device.emplace(std::move(opened));
-        areas.onDevice = [&device](std::span<const tri::Polygon> polygons, base::Progress& work) {
-            return device->triangulator->triangulate(polygons, work);
+        ASSIGN_OR_RETURN(result.device, DeviceTriangulator::open());
+        result.areas.onDevice = [triangulator = result.device->triangulator.get()](
+                                    std::span<const tri::Polygon> polygons, base::Progress& work) {
+            return triangulator->triangulate(polygons, work);
         };
     } else {
-        areas.triangulator = wanted;
+        result.areas.triangulator = wanted;
     }
-    return render::buildBoardModel(document, discretisationOf(arguments), progress, areas);
+    return result;
 }
 
-base::Result<OpenBoard> openBoard(const BoardArguments& arguments) {
+}  // namespace
+
+base::Result<render::BoardModel> modelBoard(const model::Document& document, const BoardArguments& arguments,
+                                            base::Progress& progress) {
+    ASSIGN_OR_RETURN(const WantedTriangulator triangulator, openTriangulator(arguments));
+    return render::buildBoardModel(document, discretisationOf(arguments), progress, triangulator.areas);
+}
+
+base::Result<CountedBoard> countBoard(const BoardArguments& arguments) {
     ConsoleProgress console;
     ASSIGN_OR_RETURN(const model::OpenedBoard board, openWithSession(arguments, console.progress()));
-    ASSIGN_OR_RETURN(render::BoardModel model, modelBoard(*board.document, arguments, console.progress()));
-    return OpenBoard{board.document, std::move(model), discretisationOf(arguments), board.format};
+    ASSIGN_OR_RETURN(const WantedTriangulator triangulator, openTriangulator(arguments));
+    const model::Discretisation how = discretisationOf(arguments);
+    ASSIGN_OR_RETURN(render::ModelCounts counts,
+                     render::countBoardModel(*board.document, how, console.progress(), triangulator.areas));
+    return CountedBoard{board.document, std::move(counts), how, board.format};
 }
 
 base::Result<model::LayerId> findLayer(const model::Document& document, const std::string& name) {

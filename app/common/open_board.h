@@ -32,21 +32,21 @@ struct BoardArguments {
 
 [[nodiscard]] model::Discretisation discretisationOf(const BoardArguments& arguments);
 
-/// A board read and modelled.
-struct OpenBoard {
-    std::shared_ptr<const model::Document> document;
-    render::BoardModel model;
-    model::Discretisation how;  ///< what it was modelled with
-    std::string format;         ///< model::BoardFormat::key of what was read
-};
-
 /// Lets and triangles, with the triangulator that was requested. Errors as render::buildBoardModel; DeviceFailed if a
 /// device is to triangulate and there is none.
 [[nodiscard]] base::Result<render::BoardModel> modelBoard(const model::Document& document,
                                                           const BoardArguments& arguments, base::Progress& progress);
 
-/// Reads and models, with progress on stderr. Errors as openDocument and modelBoard.
-[[nodiscard]] base::Result<OpenBoard> openBoard(const BoardArguments& arguments);
+/// A board read, and what its model holds.
+struct CountedBoard {
+    std::shared_ptr<const model::Document> document;
+    render::ModelCounts model;
+    model::Discretisation how;  ///< what it was modelled with
+    std::string format;         ///< model::BoardFormat::key of what was read
+};
+
+/// Reads and counts, with progress on stderr. Errors as openDocument and modelBoard.
+[[nodiscard]] base::Result<CountedBoard> countBoard(const BoardArguments& arguments);
 
 /// The layer of that name; the names that solder masks had in older versions work too, with a note on stderr. Errors:
 /// BadUsage.

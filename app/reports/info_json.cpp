@@ -129,7 +129,7 @@ std::vector<PlacedStep> placedSteps(const Document& document) {
     return placed;
 }
 
-ordered_json infoJson(const OpenBoard& board, const std::vector<model::StepCheck>* checks) {
+ordered_json infoJson(const CountedBoard& board, const std::vector<model::StepCheck>* checks) {
     const Document& document = *board.document;
     ordered_json diagnostics = ordered_json::array();
     addDiagnostics(document, document.diagnostics, diagnostics);
@@ -150,7 +150,7 @@ ordered_json infoJson(const OpenBoard& board, const std::vector<model::StepCheck
                            {"thickness_nm", document.boardThickness}}},
                          {"triangles",
                           {{"standard_pipeline", render::countStandardTriangles(document, board.how)},
-                           {"stored", board.model.indices.size() / 3}}},
+                           {"stored", board.model.triangles}}},
                          {"diagnostics", diagnostics},
                          {"timing_ms",
                           {{"parse", document.times.parseMs},

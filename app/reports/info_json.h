@@ -9,7 +9,7 @@ namespace app {
 
 /// The report of `info --json`. Keys are lower_snake_case and stable; lengths carry their unit in the key. `checks` are
 /// those of `--check-nets`, nullptr without.
-[[nodiscard]] nlohmann::ordered_json infoJson(const OpenBoard& board, const std::vector<model::StepCheck>* checks);
+[[nodiscard]] nlohmann::ordered_json infoJson(const CountedBoard& board, const std::vector<model::StepCheck>* checks);
 
 /// A step that the board places, at whatever depth.
 struct PlacedStep {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <numeric>
 
+#include "model/base/edge_hash.h"
 #include "model/geometry/discretise.h"
 
 namespace model {
@@ -55,22 +56,11 @@ private:
         return m_nodes[edge].edge == EdgeKind::Line && start(edge) != end(edge);
     }
 
-    /// The same for both directions of an edge.
-    [[nodiscard]] static std::uint64_t hash(Point a, Point b) {
-        const auto bits = [](Point p) {
-            return std::uint64_t{static_cast<std::uint32_t>(p.x)} << 32U | static_cast<std::uint32_t>(p.y);
-        };
-        std::uint64_t key = bits(a) * 0x9E3779B97F4A7C15U + bits(b) * 0x9E3779B97F4A7C15U;
-        key ^= key >> 32U;
-        key *= 0xD6E8FEB86659FD93U;
-        return key ^ key >> 32U;
-    }
-
     /// Joins the edge with one that runs back along it, or keeps it for such a one to come.
     /// `slots` holds edges by the hash of their ends.
     bool pair(std::uint32_t edge, std::vector<std::uint32_t>& slots) {
         const std::size_t mask = slots.size() - 1;
-        std::size_t slot = hash(start(edge), end(edge)) & mask;
+        std::size_t slot = base::edgeHash(start(edge), end(edge)) & mask;
         for (; slots[slot] != kNone; slot = (slot + 1) & mask) {
             const std::uint32_t other = slots[slot];
             if (m_twin[other] == kNone && start(other) == end(edge) && end(other) == start(edge)) {

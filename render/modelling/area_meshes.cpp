@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <numeric>
 #include <tuple>
 
+#include "model/base/edge_hash.h"
 #include "model/base/parallel.h"
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
@@ -43,23 +45,59 @@ void repair(ShapeMesh& mesh, tri::Triangulator triangulator) {
     }
 }
 
+/// The edges of which another one runs between the same points, there or back. `next` leads from a point to the end of
+/// its edge, or to itself where it has none.
+std::vector<WallEdge> sharedEdges(const std::vector<Point>& points, const std::vector<std::uint32_t>& next) {
+    constexpr std::uint32_t kNone = 0xFFFFFFFF;
+    std::vector<std::uint32_t> slots(std::bit_ceil(2 * points.size() + 1), kNone);  // edges by their hash
+    std::vector<bool> isShared(points.size(), false);
+    const auto edgeAt = [&](std::uint32_t i) {
+        const Point a = points[i];
+        const Point b = points[next[i]];
+        return WallEdge{std::min(a, b), std::max(a, b), a < b, i};
+    };
+    std::vector<WallEdge> shared;
+    const auto share = [&](std::uint32_t i) {
+        if (!isShared[i]) {
+            isShared[i] = true;
+            shared.push_back(edgeAt(i));
+        }
+    };
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        if (next[i] == i) {
+            continue;
+        }
+        const WallEdge edge = edgeAt(i);
+        std::size_t slot = base::edgeHash(edge.low, edge.high) & (slots.size() - 1);
+        for (; slots[slot] != kNone; slot = (slot + 1) & (slots.size() - 1)) {
+            const WallEdge other = edgeAt(slots[slot]);
+            if (other.low == edge.low && other.high == edge.high) {
+                share(slots[slot]);
+                share(i);
+                break;
+            }
+        }
+        if (slots[slot] == kNone) {
+            slots[slot] = i;
+        }
+    }
+    return shared;
+}
+
 /// The wall of every contour edge of loops without the flag `wallless` (empty: none has it), except where two opposite
 /// edges coincide (the bridge of a keyhole contour; odb-notes, Features).
 std::vector<std::uint32_t> findWalls(const PolygonSet& set, const std::vector<std::uint8_t>& wallless) {
     std::vector<std::uint32_t> next(set.points.size());
     std::iota(next.begin(), next.end(), 0U);
-    std::vector<WallEdge> edges;
     for (std::size_t loop = 0; loop < set.loopCount(); ++loop) {
         if (!wallless.empty() && wallless[loop] != 0) {
             continue;
         }
         for (std::uint32_t i = set.loopStart[loop]; i < set.loopStart[loop + 1]; ++i) {
             next[i] = i + 1 < set.loopStart[loop + 1] ? i + 1 : set.loopStart[loop];
-            const Point a = set.points[i];
-            const Point b = set.points[next[i]];
-            edges.push_back({std::min(a, b), std::max(a, b), a < b, i});
         }
     }
+    std::vector<WallEdge> edges = sharedEdges(set.points, next);
     std::ranges::sort(edges, [](const WallEdge& a, const WallEdge& b) {
         return std::tuple(a.low, a.high, a.isForward, a.from) < std::tuple(b.low, b.high, b.isForward, b.from);
     });
@@ -213,9 +251,8 @@ void triangulateShapes(std::vector<ShapeMesh>& meshes, const AreaTriangulator& h
         triangulateOnDevice(meshes, how.onDevice, progress);
         return;
     }
-    std::vector<std::uint32_t> order(meshes.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::stable_sort(order, std::greater{}, [&](std::uint32_t i) { return meshes[i].polygons.points.size(); });
+    const std::vector<std::uint32_t> order =
+        base::largestFirst(meshes.size(), [&](std::size_t i) { return meshes[i].polygons.points.size(); });
     std::size_t total = 1;
     for (const ShapeMesh& mesh : meshes) {
         total += mesh.polygons.points.size();

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "model/base/parallel.h"
 #include "model/base/stopwatch.h"
+#include "model/board/copies.h"
 #include "model/solids/milling.h"
 #include "render/modelling/area_meshes.h"
 #include "render/modelling/area_pieces.h"
@@ -21,24 +21,44 @@ using model::Layer;
 
 namespace {
 
-void joinLets(const Document& document, std::vector<LayerLets>& perLayer, BoardModel& out) {
-    std::size_t letCount = 0;
-    for (const LayerLets& layer : perLayer) {
-        letCount += layer.lets.size();
-    }
-    out.lets.reserve(letCount);
-    out.clusters.reserve(letCount / shader::kClusterSize + perLayer.size());
+void reportZeroWidths(const Document& document, const std::vector<LayerLets>& perLayer, BoardModel& out) {
     for (std::size_t row = 0; row < perLayer.size(); ++row) {
         const LayerLets& layer = perLayer[row];
-        const auto firstCluster = static_cast<std::uint32_t>(out.clusters.size());
-        appendLets(layer, model::LayerId{row}, out.lets, out.clusters);
-        out.clustersOfLayer.push_back({firstCluster, static_cast<std::uint32_t>(out.clusters.size()) - firstCluster});
         if (layer.zeroWidthTracks > 0) {
             out.diagnostics.report(model::Severity::Info, document.layers[row].file, layer.firstZeroWidthLine,
                                    "layer " + document.layers[row].name + ": " + std::to_string(layer.zeroWidthTracks) +
                                        " tracks or pads without a width are not drawn");
         }
     }
+}
+
+/// Layers by how much they hold, for parallelFor.
+std::vector<std::uint32_t> largestLayersFirst(const Document& document) {
+    return base::largestFirst(document.layers.size(),
+                              [&](std::size_t row) { return document.layers[row].elements.count; });
+}
+
+void joinLets(const Document& document, const std::vector<LayerLets>& perLayer, BoardModel& out) {
+    std::vector<std::uint32_t> firstLets;
+    std::uint32_t lets = 0;
+    std::uint32_t clusters = 0;
+    for (const LayerLets& layer : perLayer) {
+        const auto ownClusters = static_cast<std::uint32_t>(clusterCount(layer));
+        out.clustersOfLayer.push_back({clusters, ownClusters});
+        firstLets.push_back(lets);
+        clusters += ownClusters;
+        lets += static_cast<std::uint32_t>(layer.order.size());
+    }
+    out.lets.resize(lets);
+    out.clusters.resize(clusters);
+    const std::vector<std::uint32_t> order = largestLayersFirst(document);
+    base::parallelFor(order.size(), [&](std::size_t i) {
+        const std::uint32_t row = order[i];
+        const LayerRun run = out.clustersOfLayer[row];
+        placeLets(perLayer[row], model::LayerId{std::size_t{row}}, firstLets[row],
+                  std::span(out.lets).subspan(firstLets[row], perLayer[row].order.size()),
+                  std::span(out.clusters).subspan(run.first, run.count));
+    });
 }
 
 std::vector<std::uint32_t> rowsOfShapes(const Document& document, const std::vector<model::ShapeId>& used) {
@@ -90,29 +110,43 @@ void makeAllLets(const Document& document, const model::Discretisation& how,
                  const Milling& milling, BoardModel& out) {
     std::vector<LayerLets> perLayer(document.layers.size());
     const HolesOfShape holesOf = [&](model::ShapeId shape) { return std::span(meshes[rowOfShape[shape.row()]].holes); };
-    base::parallelFor(perLayer.size(), [&](std::size_t row) {
+    const std::vector<std::uint32_t> order = largestLayersFirst(document);
+    base::parallelFor(order.size(), [&](std::size_t i) {
+        const std::size_t row = order[i];
         perLayer[row] = makeLets(document, model::LayerId{row}, out.origin, how.chordToleranceNm, holesOf,
                                  [&](model::ElementId element) { return milling.isMilled(element); });
     });
     joinLets(document, perLayer, out);
+    reportZeroWidths(document, perLayer, out);
 }
 
 /// Puts the shapes' meshes one behind the other. Vertices are mm from the centre of the shape's box, so that floats
 /// resolve them as finely as pads wherever the shape lies; the instance adds the centre's place on the board.
 void joinMeshes(const std::vector<ShapeMesh>& meshes, const std::vector<model::Point>& centres, BoardModel& out) {
-    for (std::size_t row = 0; row < meshes.size(); ++row) {
-        const ShapeMesh& mesh = meshes[row];
-        const model::Point centre = centres[row];
-        const auto firstVertex = static_cast<std::uint32_t>(out.vertices.size());
-        out.shapes.push_back({firstVertex, static_cast<std::uint32_t>(mesh.polygons.points.size()),
-                              static_cast<std::uint32_t>(out.indices.size()),
-                              static_cast<std::uint32_t>(mesh.triangles.size() / 3), 0, 0});
-        for (std::size_t i = 0; i < mesh.polygons.points.size(); ++i) {
-            out.vertices.push_back(toGpu(base::toDouble(mesh.polygons.points[i]), centre));
-            out.next.push_back(firstVertex + mesh.next[i]);
-        }
-        out.indices.insert(out.indices.end(), mesh.triangles.begin(), mesh.triangles.end());
+    std::uint32_t vertices = 0;
+    std::uint32_t indices = 0;
+    for (const ShapeMesh& mesh : meshes) {
+        const auto own = static_cast<std::uint32_t>(mesh.polygons.points.size());
+        const auto triangles = static_cast<std::uint32_t>(mesh.triangles.size() / 3);
+        out.shapes.push_back({vertices, own, indices, triangles, 0, 0});
+        vertices += own;
+        indices += 3 * triangles;
     }
+    out.vertices.resize(vertices);
+    out.next.resize(vertices);
+    out.indices.resize(indices);
+    const std::vector<std::uint32_t> order =
+        base::largestFirst(meshes.size(), [&](std::size_t row) { return meshes[row].polygons.points.size(); });
+    base::parallelFor(order.size(), [&](std::size_t task) {
+        const std::uint32_t row = order[task];
+        const ShapeMesh& mesh = meshes[row];
+        const AreaShape& shape = out.shapes[row];
+        for (std::uint32_t i = 0; i < shape.vertexCount; ++i) {
+            out.vertices[shape.firstVertex + i] = toGpu(base::toDouble(mesh.polygons.points[i]), centres[row]);
+            out.next[shape.firstVertex + i] = shape.firstVertex + mesh.next[i];
+        }
+        std::ranges::copy(mesh.triangles, out.indices.begin() + shape.firstIndex);
+    });
 }
 
 /// A shape laid on the board; `centre` is what its vertices count from.
@@ -265,20 +299,28 @@ void reportMeshes(const Document& document, const std::vector<ShapeMesh>& meshes
     }
 }
 
-/// One step by itself.
-base::Result<BoardModel> buildStepModel(const Document& document, Milling milling, const model::Discretisation& how,
-                                        base::Progress& progress, const AreaTriangulator& triangulator) {
+/// One step by itself, whose meshes do not lie one behind the other yet. All that can go wrong has been said.
+struct Parts {
+    BoardModel model;  ///< lets, instances, messages
+    std::vector<ShapeMesh> meshes;
+    std::vector<model::Point> centres;  ///< of meshes
+};
+
+base::Result<Parts> makeParts(const Document& document, Milling milling, const model::Discretisation& how,
+                              base::Progress& progress, const AreaTriangulator& triangulator) {
     const base::Error cancelled{base::ErrorCode::Cancelled, "cancelled"};
-    BoardModel out;
+    Parts parts;
+    BoardModel& out = parts.model;
     progress.beginPhase("Rounding curves");
     base::Stopwatch watch;
     const std::vector<model::ShapeId> used = shapesInUse(document);
     const std::vector<std::uint32_t> rowOfShape = rowsOfShapes(document, used);
-    std::vector<ShapeMesh> meshes = punchShapes(document, used, how, progress);
+    parts.meshes = punchShapes(document, used, how, progress);
+    std::vector<ShapeMesh>& meshes = parts.meshes;
     milling.takeRests(meshes);
     BodyDetails bodies(document);
     bodies.takeMeshes(meshes);
-    const std::vector<model::Point> centres = centresOf(document, used, meshes);
+    parts.centres = centresOf(document, used, meshes);
     out.times.discretiseMs = watch.milliseconds();
     if (progress.isCancelled()) {
         return cancelled;
@@ -289,7 +331,7 @@ base::Result<BoardModel> buildStepModel(const Document& document, Milling millin
     static_cast<BoardFrame&>(out) = frameOf(document);
     out.elementCount = static_cast<std::uint32_t>(document.elements.size());
     makeAllLets(document, how, rowOfShape, meshes, milling, out);
-    makeInstances(document, rowOfShape, milling, bodies, centres, out);
+    makeInstances(document, rowOfShape, milling, bodies, parts.centres, out);
     out.times.createMs = watch.milliseconds();
 
     progress.beginPhase("Triangulating copper areas");
@@ -299,18 +341,28 @@ base::Result<BoardModel> buildStepModel(const Document& document, Milling millin
     if (progress.isCancelled()) {
         return cancelled;
     }
-    watch = {};
-    joinMeshes(meshes, centres, out);
-    out.inSubstrate = findSubstrateMargins(document, out);
-    out.shadows = castShadows(out);
-    out.times.createMs += watch.milliseconds();
     reportMeshes(document, meshes, out);
     std::ranges::transform(milling.elements(), std::back_inserter(out.milled), &model::MilledElement::element);
     reportMilled(document, milling, out);
-    watch = {};
+    return parts;
+}
+
+/// What drawing needs besides.
+BoardModel putTogether(const Document& document, Parts parts) {
+    const base::Stopwatch watch;
+    BoardModel& out = parts.model;
+    joinMeshes(parts.meshes, parts.centres, out);
+    out.inSubstrate = findSubstrateMargins(document, out);
+    out.shadows = castShadows(out);
     cutIntoPieces(out);
     out.times.createMs += watch.milliseconds();
-    return out;
+    return std::move(out);
+}
+
+/// The steps of a panel are milled from it later.
+Milling millingOf(const Document& document, bool isBoard, const model::Discretisation& how, base::Progress& progress) {
+    progress.beginPhase("Milling");
+    return {document, isBoard ? model::findMilled(document, how, progress) : model::MilledBoard{}};
 }
 
 /// Takes what is said about a step over into what is said about the board, where its elements have no numbers.
@@ -325,12 +377,10 @@ void addMessages(model::Diagnostics messages, model::Diagnostics& board) {
 
 base::Result<BoardModel> buildBoardModel(const Document& document, const model::Discretisation& how,
                                          base::Progress& progress, const AreaTriangulator& triangulator) {
-    auto board = buildWithSteps<BoardModel>(document, [&](const Document& step) {
-        // The steps of a panel are milled from it later.
-        const bool isBoard = &step == &document;
-        progress.beginPhase("Milling");
-        Milling milling(step, isBoard ? model::findMilled(step, how, progress) : model::MilledBoard{});
-        return buildStepModel(step, std::move(milling), how, progress, triangulator);
+    auto board = buildWithSteps<BoardModel>(document, [&](const Document& step) -> base::Result<BoardModel> {
+        ASSIGN_OR_RETURN(Parts parts, makeParts(step, millingOf(step, &step == &document, how, progress), how, progress,
+                                                triangulator));
+        return putTogether(step, std::move(parts));
     });
     if (board) {
         for (const BoardModel& step : board->steps) {
@@ -338,6 +388,30 @@ base::Result<BoardModel> buildBoardModel(const Document& document, const model::
         }
     }
     return board;
+}
+
+base::Result<ModelCounts> countBoardModel(const Document& document, const model::Discretisation& how,
+                                          base::Progress& progress, const AreaTriangulator& triangulator) {
+    ModelCounts counts;
+    const model::StepTree tree = model::unfoldCopies(document);
+    for (const Document* step : tree.steps) {
+        const bool isBoard = step == &document;
+        ASSIGN_OR_RETURN(const Parts parts,
+                         makeParts(*step, millingOf(*step, isBoard, how, progress), how, progress, triangulator));
+        counts.lets += parts.model.lets.size();
+        counts.instances += parts.model.instances.size();
+        counts.shapes += parts.meshes.size();
+        for (const ShapeMesh& mesh : parts.meshes) {
+            counts.triangles += mesh.triangles.size() / 3;
+        }
+        counts.times += parts.model.times;
+        if (isBoard) {
+            counts.diagnostics = parts.model.diagnostics;
+        } else {
+            addMessages(parts.model.diagnostics, counts.diagnostics);
+        }
+    }
+    return counts;
 }
 
 }  // namespace render

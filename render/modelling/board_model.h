@@ -75,4 +75,19 @@ struct BoardModel : BoardFrame {
                                                        const model::Discretisation& how, base::Progress& progress,
                                                        const AreaTriangulator& triangulator = {});
 
+/// What a board model holds, over all steps, for reports.
+struct ModelCounts {
+    std::size_t lets = 0;
+    std::size_t shapes = 0;       ///< triangulated, each once
+    std::size_t instances = 0;    ///< places that shapes lie at
+    std::uint64_t triangles = 0;  ///< stored: of tops, and bottoms are made from them
+    ModelTimes times;
+    model::Diagnostics diagnostics;  ///< the same as the model's
+};
+
+/// Makes what `buildBoardModel` makes, without what only drawing needs, and counts it. Errors: Cancelled.
+[[nodiscard]] base::Result<ModelCounts> countBoardModel(const model::Document& document,
+                                                        const model::Discretisation& how, base::Progress& progress,
+                                                        const AreaTriangulator& triangulator = {});
+
 }  // namespace render

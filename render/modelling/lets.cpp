@@ -326,22 +326,30 @@ LayerLets makeLets(const model::Document& document, model::LayerId layer, Point 
     return out;
 }
 
-void appendLets(const LayerLets& made, model::LayerId layer, std::vector<shader::Let>& lets,
-                std::vector<shader::Cluster>& clusters) {
-    const auto append = [&](std::span<const std::uint32_t> rows, std::uint32_t onlyAs) {
+std::size_t clusterCount(const LayerLets& made) {
+    const auto clustersOf = [](std::size_t lets) { return (lets + shader::kClusterSize - 1) / shader::kClusterSize; };
+    return clustersOf(made.wholeCount) + clustersOf(made.order.size() - made.wholeCount);
+}
+
+void placeLets(const LayerLets& made, model::LayerId layer, std::uint32_t firstLet, std::span<shader::Let> lets,
+               std::span<shader::Cluster> clusters) {
+    std::size_t placed = 0;
+    std::size_t cluster = 0;
+    const auto place = [&](std::span<const std::uint32_t> rows, std::uint32_t onlyAs) {
         for (std::size_t done = 0; done < rows.size(); done += shader::kClusterSize) {
             const std::size_t count = std::min<std::size_t>(shader::kClusterSize, rows.size() - done);
-            const auto first = static_cast<std::uint32_t>(lets.size());
+            const auto first = firstLet + static_cast<std::uint32_t>(placed);
             Box2 box;
             for (const std::uint32_t row : rows.subspan(done, count)) {
-                box.include(boxOf(lets.emplace_back(made.lets[row])));
+                lets[placed] = made.lets[row];
+                box.include(boxOf(lets[placed++]));
             }
-            clusters.push_back({box.min, box.max, first, static_cast<std::uint32_t>(count), layer.value, onlyAs});
+            clusters[cluster++] = {box.min, box.max, first, static_cast<std::uint32_t>(count), layer.value, onlyAs};
         }
     };
     const std::span<const std::uint32_t> order(made.order);
-    append(order.first(made.wholeCount), 0);
-    append(order.subspan(made.wholeCount), shader::kOnlyAsDesigned);
+    place(order.first(made.wholeCount), 0);
+    place(order.subspan(made.wholeCount), shader::kOnlyAsDesigned);
 }
 
 }  // namespace render

@@ -37,8 +37,12 @@ using IsMilled = std::function<bool(model::ElementId)>;
                                  double chordToleranceNm, const HolesOfShape& holesOf = {},
                                  const IsMilled& isMilled = {});
 
-/// Appends a layer's lets in their order, cut into clusters.
-void appendLets(const LayerLets& made, model::LayerId layer, std::vector<shader::Let>& lets,
-                std::vector<shader::Cluster>& clusters);
+/// How many clusters a layer's lets are cut into.
+[[nodiscard]] std::size_t clusterCount(const LayerLets& made);
+
+/// Writes a layer's lets in their order, and its clusters, to as many rows as they take. `firstLet` is the row that the
+/// first of `lets` has on the board.
+void placeLets(const LayerLets& made, model::LayerId layer, std::uint32_t firstLet, std::span<shader::Let> lets,
+               std::span<shader::Cluster> clusters);
 
 }  // namespace render

@@ -5,8 +5,10 @@
 #include <numbers>
 #include <vector>
 
+#include "model/base/parallel.h"
 #include "model/board/copies.h"
 #include "model/figures/element_polygons.h"
+#include "render/modelling/area_meshes.h"
 
 namespace render {
 
@@ -72,13 +74,11 @@ std::uint64_t trianglesOf(const Document& document, std::size_t row, const model
 /// By shape; 0 for shapes that are not in use.
 std::vector<std::uint64_t> trianglesOfShapes(const Document& document, const model::Discretisation& how) {
     std::vector<std::uint64_t> triangles(document.shapes.size(), 0);
-    for (const model::AreaGeometry& area : document.areas) {
-        std::uint64_t& own = triangles[area.shape.row()];
-        if (own == 0) {
-            const model::PolygonSet set = model::discretise(document.shapes, area.shape, how);
-            own = 4 * set.points.size() + 4 * set.loopCount() - 8 * set.polygons.size();
-        }
-    }
+    const std::vector<model::ShapeId> used = shapesInUse(document);
+    base::parallelFor(used.size(), [&](std::size_t i) {
+        const model::PolygonSet set = model::discretise(document.shapes, used[i], how);
+        triangles[used[i].row()] = 4 * set.points.size() + 4 * set.loopCount() - 8 * set.polygons.size();
+    });
     return triangles;
 }
 

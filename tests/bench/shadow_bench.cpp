@@ -31,9 +31,23 @@ double medianOf(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
+struct Board {
+    std::shared_ptr<const model::Document> document;
+    render::BoardModel model;
+};
+
+base::Result<Board> openBoard(const char* path) {
+    base::Progress progress;
+    app::BoardArguments arguments;
+    arguments.request.path = path;
+    ASSIGN_OR_RETURN(const auto document, app::openDocument(arguments, progress));
+    ASSIGN_OR_RETURN(render::BoardModel model, app::modelBoard(*document, arguments, progress));
+    return Board{document, std::move(model)};
+}
+
 class Bench {
 public:
-    Bench(render::gpu::Device& device, const app::OpenBoard& board)
+    Bench(render::gpu::Device& device, const Board& board)
         : m_board(board), m_scene(device, board.model), m_presenter(device) {
         std::vector<render::LayerStyle> styles = render::defaultStyles(*board.document);
         app::showComponents(*board.document, styles);
@@ -86,7 +100,7 @@ private:
         return image ? cpuMs() - start : 0.0;
     }
 
-    const app::OpenBoard& m_board;
+    const Board& m_board;
     render::BoardScene m_scene;
     render::OffscreenPresenter m_presenter;
 };
@@ -96,9 +110,7 @@ private:
 int main(int argc, char** argv) {
     auto opened = app::HeadlessDevice::open();
     for (int i = 1; opened && i < argc; ++i) {
-        app::BoardArguments arguments;
-        arguments.request.path = argv[i];
-        const auto board = app::openBoard(arguments);
+        const auto board = openBoard(argv[i]);
         if (!board) {
             std::fprintf(stderr, "%s\n", board.error().text.c_str());
             return 1;

@@ -26,9 +26,9 @@ struct Drawn {
 };
 
 Drawn drawn(const model::Document& document) {
-    Drawn result;
-    render::appendLets(render::makeLets(document, model::LayerId{0UL}, {}, 5000.0), model::LayerId{0UL}, result.lets,
-                       result.clusters);
+    const render::LayerLets made = render::makeLets(document, model::LayerId{0UL}, {}, 5000.0);
+    Drawn result{std::vector<Let>(made.order.size()), std::vector<shader::Cluster>(render::clusterCount(made))};
+    render::placeLets(made, model::LayerId{0UL}, 0, result.lets, result.clusters);
     return result;
 }
 
