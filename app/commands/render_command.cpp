@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
+#include <memory>
 
 #include "app/common/board_styles.h"
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
 #include "model/board/copies.h"
 #include "render/frame/transparent.h"
+#include "render/gpu/check.h"
 #include "render/scene/explosion.h"
 #include "render/standard/standard_model.h"
 
@@ -171,17 +174,44 @@ struct Scenery {
     std::shared_ptr<const render::SectionCut> cut;
 };
 
-template <class Model>
-Result<render::Image> draw(const RenderArguments& arguments, const Model& board, const Scenery& scenery) {
+/// What draws. Opening a device and compiling its pipelines takes a driver about as long as a board takes to read, so
+/// both are done at once.
+struct Painter {
+    HeadlessDevice opened;
+    std::unique_ptr<render::OffscreenPresenter> presenter;
+};
+
+/// The back end that will draw, as far as that is known before the board is.
+render::Backend likelyBackend(const RenderArguments& arguments) {
+    const render::ViewSettings settings = settingsFor(arguments);
+    if (arguments.pipeline == "standard") {
+        return render::Backend::Standard;
+    }
+    return settings.backend == render::Backend::Auto && settings.is2d ? render::Backend::Impostor : settings.backend;
+}
+
+Result<Painter> openPainter(const RenderArguments& arguments) {
     ASSIGN_OR_RETURN(HeadlessDevice opened, HeadlessDevice::open());
-    render::gpu::Device& device = *opened.device;
-    ASSIGN_OR_RETURN(render::BoardScene made, render::BoardScene::make(device, board));
+    auto presenter = std::make_unique<render::OffscreenPresenter>(*opened.device);
+    try {
+        presenter->makeReady(likelyBackend(arguments), settingsFor(arguments).isSmoothed);
+    } catch (const render::gpu::OutOfMemory&) {
+        // Drawing tries again, and says what is missing.
+    }
+    return Painter{std::move(opened), std::move(presenter)};
+}
+
+template <class Model>
+Result<render::Image> draw(const RenderArguments& arguments, const Model& board, const Scenery& scenery,
+                           std::future<Result<Painter>>& opening) {
+    ASSIGN_OR_RETURN(const Painter painter, opening.get());
+    render::OffscreenPresenter& presenter = *painter.presenter;
+    ASSIGN_OR_RETURN(render::BoardScene made, render::BoardScene::make(*painter.opened.device, board));
     render::BoardScene& scene = made;
     scene.setStyles(scenery.styles);
     for (std::uint32_t step = 0; step < scenery.highlights.size(); ++step) {
         scene.setStates(scenery.highlights[step].bytes(), step);
     }
-    render::OffscreenPresenter presenter(device);
     render::ViewSettings settings = settingsFor(arguments);
     settings.section = scenery.cut;
     const render::Camera camera = cameraFor(arguments, board, scenery.view);
@@ -196,15 +226,16 @@ Result<render::Image> draw(const RenderArguments& arguments, const Model& board,
     return render::withoutBackground(onBlack, onWhite);
 }
 
-Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Document& document, const Scenery& scenery) {
+Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Document& document, const Scenery& scenery,
+                                   std::future<Result<Painter>>& opening) {
     ConsoleProgress console;
     if (arguments.pipeline == "standard") {
         const model::Discretisation how = discretisationOf(arguments.board);
         ASSIGN_OR_RETURN(const auto board, render::buildStandardModel(document, how, console.progress()));
-        return draw(arguments, board, scenery);
+        return draw(arguments, board, scenery, opening);
     }
     ASSIGN_OR_RETURN(const auto board, modelBoard(document, arguments.board, console.progress()));
-    return draw(arguments, board, scenery);
+    return draw(arguments, board, scenery, opening);
 }
 
 Result<std::shared_ptr<const Document>> readDocument(const RenderArguments& arguments) {
@@ -234,11 +265,13 @@ base::Status checkArguments(const RenderArguments& arguments) {
 base::Status renderToFile(const RenderArguments& arguments) {
     RETURN_IF_ERROR(checkArguments(arguments));
     ASSIGN_OR_RETURN(const render::NamedView view, viewOf(arguments));
+    std::future<Result<Painter>> opening = std::async([&arguments] { return openPainter(arguments); });
     ASSIGN_OR_RETURN(const std::shared_ptr<const Document> document, readDocument(arguments));
     ASSIGN_OR_RETURN(const std::vector<render::LayerStyle> styles, chooseLayers(*document, arguments));
     ASSIGN_OR_RETURN(const Highlights highlight, elementsOfNets(*document, arguments.nets));
     ASSIGN_OR_RETURN(const std::shared_ptr<const render::SectionCut> cut, cutOf(arguments, document));
-    ASSIGN_OR_RETURN(const render::Image image, modelAndDraw(arguments, *document, {styles, highlight, view, cut}));
+    ASSIGN_OR_RETURN(const render::Image image,
+                     modelAndDraw(arguments, *document, {styles, highlight, view, cut}, opening));
     return render::writePng(image, arguments.output);
 }
 
