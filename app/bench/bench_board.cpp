@@ -8,6 +8,7 @@
 #include "app/common/board_styles.h"
 #include "app/common/console_progress.h"
 #include "model/base/stopwatch.h"
+#include "render/backends/backend_choice.h"
 #include "render/frame/frame_measures.h"
 
 namespace app {
@@ -78,25 +79,9 @@ public:
     }
 
 private:
-    /// Those that this device draws tilted views with.
-    [[nodiscard]] std::vector<Backend> backends() const {
-        const render::gpu::Caps& caps = m_device.caps();
-        std::vector<Backend> all = {Backend::Pull};
-        if (caps.hasMeshShader) {
-            all.push_back(Backend::Mesh);
-        }
-        if (caps.canShadeSamples) {
-            all.push_back(Backend::Impostor);
-        }
-        if (caps.hasAtomic64) {
-            all.push_back(Backend::Raster);
-        }
-        return all;
-    }
-
     base::Status measureAll(render::BoardScene& scene, const render::BoardFrame& frame, const View& view,
                             std::vector<FrameResult>& out) {
-        for (const Backend backend : backends()) {
+        for (const Backend backend : render::tiltedBackends(m_device.caps(), false)) {
             for (const bool isCulled : {true, false}) {
                 if (!isCulled && m_onlyCulled) {
                     continue;

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "app/bench/bench_command.h"
+#include "app/bench/calibration_bench.h"
 #include "app/bench/triangulation_bench.h"
 #include "app/commands/agree_command.h"
 #include "app/commands/clearance_command.h"
@@ -463,13 +464,26 @@ void addInteractionBench(CLI::App& command, bool& isWanted, InteractionArguments
         ->needs(wanted);
 }
 
+/// What it measures, and saves, with --calibrate.
+void addCalibrationBench(CLI::App& command, bool& isWanted) {
+    CLI::Option* wanted = command.add_flag(
+        "--calibrate", isWanted,
+        "the device instead: which back end auto takes for tilted views from now on; the answer is saved");
+    for (const char* other : {"BOARD", "--pipeline", "--lod", "--only-culled", "--components", "--stages", "--frames",
+                              "--triangulation", "--interactive", "--chord"}) {
+        wanted->excludes(command.get_option(other));
+    }
+}
+
 void addBench(CLI::App& parent, Command& chosen) {
     struct All {
         BenchArguments frames;
+        CalibrationBenchArguments calibration;
         TriangulationBenchArguments triangulation;
         InteractionArguments interaction;
         bool isTriangulation = false;
         bool isInteraction = false;
+        bool isCalibration = false;
     };
     const auto all = std::make_shared<All>();
     BenchArguments& arguments = all->frames;
@@ -488,13 +502,14 @@ void addBench(CLI::App& parent, Command& chosen) {
     addInputOptions(command, arguments.modelling.request);
     addTriangulationBench(command, all->isTriangulation, all->triangulation);
     addInteractionBench(command, all->isInteraction, all->interaction);
+    addCalibrationBench(command, all->isCalibration);
     command.callback([&chosen, &command, all] {
-        if (all->frames.boards.empty() && !all->isTriangulation) {
+        if (all->frames.boards.empty() && !all->isTriangulation && !all->isCalibration) {
             throw CLI::RequiredError("BOARD");
         }
         all->triangulation.boards = all->interaction.boards = all->frames.boards;
         all->triangulation.hasStages = all->frames.hasStages;
-        all->triangulation.asJson = all->interaction.asJson = all->frames.asJson;
+        all->triangulation.asJson = all->interaction.asJson = all->calibration.asJson = all->frames.asJson;
         all->interaction.request.board = all->frames.modelling.request;
         if (command.get_option("--frames")->count() > 0) {
             all->interaction.request.frames = all->frames.frames;
@@ -502,6 +517,7 @@ void addBench(CLI::App& parent, Command& chosen) {
         chosen = [all] {
             return codeOf(all->isTriangulation ? runTriangulationBench(all->triangulation)
                           : all->isInteraction ? runInteractionBench(all->interaction)
+                          : all->isCalibration ? runCalibrationBench(all->calibration)
                                                : runBench(all->frames));
         };
     });

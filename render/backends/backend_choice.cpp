@@ -1,6 +1,7 @@
 #include "render/backends/backend_choice.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "render/backends/let_backend.h"
 #include "render/gpu/device.h"
@@ -29,7 +30,7 @@ bool canRasterise(const gpu::Caps& caps, const FramePlan& plan) {
     return caps.hasAtomic64 && castsSight(plan) && rasterBytes(plan) <= caps.maxAllocationBytes;
 }
 
-/// The back ends from the best to the one for every device and view.
+/// The back ends from the best to the one for every device and view: the rules for devices that were not measured.
 struct Row {
     Backend backend;
     bool (*suits)(const gpu::Caps&, const FramePlan&, bool isSmoothed);  ///< Auto takes the first that does
@@ -66,16 +67,32 @@ const char* nameOf(Backend backend) {
     return kNames[static_cast<std::size_t>(backend)];
 }
 
-BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePlan& plan, bool isSmoothed) {
+BackendChoice chooseBackend(Backend wanted, const gpu::Caps& caps, const FramePlan& plan, bool isSmoothed,
+                            const MeasuredBackends& measured) {
     if ((plan.data.flags & shader::kFrameOutlines) != 0) {
         return {Backend::Impostor};
     }
-    const auto best = std::ranges::find_if(kRows, [&](const Row& row) { return row.suits(caps, plan, isSmoothed); });
-    const auto requested = std::ranges::find(kRows, wanted, &Row::backend);
+    const auto canDraw = [&](const Row* row) { return row != std::end(kRows) && row->canDraw(caps, plan); };
+    const Row* best = std::ranges::find_if(kRows, [&](const Row& row) { return row.suits(caps, plan, isSmoothed); });
+    const Row* fastest = std::ranges::find(kRows, measured.of(isSmoothed), &Row::backend);
+    if (!isFlatView(plan) && canDraw(fastest)) {
+        best = fastest;
+    }
+    const Row* requested = std::ranges::find(kRows, wanted, &Row::backend);
     if (requested == std::end(kRows)) {
         return {best->backend};
     }
-    return requested->canDraw(caps, plan) ? BackendChoice{wanted} : BackendChoice{best->backend, requested->needs};
+    return canDraw(requested) ? BackendChoice{wanted} : BackendChoice{best->backend, requested->needs};
+}
+
+std::vector<Backend> tiltedBackends(const gpu::Caps& caps, bool isSmoothed) {
+    std::vector<Backend> all;
+    std::ranges::copy_if(tiltedBackends(isSmoothed), std::back_inserter(all), [&](Backend backend) {
+        return backend == Backend::Pull || (backend == Backend::Mesh && caps.hasMeshShader) ||
+               (backend == Backend::Impostor && caps.canShadeSamples) ||
+               (backend == Backend::Raster && caps.hasAtomic64);
+    });
+    return all;
 }
 
 }  // namespace render

@@ -100,10 +100,12 @@ private:
 
 }  // namespace
 
+Renderer::Renderer(gpu::Device& device) : m_device(&device), m_measured(measuredBackends(device.caps())) {}
+
 Backend Renderer::resolve(const ViewSettings& settings, const FramePlan& plan) {
     const Backend wanted = settings.backend;
     const bool isSmoothed = settings.isSmoothed && !settings.isMono && m_device->caps().canSmooth;
-    const BackendChoice choice = chooseBackend(wanted, m_device->caps(), plan, isSmoothed);
+    const BackendChoice choice = chooseBackend(wanted, m_device->caps(), plan, isSmoothed, m_measured);
     if (choice.needs != nullptr && !m_hasWarned) {
         spdlog::warn("The {} back end {}: drawing with {} instead.", nameOf(wanted), choice.needs,
                      nameOf(choice.backend));
@@ -123,8 +125,9 @@ SceneDrawer& Renderer::sceneDrawer(const TargetFormat& format, Backend backend) 
 
 void Renderer::makeReady(VkFormat colour, Backend backend, bool isSmoothed) {
     const bool hasSamples = isSmoothed && m_device->caps().canSmooth;
+    const Backend fastest = m_measured.of(hasSamples) == Backend::Auto ? Backend::Pull : m_measured.of(hasSamples);
     sceneDrawer({colour, hasSamples ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT},
-                backend == Backend::Auto ? Backend::Pull : backend);
+                backend == Backend::Auto ? fastest : backend);
 }
 
 void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {

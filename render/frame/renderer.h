@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "render/backends/measured_backends.h"
 #include "render/backends/overlay_drawer.h"
 #include "render/backends/scene_drawer.h"
 #include "render/backends/section_drawer.h"
@@ -14,7 +15,8 @@ namespace render {
 /// Records frames: what both presenters share. Makes pipelines when a format is first drawn.
 class Renderer {
 public:
-    explicit Renderer(gpu::Device& device) : m_device(&device) {}
+    /// Auto goes by what is known of the device now.
+    explicit Renderer(gpu::Device& device);
 
     /// Records the picture of `scene` (may be null) into `target`, whose size and format are set here. Draws the
     /// overlay alone where the settings say that the board is the same. Returns the back end that draws, or drew, the
@@ -42,6 +44,7 @@ private:
     void drawOverlays(gpu::Frame& frame, RenderTarget& target, const Camera& camera, const ViewSettings& settings);
 
     gpu::Device* m_device;
+    MeasuredBackends m_measured;
     std::map<std::pair<TargetFormat, Backend>, std::unique_ptr<SceneDrawer>> m_scenes;
     std::map<VkFormat, OverlayDrawer> m_overlays;
     std::map<TargetFormat, SectionDrawer> m_sections;

@@ -147,6 +147,8 @@ private slots:
     }
 
     void benchRefusesOptionsOfTheOtherMeasurement() {
+        QCOMPARE(copperscope({"bench", "--calibrate", locations::kSample}).exitCode, 1);
+        QCOMPARE(copperscope({"bench", "--calibrate", "--frames", "3"}).exitCode, 1);
         QCOMPARE(copperscope({"bench", "--triangulation", "--sets", "none", "--frames", "3"}).exitCode, 1);
         QCOMPARE(copperscope({"bench", locations::kSample, "--repeats", "3"}).exitCode, 1);
     }

@@ -3,7 +3,7 @@ add_library(copperscope_gpu_test_support STATIC gpu/gpu_fixture.cpp gpu/syntheti
 target_link_libraries(copperscope_gpu_test_support PUBLIC copperscope_options copperscope_render copperscope_tri)
 
 add_custom_target(gpu_tests)  # all of them, for scripts/gpu-check.sh
-foreach(name backends component_bodies section_plane device element_state faults flat_picture highlight memory milling_view panel pipelines raster sample_board swapchain view)
+foreach(name backends calibrate component_bodies section_plane device element_state faults flat_picture highlight memory milling_view panel pipelines raster sample_board swapchain view)
     add_dependencies(gpu_tests ${name}_test)
     copperscope_test(${name}_test gpu/${name}_test.cpp LABEL gpu LINK copperscope_gpu_test_support copperscope_model)
     set_tests_properties(${name}_test PROPERTIES ENVIRONMENT COPPERSCOPE_VALIDATION=abort)

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "ui/canvas/gpu_context.h"
+#include "ui/shell/card_calibration.h"
 #include "ui/shell/main_window.h"
 
 namespace ui {
@@ -49,6 +50,7 @@ int runWorkbench(int argc, char** argv, const StartOptions& options) {
     if (!context) {
         return fail(context.error().text);
     }
+    const CardCalibration calibration((*context)->device().caps());
     Settings settings;
     MainWindow window(**context, settings);
     window.show();

@@ -214,6 +214,16 @@ base::Result<Archive> Archive::readUnpacked(FileBytes unpacked, std::uint64_t pa
     return loneFile(path, Bytes(std::move(unpacked)));
 }
 
+Archive Archive::of(std::vector<std::pair<std::string, std::string>> files) {
+    Archive tree;
+    Diagnostics none;
+    for (auto& [path, bytes] : files) {
+        const std::uint64_t size = bytes.size();
+        tree.add({std::move(path), Bytes(std::move(bytes)), {}, size}, none);
+    }
+    return tree;
+}
+
 Archive Archive::loneFile(const fs::path& path, Bytes data) {
     Entry entry{path.stem().string(), std::move(data), {}, 0};
     entry.size = entry.data.view().size();

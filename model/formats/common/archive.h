@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "model/base/progress.h"
@@ -57,6 +58,9 @@ public:
     [[nodiscard]] static base::Result<Archive> unpack(std::string_view bytes, const std::filesystem::path& name,
                                                       const ArchiveLimits& limits, base::Progress& progress,
                                                       Diagnostics& diagnostics);
+
+    /// A tree of files that are in memory, path and bytes each.
+    [[nodiscard]] static Archive of(std::vector<std::pair<std::string, std::string>> files);
 
     /// Row of the file with this path (blanks and slashes as in the job, any case); -1 if there is none.
     [[nodiscard]] int find(std::string_view path) const;

@@ -101,6 +101,49 @@ private slots:
         QCOMPARE(chooseBackend(Backend::Impostor, softwareDevice(), inside(), false).backend, Backend::Pull);
     }
 
+    void whatWasMeasuredIsTakenInTiltedViews() {
+        const MeasuredBackends measured{Backend::Mesh, Backend::Impostor};
+        const auto taken = [&](const gpu::Caps& caps, const FramePlan& plan, bool isSmoothed) {
+            return chooseBackend(Backend::Auto, caps, plan, isSmoothed, measured).backend;
+        };
+        QCOMPARE(taken(graphicsCard(), tilted(), false), Backend::Mesh);
+        QCOMPARE(taken(graphicsCard(), tilted(), true), Backend::Impostor);
+        QCOMPARE(taken(softwareDevice(), tilted(), false), Backend::Mesh);
+        QCOMPARE(taken(graphicsCard(), flat(), false), Backend::Impostor);
+        QCOMPARE(taken(graphicsCard(), flat(), true), Backend::Impostor);
+    }
+
+    void whatWasMeasuredButCannotDrawIsNotTaken() {
+        const MeasuredBackends measured{Backend::Raster, Backend::Impostor};
+        QCOMPARE(chooseBackend(Backend::Auto, graphicsCard(), inside(), false, measured).backend, Backend::Pull);
+        QCOMPARE(chooseBackend(Backend::Auto, graphicsCard(), inside(), true, measured).backend, Backend::Pull);
+        QCOMPARE(chooseBackend(Backend::Auto, {}, tilted(), false, measured).backend, Backend::Pull);
+        QCOMPARE(chooseBackend(Backend::Auto, {}, tilted(), true, {Backend::Mesh, Backend::Mesh}).backend,
+                 Backend::Pull);
+    }
+
+    void whatIsAskedForGoesBeforeWhatWasMeasured() {
+        const MeasuredBackends measured{Backend::Mesh, Backend::Mesh};
+        QCOMPARE(chooseBackend(Backend::Pull, graphicsCard(), tilted(), false, measured).backend, Backend::Pull);
+        const BackendChoice instead = chooseBackend(Backend::Impostor, graphicsCard(), inside(), false, measured);
+        QCOMPARE(instead.backend, Backend::Mesh);
+        QVERIFY(instead.needs != nullptr);
+    }
+
+    void whatIsNotKnownIsLeftToTheRules() {
+        const MeasuredBackends unknown;
+        QCOMPARE(chooseBackend(Backend::Auto, graphicsCard(), tilted(), false, unknown).backend, Backend::Raster);
+        QCOMPARE(chooseBackend(Backend::Auto, graphicsCard(), tilted(), true, {Backend::Mesh, Backend::Auto}).backend,
+                 Backend::Pull);
+    }
+
+    void candidatesAreWhatTheDeviceCanDraw() {
+        QCOMPARE(tiltedBackends(gpu::Caps{}, false), std::vector{Backend::Pull});
+        QCOMPARE(tiltedBackends(graphicsCard(), false),
+                 (std::vector{Backend::Pull, Backend::Mesh, Backend::Impostor, Backend::Raster}));
+        QCOMPARE(tiltedBackends(graphicsCard(), true), (std::vector{Backend::Pull, Backend::Mesh, Backend::Impostor}));
+    }
+
     void namesAreThoseOfTheCommandLine() {
         QCOMPARE(nameOf(Backend::Auto), "auto");
         QCOMPARE(nameOf(Backend::Impostor), "impostor");
