@@ -181,23 +181,27 @@ struct Painter {
     std::unique_ptr<render::OffscreenPresenter> presenter;
 };
 
-/// The back end that will draw, as far as that is known before the board is.
-render::Backend likelyBackend(const RenderArguments& arguments) {
+/// Makes the pipelines that will most likely be drawn with. Others are made when they are: those of a back end that was
+/// asked for, which the device may lack, and those of section planes.
+void makeReady(const RenderArguments& arguments, render::OffscreenPresenter& presenter) {
     const render::ViewSettings settings = settingsFor(arguments);
-    if (arguments.pipeline == "standard") {
-        return render::Backend::Standard;
+    if (settings.backend != render::Backend::Auto || !arguments.clip.empty()) {
+        return;
     }
-    return settings.backend == render::Backend::Auto && settings.is2d ? render::Backend::Impostor : settings.backend;
+    const render::Backend likely = arguments.pipeline == "standard" ? render::Backend::Standard
+                                   : settings.is2d                  ? render::Backend::Impostor
+                                                                    : render::Backend::Auto;
+    try {
+        presenter.makeReady(likely, settings.isSmoothed);
+    } catch (const render::gpu::OutOfMemory&) {
+        // Drawing tries again, and says what is missing.
+    }
 }
 
 Result<Painter> openPainter(const RenderArguments& arguments) {
     ASSIGN_OR_RETURN(HeadlessDevice opened, HeadlessDevice::open());
     auto presenter = std::make_unique<render::OffscreenPresenter>(*opened.device);
-    try {
-        presenter->makeReady(likelyBackend(arguments), settingsFor(arguments).isSmoothed);
-    } catch (const render::gpu::OutOfMemory&) {
-        // Drawing tries again, and says what is missing.
-    }
+    makeReady(arguments, *presenter);
     return Painter{std::move(opened), std::move(presenter)};
 }
 
