@@ -57,6 +57,8 @@ set(cases
     "good | tests/ui/a.cpp                  | \"a.moc\""
     "bad  | model/board/a.cpp               | namespace ui {"
     "good | model/board/a.cpp               | namespace model {"
+    "bad  | app/commands/a.cpp              | <dlfcn.h>"
+    "good | app/verify/a.cpp                | <dlfcn.h>"
     "good | ui/layers/a.cpp                 | namespace ui {"
 )
 

@@ -147,7 +147,7 @@ if(MORE_RULES)
     include(${MORE_RULES})  # for the proof that cycles are found
 endif()
 read_architecture()
-set(libraries qt widgets vulkan archive cgal cli clipper json log png tbb xml)
+set(libraries qt widgets vulkan archive cgal cli clipper dl json log occt png tbb xml)
 set(may_include_tests ${rule_folders})  # tests see everything
 set(may_use_tests ${libraries})
 list(APPEND rule_folders tests)

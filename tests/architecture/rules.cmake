@@ -94,7 +94,7 @@ set(architecture_rows
     "ui/shell                      | ui              | model/board model/formats model/opening render/calibration render/gpu render/scene ui/assignment ui/canvas ui/clearance ui/common ui/element ui/export ui/layers ui/measure ui/messages ui/netlist_check ui/nets ui/parts ui/saved_views ui/search ui/section ui/stackup ui/statistics ui/theme ui/views ui/workspace | qt widgets"
     "app/common                    | app             | model/board model/opening model/session model/solids render/gpu render/modelling render/scene tri tri/gpu | json log"
     "app/reports                   | app             | app/common model/board model/nets model/statistics render/modelling render/standard | json"
-    "app/verify                    | app             | app/common model/board model/export/solids model/figures model/geometry model/geometry/loops model/solids/shells model/text render/frame render/gpu render/modelling render/scene render/standard | json"
+    "app/verify                    | app             | app/common model/board model/export/solids model/figures model/geometry model/geometry/loops model/solids/shells model/text render/frame render/gpu render/modelling render/scene render/standard | dl json"
     "app/step_reader               | app             | app/verify | occt"
     "app/bench                     | app tri::bench  | app/common model/board model/formats model/text render/backends render/calibration render/frame render/gpu render/modelling render/scene render/standard tri tri/gpu | json"
     "app/commands                  | app             | app/bench app/common app/reports app/verify model/agreement model/board model/clearance model/design_rules model/export model/export/files model/export/solids model/formats model/formats/common model/formats/gerber model/generate model/measure model/nets model/section model/session model/text render/frame render/gpu render/modelling render/scene render/standard ui/shell | cli json"
@@ -112,6 +112,7 @@ set(architecture_include_barcode "^zint\\.h$")
 set(architecture_include_cgal "^CGAL/")
 set(architecture_include_cli "^CLI/")
 set(architecture_include_clipper "^polyclipping/")
+set(architecture_include_dl "^dlfcn\\.h$")  # loading code: one module of ours (SECURITY.md)
 set(architecture_include_deflate "^libdeflate\\.h$")
 set(architecture_include_json "^nlohmann/")
 set(architecture_include_log "^spdlog/")
@@ -129,6 +130,7 @@ set(architecture_link_barcode copperscope_zint)
 set(architecture_link_cgal CGAL::CGAL)
 set(architecture_link_cli CLI11::CLI11)
 set(architecture_link_clipper PkgConfig::POLYCLIPPING)
+set(architecture_link_dl ${CMAKE_DL_LIBS})
 set(architecture_link_deflate PkgConfig::DEFLATE)
 set(architecture_link_glm glm::glm)
 set(architecture_link_json nlohmann_json::nlohmann_json)
