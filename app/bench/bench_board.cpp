@@ -9,6 +9,7 @@
 #include "app/common/console_progress.h"
 #include "model/base/stopwatch.h"
 #include "render/backends/backend_choice.h"
+#include "render/calibration/calibrate.h"
 #include "render/frame/frame_measures.h"
 
 namespace app {
@@ -28,14 +29,6 @@ struct View {
     float zoom;
 };
 constexpr View kViews[] = {{"whole", 1.0F}, {"5x", 5.0F}, {"30x", 30.0F}};
-
-render::Camera cameraFor(const render::BoardFrame& frame, const View& view) {
-    render::Camera camera;
-    camera.fit(frame.boxMin, frame.boxMax, render::NamedView::Iso, kAspect);
-    camera.focusOnHeight(frame.boxMax.z);
-    camera.zoom(view.zoom, {0.0F, 0.0F}, kAspect);
-    return camera;
-}
 
 render::ViewSettings settingsFor(Backend backend, render::LevelOfDetail levels, bool isCulled) {
     render::ViewSettings settings;
@@ -106,7 +99,7 @@ private:
 
     base::Status measureOne(render::BoardScene& scene, const render::BoardFrame& frame, const View& view,
                             Backend backend, bool isCulled, std::vector<FrameResult>& out) {
-        const render::Camera camera = cameraFor(frame, view);
+        const render::Camera camera = render::tiltedCamera(frame, view.zoom, kAspect);
         const render::ViewSettings settings = settingsFor(backend, m_levels, isCulled);
         std::vector<double> times;
         std::map<std::string, std::vector<double>> stages;

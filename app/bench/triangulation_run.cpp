@@ -38,11 +38,8 @@ double processCpuMs() {
     return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
-std::vector<std::size_t> largestFirst(const Set& set) {
-    std::vector<std::size_t> order(set.shapes.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return set.shapes[i].points.size(); });
-    return order;
+std::vector<std::uint32_t> largestFirst(const Set& set) {
+    return base::largestFirst(set.shapes.size(), [&](std::size_t i) { return set.shapes[i].points.size(); });
 }
 
 void triangulateOnDevice(const Set& set, gpu::Triangulator& device, Triangles& out) {
@@ -55,7 +52,7 @@ void triangulateOnDevice(const Set& set, gpu::Triangulator& device, Triangles& o
     }
 }
 
-void triangulateAll(const Set& set, const std::vector<std::size_t>& order, Triangulator triangulator,
+void triangulateAll(const Set& set, const std::vector<std::uint32_t>& order, Triangulator triangulator,
                     gpu::Triangulator* device, Triangles& out) {
     out.assign(set.shapes.size(), {});
     if (triangulator == Triangulator::Gpu) {
@@ -79,7 +76,7 @@ void triangulateAll(const Set& set, const std::vector<std::size_t>& order, Trian
 }
 
 /// In a thread of its own, whose working memory is fresh and gone afterwards.
-double measureBytes(const Set& set, const std::vector<std::size_t>& order, Triangulator triangulator,
+double measureBytes(const Set& set, const std::vector<std::uint32_t>& order, Triangulator triangulator,
                     gpu::Triangulator* device) {
     if (triangulator == Triangulator::Gpu) {
         return 0.0;  // its memory is the device's: the tally knows
@@ -114,7 +111,7 @@ bool isAllRight(const Set& set, const Triangles& triangles) {
 
 Run measureRun(const Set& set, Triangulator triangulator, int threads, const Options& options, Triangles& triangles) {
     const base::ThreadLimit limit(threads);
-    const std::vector<std::size_t> order = largestFirst(set);
+    const std::vector<std::uint32_t> order = largestFirst(set);
     Run run{triangulator, threads};
     for (int i = 0; i < options.repeats; ++i) {
         const double cpuStart = processCpuMs();

@@ -54,16 +54,16 @@ public:
 
     struct Range {
         std::size_t first;
-        std::size_t last;  ///< not one of them
+        std::size_t end;
     };
     /// Empty once there are none left.
     Range take() {
         std::size_t first = m_next.load(std::memory_order_relaxed);
-        std::size_t last = 0;
+        std::size_t end = 0;
         do {
-            last = std::min(first + 1 + first / 1024, m_count);
-        } while (first < m_count && !m_next.compare_exchange_weak(first, last, std::memory_order_relaxed));
-        return {first, std::max(first, last)};
+            end = std::min(first + 1 + first / 1024, m_count);
+        } while (first < m_count && !m_next.compare_exchange_weak(first, end, std::memory_order_relaxed));
+        return {first, std::max(first, end)};
     }
     void drop() { m_next = m_count; }
 
@@ -81,8 +81,8 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& task
     const auto run = [&](std::size_t) {
         order.beginTask();
         try {
-            for (Rows::Range range = rows.take(); range.first < range.last; range = rows.take()) {
-                for (std::size_t i = range.first; i < range.last; ++i) {
+            for (Rows::Range range = rows.take(); range.first < range.end; range = rows.take()) {
+                for (std::size_t i = range.first; i < range.end; ++i) {
                     task(i);
                 }
             }

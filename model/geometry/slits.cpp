@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <numeric>
 
-#include "model/base/edge_hash.h"
+#include "model/base/edge_slots.h"
 #include "model/geometry/discretise.h"
 
 namespace model {
@@ -18,9 +17,8 @@ using Loops = std::vector<std::vector<PathNode>>;
 class SlitContour {
 public:
     /// `slots` is room to work in.
-    SlitContour(std::span<const PathNode> nodes, std::vector<std::uint32_t>& slots)
-        : m_nodes(nodes), m_twin(nodes.size(), kNone) {
-        slots.assign(std::bit_ceil(2 * nodes.size()), kNone);
+    SlitContour(std::span<const PathNode> nodes, base::EdgeSlots& slots) : m_nodes(nodes), m_twin(nodes.size(), kNone) {
+        slots.reset(nodes.size());
         for (std::uint32_t edge = 0; edge < nodes.size(); ++edge) {
             m_hasSlits = (isStraight(edge) && pair(edge, slots)) || m_hasSlits;
         }
@@ -47,7 +45,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+    static constexpr std::uint32_t kNone = base::EdgeSlots::kNone;
 
     [[nodiscard]] std::uint32_t next(std::uint32_t edge) const { return edge + 1 < m_nodes.size() ? edge + 1 : 0; }
     [[nodiscard]] Point start(std::uint32_t edge) const { return m_nodes[edge].point; }
@@ -57,20 +55,16 @@ private:
     }
 
     /// Joins the edge with one that runs back along it, or keeps it for such a one to come.
-    /// `slots` holds edges by the hash of their ends.
-    bool pair(std::uint32_t edge, std::vector<std::uint32_t>& slots) {
-        const std::size_t mask = slots.size() - 1;
-        std::size_t slot = base::edgeHash(start(edge), end(edge)) & mask;
-        for (; slots[slot] != kNone; slot = (slot + 1) & mask) {
-            const std::uint32_t other = slots[slot];
-            if (m_twin[other] == kNone && start(other) == end(edge) && end(other) == start(edge)) {
-                m_twin[edge] = other;
-                m_twin[other] = edge;
-                return true;
-            }
+    bool pair(std::uint32_t edge, base::EdgeSlots& slots) {
+        const std::uint32_t twin = slots.findOrKeep(start(edge), end(edge), edge, [&](std::uint32_t other) {
+            return m_twin[other] == kNone && start(other) == end(edge) && end(other) == start(edge);
+        });
+        if (twin == kNone) {
+            return false;
         }
-        slots[slot] = edge;
-        return false;
+        m_twin[edge] = twin;
+        m_twin[twin] = edge;
+        return true;
     }
 
     /// The edge that leaves where this one ends. Where a slit begins, that is the one behind the slit's way back.
@@ -137,7 +131,7 @@ bool addLoops(ShapeSketch& sketch, Loops loops, const CurveTable& curves, bool i
 
 std::optional<ShapeSketch> healSlits(const ShapeSketch& sketch) {
     std::vector<SlitContour> contours;
-    std::vector<std::uint32_t> slots;
+    base::EdgeSlots slots;
     for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
         contours.emplace_back(sketch.contour(i), slots);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/base/median.h"
 #include "model/base/stopwatch.h"
 #include "render/backends/backend_choice.h"
 #include "render/calibration/trial_board.h"
@@ -20,19 +21,6 @@ constexpr double kWorthwhile = 0.85;
 constexpr float kZooms[] = {1.0F, 5.0F};  ///< by view
 constexpr std::size_t kViews = std::size(kZooms);
 
-double medianOf(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
-
-Camera cameraFor(const BoardModel& model, float zoom, float aspect) {
-    Camera camera;
-    camera.fit(model.boxMin, model.boxMax, NamedView::Iso, aspect);
-    camera.focusOnHeight(model.boxMax.z);
-    camera.zoom(zoom, {0.0F, 0.0F}, aspect);
-    return camera;
-}
-
 ViewSettings settingsFor(Backend backend, bool isSmoothed) {
     ViewSettings settings;
     settings.backend = backend;
@@ -47,7 +35,8 @@ public:
                 base::Progress& progress)
         : m_device(device), m_trial(trial), m_scene(scene), m_presenter(device), m_progress(progress) {
         const float aspect = static_cast<float>(trial.width) / static_cast<float>(trial.height);
-        std::ranges::transform(kZooms, m_cameras.begin(), [&](float zoom) { return cameraFor(model, zoom, aspect); });
+        std::ranges::transform(kZooms, m_cameras.begin(),
+                               [&](float zoom) { return tiltedCamera(model, zoom, aspect); });
     }
 
     /// Returns what Auto is to take.
@@ -63,7 +52,7 @@ public:
         }
         std::vector<CandidateTime> medians;
         for (std::size_t i = 0; i < candidates.size(); ++i) {
-            medians.push_back({candidates[i], isSmoothed, medianOf(times[i][0]) + medianOf(times[i][1])});
+            medians.push_back({candidates[i], isSmoothed, base::medianOf(times[i][0]) + base::medianOf(times[i][1])});
         }
         const Backend taken = fastestOf(medians, usual(isSmoothed));
         for (CandidateTime& each : medians) {
@@ -135,6 +124,14 @@ base::Result<Calibration> calibrateOwnDevice(const gpu::PipelineCacheOwner& owne
 }
 
 }  // namespace
+
+Camera tiltedCamera(const BoardFrame& board, float zoom, float aspect) {
+    Camera camera;
+    camera.fit(board.boxMin, board.boxMax, NamedView::Iso, aspect);
+    camera.focusOnHeight(board.boxMax.z);
+    camera.zoom(zoom, {0.0F, 0.0F}, aspect);
+    return camera;
+}
 
 Backend fastestOf(std::span<const CandidateTime> times, Backend usual) {
     const auto fastest = std::ranges::min_element(times, {}, &CandidateTime::ms);

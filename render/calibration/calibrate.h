@@ -8,6 +8,8 @@
 #include "model/base/result.h"
 #include "model/generate/layout.h"
 #include "render/backends/measured_backends.h"
+#include "render/modelling/board_frame.h"
+#include "render/scene/camera.h"
 
 namespace render {
 
@@ -37,6 +39,9 @@ struct Calibration {
     std::vector<CandidateTime> times;  ///< unsmoothed ones first
     MeasuredBackends fastest;
 };
+
+/// The view that frames are measured in: from a corner, so much closer than where all of the board is seen.
+[[nodiscard]] Camera tiltedCamera(const BoardFrame& board, float zoom, float aspect);
 
 /// Draws a made-up board with each back end in turn. The rules for devices that were not measured have the benefit of
 /// the doubt: another back end is taken where it takes at least 15 % less time than theirs. Asks between frames whether

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <numeric>
 #include <tuple>
 
-#include "model/base/edge_hash.h"
+#include "model/base/edge_slots.h"
 #include "model/base/parallel.h"
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
@@ -48,14 +47,14 @@ void repair(ShapeMesh& mesh, tri::Triangulator triangulator) {
 /// The edges of which another one runs between the same points, there or back. `next` leads from a point to the end of
 /// its edge, or to itself where it has none.
 std::vector<WallEdge> sharedEdges(const std::vector<Point>& points, const std::vector<std::uint32_t>& next) {
-    constexpr std::uint32_t kNone = 0xFFFFFFFF;
-    std::vector<std::uint32_t> slots(std::bit_ceil(2 * points.size() + 1), kNone);  // edges by their hash
-    std::vector<bool> isShared(points.size(), false);
     const auto edgeAt = [&](std::uint32_t i) {
         const Point a = points[i];
         const Point b = points[next[i]];
         return WallEdge{std::min(a, b), std::max(a, b), a < b, i};
     };
+    base::EdgeSlots slots;
+    slots.reset(points.size());
+    std::vector<bool> isShared(points.size(), false);
     std::vector<WallEdge> shared;
     const auto share = [&](std::uint32_t i) {
         if (!isShared[i]) {
@@ -68,17 +67,13 @@ std::vector<WallEdge> sharedEdges(const std::vector<Point>& points, const std::v
             continue;
         }
         const WallEdge edge = edgeAt(i);
-        std::size_t slot = base::edgeHash(edge.low, edge.high) & (slots.size() - 1);
-        for (; slots[slot] != kNone; slot = (slot + 1) & (slots.size() - 1)) {
-            const WallEdge other = edgeAt(slots[slot]);
-            if (other.low == edge.low && other.high == edge.high) {
-                share(slots[slot]);
-                share(i);
-                break;
-            }
-        }
-        if (slots[slot] == kNone) {
-            slots[slot] = i;
+        const std::uint32_t same = slots.findOrKeep(edge.low, edge.high, i, [&](std::uint32_t kept) {
+            const WallEdge other = edgeAt(kept);
+            return other.low == edge.low && other.high == edge.high;
+        });
+        if (same != base::EdgeSlots::kNone) {
+            share(same);
+            share(i);
         }
     }
     return shared;

@@ -300,27 +300,27 @@ void reportMeshes(const Document& document, const std::vector<ShapeMesh>& meshes
 }
 
 /// One step by itself, whose meshes do not lie one behind the other yet. All that can go wrong has been said.
-struct Parts {
+struct LooseModel {
     BoardModel model;  ///< lets, instances, messages
     std::vector<ShapeMesh> meshes;
     std::vector<model::Point> centres;  ///< of meshes
 };
 
-base::Result<Parts> makeParts(const Document& document, Milling milling, const model::Discretisation& how,
-                              base::Progress& progress, const AreaTriangulator& triangulator) {
+base::Result<LooseModel> makeLoose(const Document& document, Milling milling, const model::Discretisation& how,
+                                   base::Progress& progress, const AreaTriangulator& triangulator) {
     const base::Error cancelled{base::ErrorCode::Cancelled, "cancelled"};
-    Parts parts;
-    BoardModel& out = parts.model;
+    LooseModel loose;
+    BoardModel& out = loose.model;
     progress.beginPhase("Rounding curves");
     base::Stopwatch watch;
     const std::vector<model::ShapeId> used = shapesInUse(document);
     const std::vector<std::uint32_t> rowOfShape = rowsOfShapes(document, used);
-    parts.meshes = punchShapes(document, used, how, progress);
-    std::vector<ShapeMesh>& meshes = parts.meshes;
+    loose.meshes = punchShapes(document, used, how, progress);
+    std::vector<ShapeMesh>& meshes = loose.meshes;
     milling.takeRests(meshes);
     BodyDetails bodies(document);
     bodies.takeMeshes(meshes);
-    parts.centres = centresOf(document, used, meshes);
+    loose.centres = centresOf(document, used, meshes);
     out.times.discretiseMs = watch.milliseconds();
     if (progress.isCancelled()) {
         return cancelled;
@@ -331,7 +331,7 @@ base::Result<Parts> makeParts(const Document& document, Milling milling, const m
     static_cast<BoardFrame&>(out) = frameOf(document);
     out.elementCount = static_cast<std::uint32_t>(document.elements.size());
     makeAllLets(document, how, rowOfShape, meshes, milling, out);
-    makeInstances(document, rowOfShape, milling, bodies, parts.centres, out);
+    makeInstances(document, rowOfShape, milling, bodies, loose.centres, out);
     out.times.createMs = watch.milliseconds();
 
     progress.beginPhase("Triangulating copper areas");
@@ -344,14 +344,14 @@ base::Result<Parts> makeParts(const Document& document, Milling milling, const m
     reportMeshes(document, meshes, out);
     std::ranges::transform(milling.elements(), std::back_inserter(out.milled), &model::MilledElement::element);
     reportMilled(document, milling, out);
-    return parts;
+    return loose;
 }
 
 /// What drawing needs besides.
-BoardModel putTogether(const Document& document, Parts parts) {
+BoardModel putTogether(const Document& document, LooseModel loose) {
     const base::Stopwatch watch;
-    BoardModel& out = parts.model;
-    joinMeshes(parts.meshes, parts.centres, out);
+    BoardModel& out = loose.model;
+    joinMeshes(loose.meshes, loose.centres, out);
     out.inSubstrate = findSubstrateMargins(document, out);
     out.shadows = castShadows(out);
     cutIntoPieces(out);
@@ -378,9 +378,9 @@ void addMessages(model::Diagnostics messages, model::Diagnostics& board) {
 base::Result<BoardModel> buildBoardModel(const Document& document, const model::Discretisation& how,
                                          base::Progress& progress, const AreaTriangulator& triangulator) {
     auto board = buildWithSteps<BoardModel>(document, [&](const Document& step) -> base::Result<BoardModel> {
-        ASSIGN_OR_RETURN(Parts parts, makeParts(step, millingOf(step, &step == &document, how, progress), how, progress,
-                                                triangulator));
-        return putTogether(step, std::move(parts));
+        ASSIGN_OR_RETURN(LooseModel loose, makeLoose(step, millingOf(step, &step == &document, how, progress), how,
+                                                     progress, triangulator));
+        return putTogether(step, std::move(loose));
     });
     if (board) {
         for (const BoardModel& step : board->steps) {
@@ -396,19 +396,19 @@ base::Result<ModelCounts> countBoardModel(const Document& document, const model:
     const model::StepTree tree = model::unfoldCopies(document);
     for (const Document* step : tree.steps) {
         const bool isBoard = step == &document;
-        ASSIGN_OR_RETURN(const Parts parts,
-                         makeParts(*step, millingOf(*step, isBoard, how, progress), how, progress, triangulator));
-        counts.lets += parts.model.lets.size();
-        counts.instances += parts.model.instances.size();
-        counts.shapes += parts.meshes.size();
-        for (const ShapeMesh& mesh : parts.meshes) {
+        ASSIGN_OR_RETURN(const LooseModel loose,
+                         makeLoose(*step, millingOf(*step, isBoard, how, progress), how, progress, triangulator));
+        counts.lets += loose.model.lets.size();
+        counts.instances += loose.model.instances.size();
+        counts.shapes += loose.meshes.size();
+        for (const ShapeMesh& mesh : loose.meshes) {
             counts.triangles += mesh.triangles.size() / 3;
         }
-        counts.times += parts.model.times;
+        counts.times += loose.model.times;
         if (isBoard) {
-            counts.diagnostics = parts.model.diagnostics;
+            counts.diagnostics = loose.model.diagnostics;
         } else {
-            addMessages(parts.model.diagnostics, counts.diagnostics);
+            addMessages(loose.model.diagnostics, counts.diagnostics);
         }
     }
     return counts;

@@ -116,6 +116,12 @@ std::optional<double> unitIn(std::string_view text) {
                                  : std::nullopt;
 }
 
+static_assert(std::ranges::all_of(kNames, [](const ColumnName& column) {
+    const bool hasX = column.name.find('X') != std::string_view::npos;
+    const bool hasY = column.name.find('Y') != std::string_view::npos;
+    return (column.column != Column::X || hasX) && (column.column != Column::Y || hasY);
+}));
+
 /// Every name of a column of locations has its letter in it: few lines of other files need a closer look.
 bool mayBeHead(std::string_view line) {
     return line.find_first_of("xX") != std::string_view::npos && line.find_first_of("yY") != std::string_view::npos;

@@ -4,6 +4,7 @@
 
 #include "model/text/whole_file.h"
 #include "tests/full_disk.h"
+#include "tests/unit/render/gpu/cache_owner.h"
 
 using namespace render;
 
@@ -11,16 +12,6 @@ class MeasuredBackendsTest : public QObject {
     Q_OBJECT
 
     static constexpr MeasuredBackends kMeasured{Backend::Raster, Backend::Impostor};
-
-    static gpu::PipelineCacheOwner owner() {
-        gpu::PipelineCacheOwner owner;
-        owner.vendor = 0x10de;
-        owner.device = 0x2204;
-        owner.driver = 4;
-        owner.driverVersion = 7;
-        owner.cacheUuid.fill(9);
-        return owner;
-    }
 
     MeasuredBackendsFile file(const gpu::PipelineCacheOwner& whose = owner()) const {
         return {m_folder.path().toStdString(), whose};

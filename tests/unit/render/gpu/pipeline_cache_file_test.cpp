@@ -4,21 +4,13 @@
 
 #include "model/text/whole_file.h"
 #include "tests/full_disk.h"
+#include "tests/unit/render/gpu/cache_owner.h"
 
 using namespace render::gpu;
 
 class PipelineCacheFileTest : public QObject {
     Q_OBJECT
 
-    static PipelineCacheOwner owner() {
-        PipelineCacheOwner owner;
-        owner.vendor = 0x10de;
-        owner.device = 0x2204;
-        owner.driver = 4;
-        owner.driverVersion = 7;
-        owner.cacheUuid.fill(9);
-        return owner;
-    }
     static std::string compiled(char fill) { return std::string(1000, fill); }
 
     /// What a file that was written and then spoilt gives back.
