@@ -8,6 +8,7 @@
 #include "app/common/board_styles.h"
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
+#include "app/common/memory_limit.h"
 #include "model/board/copies.h"
 #include "render/frame/transparent.h"
 #include "render/gpu/check.h"
@@ -174,8 +175,7 @@ struct Scenery {
     std::shared_ptr<const render::SectionCut> cut;
 };
 
-/// What draws. Opening a device and compiling its pipelines takes a driver about as long as a board takes to read, so
-/// both are done at once.
+/// What draws.
 struct Painter {
     HeadlessDevice opened;
     std::unique_ptr<render::OffscreenPresenter> presenter;
@@ -205,9 +205,17 @@ Result<Painter> openPainter(const RenderArguments& arguments) {
     return Painter{std::move(opened), std::move(presenter)};
 }
 
+/// Opening a device and compiling its pipelines takes a driver about as long as a board takes to read, so both are done
+/// at once; but one after the other where memory is limited, which a driver does not survive running out of.
+std::future<Result<Painter>> beginOpening(const RenderArguments& arguments) {
+    const std::launch how = isMemoryLimited() ? std::launch::deferred : std::launch::async | std::launch::deferred;
+    return std::async(how, [&arguments] { return openPainter(arguments); });
+}
+
 template <class Model>
 Result<render::Image> draw(const RenderArguments& arguments, const Model& board, const Scenery& scenery,
                            std::future<Result<Painter>>& opening) {
+    RETURN_IF_ERROR(checkRoomForDevice());  // beside the board
     ASSIGN_OR_RETURN(const Painter painter, opening.get());
     render::OffscreenPresenter& presenter = *painter.presenter;
     ASSIGN_OR_RETURN(render::BoardScene made, render::BoardScene::make(*painter.opened.device, board));
@@ -269,7 +277,7 @@ base::Status checkArguments(const RenderArguments& arguments) {
 base::Status renderToFile(const RenderArguments& arguments) {
     RETURN_IF_ERROR(checkArguments(arguments));
     ASSIGN_OR_RETURN(const render::NamedView view, viewOf(arguments));
-    std::future<Result<Painter>> opening = std::async([&arguments] { return openPainter(arguments); });
+    std::future<Result<Painter>> opening = beginOpening(arguments);
     ASSIGN_OR_RETURN(const std::shared_ptr<const Document> document, readDocument(arguments));
     ASSIGN_OR_RETURN(const std::vector<render::LayerStyle> styles, chooseLayers(*document, arguments));
     ASSIGN_OR_RETURN(const Highlights highlight, elementsOfNets(*document, arguments.nets));

@@ -85,6 +85,11 @@ std::uint64_t machineMemory() {
     return pages > 0 && size > 0 ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) : 0;
 }
 
+bool isMemoryLimited() {
+    const std::uint64_t limit = limitInForce();
+    return limit != 0 && limit < machineMemory();
+}
+
 base::Status checkRoomForDevice() {
     const std::uint64_t limit = limitInForce();
     const std::uint64_t taken = bytesTaken();

@@ -14,6 +14,9 @@ void limitMemory(std::uint64_t bytes);
 /// All that the machine has, in bytes.
 [[nodiscard]] std::uint64_t machineMemory();
 
+/// May less be taken than the machine has?
+[[nodiscard]] bool isMemoryLimited();
+
 /// To be asked before a Vulkan device is opened: a software device compiles its programs while it draws, and that
 /// compiler ends the process where it finds no memory, without a word.
 /// Errors: DeviceFailed where the limit leaves less than such a device was seen to take, with a margin.
