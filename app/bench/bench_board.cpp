@@ -177,6 +177,7 @@ base::Status benchModel(render::gpu::Device& device, const model::Document& docu
     out.triangulateMs = model.times.triangulateMs;
     out.cpuBytes = render::cpuBytes(model);
     out.triangles = storedTriangles;
+    device.waitIdle();  // what the pipeline before held is released by now
     const base::Stopwatch upload;
     ASSIGN_OR_RETURN(render::BoardScene made, render::BoardScene::make(device, model));
     render::BoardScene& scene = made;

@@ -18,6 +18,13 @@ std::size_t digit(std::uint64_t word, std::size_t pass) {
     return word >> kShift[pass] & 2047;
 }
 
+/// Do all words have the digit of this one? `starts` as startsOf made them.
+bool isSameInAll(const Starts& starts, std::uint64_t word, std::size_t pass, std::size_t count) {
+    const auto& ofPass = starts[pass];
+    const std::size_t own = digit(word, pass);
+    return ofPass[own] == 0 && (own + 1 == ofPass.size() || ofPass[own + 1] == count);
+}
+
 /// Per pass, where the words of each digit go.
 Starts startsOf(const std::uint64_t* words, std::size_t count) {
     Starts starts{};
@@ -44,6 +51,9 @@ std::uint64_t* sortByKey(std::uint64_t* words, std::uint64_t* spare, std::size_t
     }
     Starts starts = startsOf(words, count);
     for (std::size_t pass = 0; pass < kShift.size(); ++pass) {
+        if (isSameInAll(starts, words[0], pass, count)) {
+            continue;
+        }
         for (std::size_t i = 0; i < count; ++i) {
             spare[starts[pass][digit(words[i], pass)]++] = words[i];
         }

@@ -13,22 +13,22 @@ glm::vec2 placed(const shader::AreaInstance& instance, glm::vec2 p) {
 
 }  // namespace
 
-std::vector<Loop> loopsOf(const BoardModel& model, const shader::AreaInstance& instance) {
+void forLoops(const BoardModel& model, const shader::AreaInstance& instance,
+              const std::function<void(const Loop&)>& visit) {
     const AreaShape& shape = model.shapes[instance.shape];
     std::vector<std::uint8_t> isDone(shape.vertexCount, 0);
-    std::vector<Loop> loops;
+    Loop loop;
     for (std::uint32_t i = 0; i < shape.vertexCount; ++i) {
-        Loop loop;
+        loop.clear();
         for (std::uint32_t v = i; isDone[v] == 0 && model.next[shape.firstVertex + v] != shape.firstVertex + v;
              v = model.next[shape.firstVertex + v] - shape.firstVertex) {
             isDone[v] = 1;
             loop.push_back(placed(instance, model.vertices[shape.firstVertex + v]));
         }
         if (!loop.empty()) {
-            loops.push_back(std::move(loop));
+            visit(loop);
         }
     }
-    return loops;
 }
 
 }  // namespace render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -12,8 +13,9 @@ struct BoardModel;
 /// A closed line; the last point leads to the first.
 using Loop = std::vector<glm::vec2>;
 
-/// The walls of an area instance as loops, where it lies on the board, mm. `instance.shape` is whole: before
+/// Visits the walls of an area instance as loops, where it lies on the board, mm. `instance.shape` is whole: before
 /// cutIntoPieces.
-[[nodiscard]] std::vector<Loop> loopsOf(const BoardModel& model, const shader::AreaInstance& instance);
+void forLoops(const BoardModel& model, const shader::AreaInstance& instance,
+              const std::function<void(const Loop&)>& visit);
 
 }  // namespace render

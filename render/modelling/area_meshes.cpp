@@ -17,6 +17,14 @@ using model::PolygonSet;
 
 namespace {
 
+std::size_t nodeCount(const model::ShapeTable& table, model::ShapeId shape) {
+    std::size_t sum = 0;
+    for (const model::Contour& contour : table.contoursOf(shape)) {
+        sum += contour.nodeCount;
+    }
+    return sum;
+}
+
 /// Triangulates every polygon of the set; false if one of them crosses itself or another loop of its own.
 bool triangulateAll(const PolygonSet& set, tri::Triangulator triangulator, std::vector<std::uint32_t>& triangles) {
     for (std::size_t row = 0; row < set.polygons.size(); ++row) {
@@ -225,7 +233,10 @@ std::vector<ShapeMesh> punchShapes(const model::Document& document, const std::v
         ++locations[document.areas[document.elements.geometry[body.element.row()]].shape.row()];
     }
     std::vector<ShapeMesh> meshes(shapes.size());
-    base::parallelFor(shapes.size(), [&](std::size_t i) {
+    const std::vector<std::uint32_t> order =
+        base::largestFirst(shapes.size(), [&](std::size_t row) { return nodeCount(document.shapes, shapes[row]); });
+    base::parallelFor(order.size(), [&](std::size_t task) {
+        const std::uint32_t i = order[task];
         if (progress.isCancelled()) {
             return;
         }

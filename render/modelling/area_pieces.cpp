@@ -29,21 +29,27 @@ public:
     }
 
 private:
+    static std::vector<std::uint32_t> risingRows(std::uint32_t count) {
+        std::vector<std::uint32_t> rows(count);
+        std::iota(rows.begin(), rows.end(), 0U);
+        return rows;
+    }
     [[nodiscard]] bool hasWall(std::uint32_t vertex) const { return m_model.next[vertex] != vertex; }
 
     void sortVertices() {
-        constexpr std::uint32_t kLast = 0xffffffffU;
-        std::vector<std::uint32_t> keys(m_shape.vertexCount, kLast);
-        for (std::uint32_t i = 0; i < m_shape.vertexCount; ++i) {
-            const std::uint32_t vertex = m_shape.firstVertex + i;
-            if (hasWall(vertex)) {
-                const glm::vec2 middle = 0.5F * (m_model.vertices[vertex] + m_model.vertices[m_model.next[vertex]]);
-                keys[i] = m_isLarge ? std::min(m_curve.key(middle), kLast - 1) : 0;
-                ++m_shape.wallCount;
-            }
+        const std::uint32_t first = m_shape.firstVertex;
+        std::vector<std::uint32_t> order = risingRows(m_shape.vertexCount);
+        const auto wallless =
+            std::stable_partition(order.begin(), order.end(), [&](std::uint32_t row) { return hasWall(first + row); });
+        m_shape.firstWall = first;
+        m_shape.wallCount = static_cast<std::uint32_t>(wallless - order.begin());
+        if (m_isLarge) {
+            sortRows(std::span(order.begin(), wallless), [&](std::uint32_t row) {
+                const std::uint32_t end = m_model.next[first + row];
+                return m_curve.key(0.5F * (m_model.vertices[first + row] + m_model.vertices[end]));
+            });
         }
-        m_shape.firstWall = m_shape.firstVertex;
-        moveVertices(rowsByKey(keys));
+        moveVertices(order);
     }
 
     /// Old row `order[i]` becomes row i.
@@ -68,17 +74,17 @@ private:
 
     void sortTriangles() {
         const std::uint32_t* corners = m_model.indices.data() + m_shape.firstIndex;
-        std::vector<std::uint32_t> keys(m_shape.triangleCount);
-        for (std::uint32_t i = 0; i < m_shape.triangleCount; ++i) {
+        std::vector<std::uint32_t> order = risingRows(m_shape.triangleCount);
+        sortRows(order, [&](std::uint32_t triangle) {
             glm::vec2 sum(0.0F);
             for (std::uint32_t k = 0; k < 3; ++k) {
-                sum += m_model.vertices[m_shape.firstVertex + corners[3 * i + k]];
+                sum += m_model.vertices[m_shape.firstVertex + corners[3 * triangle + k]];
             }
-            keys[i] = m_curve.key(sum / 3.0F);
-        }
+            return m_curve.key(sum / 3.0F);
+        });
         std::vector<std::uint32_t> sorted;
-        sorted.reserve(3 * keys.size());
-        for (const std::uint32_t i : rowsByKey(keys)) {
+        sorted.reserve(3 * order.size());
+        for (const std::uint32_t i : order) {
             sorted.insert(sorted.end(), corners + 3 * i, corners + 3 * i + 3);
         }
         std::ranges::copy(sorted, m_model.indices.begin() + m_shape.firstIndex);
@@ -146,7 +152,9 @@ void placePieces(const std::vector<LayerRun>& piecesOfShape, BoardModel& model) 
 }  // namespace
 
 void cutIntoPieces(BoardModel& model) {
-    base::parallelFor(model.shapes.size(), [&](std::size_t i) { ShapeSorter(model, model.shapes[i]).run(); });
+    const std::vector<std::uint32_t> order =
+        base::largestFirst(model.shapes.size(), [&](std::size_t row) { return model.shapes[row].vertexCount; });
+    base::parallelFor(order.size(), [&](std::size_t i) { ShapeSorter(model, model.shapes[order[i]]).run(); });
     std::vector<AreaShape> pieces;
     std::vector<LayerRun> piecesOfShape;
     for (const AreaShape& shape : model.shapes) {

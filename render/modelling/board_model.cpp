@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/base/large_pages.h"
 #include "model/base/parallel.h"
 #include "model/base/stopwatch.h"
 #include "model/board/copies.h"
@@ -49,8 +50,8 @@ void joinLets(const Document& document, const std::vector<LayerLets>& perLayer, 
         clusters += ownClusters;
         lets += static_cast<std::uint32_t>(layer.order.size());
     }
-    out.lets.resize(lets);
-    out.clusters.resize(clusters);
+    base::resizeLarge(out.lets, lets);
+    base::resizeLarge(out.clusters, clusters);
     const std::vector<std::uint32_t> order = largestLayersFirst(document);
     base::parallelFor(order.size(), [&](std::size_t i) {
         const std::uint32_t row = order[i];
@@ -132,9 +133,9 @@ void joinMeshes(const std::vector<ShapeMesh>& meshes, const std::vector<model::P
         vertices += own;
         indices += 3 * triangles;
     }
-    out.vertices.resize(vertices);
-    out.next.resize(vertices);
-    out.indices.resize(indices);
+    base::resizeLarge(out.vertices, vertices);
+    base::resizeLarge(out.next, vertices);
+    base::resizeLarge(out.indices, indices);
     const std::vector<std::uint32_t> order =
         base::largestFirst(meshes.size(), [&](std::size_t row) { return meshes[row].polygons.points.size(); });
     base::parallelFor(order.size(), [&](std::size_t task) {

@@ -27,12 +27,12 @@ struct Caster {
 
 Caster casterOf(const BoardModel& model, const shader::AreaInstance& instance) {
     Caster caster;
-    for (const Loop& loop : loopsOf(model, instance)) {
+    forLoops(model, instance, [&](const Loop& loop) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             caster.outline.push_back({loop[i], loop[(i + 1) % loop.size()]});
             caster.box.include(loop[i]);
         }
-    }
+    });
     caster.reach = std::clamp(kReachOfHeight * instance.height, kShortestShadow, kLongestShadow);
     return caster;
 }

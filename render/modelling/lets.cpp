@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "model/base/assert.h"
 #include "model/geometry/discretise.h"
@@ -236,20 +237,39 @@ private:
     std::uint32_t m_bore = 0;  ///< kLetBore while the inside of a hole is added
 };
 
-/// Neighbours come together, so that clusters are small.
-std::vector<std::uint32_t> orderAlongMorton(const std::vector<shader::Let>& lets) {
+/// About the middle of a let's box.
+glm::vec2 middleOf(const shader::Let& let) {
+    const glm::vec2 first{let.p0, let.p1};
+    switch (let.meta & shader::kLetKindMask) {
+        case shader::kLetArc: {
+            const float angle = let.p3 + let.p4 / 2.0F;
+            return first + let.p2 * glm::vec2(std::cos(angle), std::sin(angle));
+        }
+        case shader::kLetHole: return first;
+        default: return (first + glm::vec2(let.p2, let.p3)) / 2.0F;
+    }
+}
+
+/// Neighbours come together, so that clusters are small: first those of what is whole, then those of what is milled.
+void sortAlongMorton(const IsMilled& isMilled, LayerLets& out) {
     Box2 all;
     std::vector<glm::vec2> middles;
-    middles.reserve(lets.size());
-    for (const shader::Let& let : lets) {
-        const Box2 box = boxOf(let);
-        all.include(box);
-        middles.push_back((box.min + box.max) / 2.0F);
+    middles.reserve(out.lets.size());
+    for (const shader::Let& let : out.lets) {
+        middles.push_back(middleOf(let));
+        all.include(middles.back());
     }
+    out.order.resize(out.lets.size());
+    std::iota(out.order.begin(), out.order.end(), 0U);
+    const auto isWhole = [&](std::uint32_t row) {
+        return !isMilled || !isMilled(model::ElementId{out.lets[row].element});
+    };
+    const auto milled = std::stable_partition(out.order.begin(), out.order.end(), isWhole);
+    out.wholeCount = static_cast<std::size_t>(milled - out.order.begin());
     const MortonCurve curve(all.min, all.max);
-    std::vector<std::uint32_t> keys(lets.size());
-    std::ranges::transform(middles, keys.begin(), [&](glm::vec2 middle) { return curve.key(middle); });
-    return rowsByKey(keys);
+    const auto keyOf = [&](std::uint32_t row) { return curve.key(middles[row]); };
+    sortRows(std::span(out.order.begin(), milled), keyOf);
+    sortRows(std::span(milled, out.order.end()), keyOf);
 }
 
 /// About how many lets the elements of a layer become: so much room is kept for them.
@@ -316,13 +336,7 @@ LayerLets makeLets(const model::Document& document, model::LayerId layer, Point 
     for (std::uint32_t i = 0; i < range.count; ++i) {
         maker.add(model::ElementId{range.first + i});
     }
-    out.order = orderAlongMorton(out.lets);
-    out.wholeCount = out.order.size();
-    if (isMilled) {
-        const auto isWhole = [&](std::uint32_t row) { return !isMilled(model::ElementId{out.lets[row].element}); };
-        const auto milled = std::stable_partition(out.order.begin(), out.order.end(), isWhole);
-        out.wholeCount = static_cast<std::size_t>(milled - out.order.begin());
-    }
+    sortAlongMorton(isMilled, out);
     return out;
 }
 

@@ -30,6 +30,18 @@ glm::vec2 startOf(const shader::Let& let) {
     return {let.p0, let.p1};
 }
 
+Box2 boxAround(const Loop& loop) {
+    Box2 box;
+    for (const glm::vec2& p : loop) {
+        box.include(p);
+    }
+    return box;
+}
+
+bool isWithin(const Box2& box, glm::vec2 p) {
+    return glm::all(glm::lessThanEqual(box.min, p)) && glm::all(glm::lessThanEqual(p, box.max));
+}
+
 Edge edgeOf(const Loop& loop, std::size_t i) {
     return {loop[i], loop[(i + 1) % loop.size()]};
 }
@@ -94,10 +106,7 @@ public:
     /// The same for a loop of chords.
     [[nodiscard]] std::optional<std::uint32_t> layerOfLoop(const Loop& loop) const {
         constexpr float kChords = 0.06F;  // mm: so far chords may shift the middle
-        Box2 box;
-        for (const glm::vec2& p : loop) {
-            box.include(p);
-        }
+        const Box2 box = boxAround(loop);
         const glm::vec2 middle = 0.5F * (box.min + box.max);
         for (auto location = std::ranges::lower_bound(m_locations, middle.x - kChords, {}, &Location::x);
              location != m_locations.end() && location->x <= middle.x + kChords; ++location) {
@@ -212,20 +221,28 @@ private:
         float margin = kLargestMargin;
         std::vector<std::uint8_t> isAround(m_loopPoints.size(), 0);
         forInstances(m_model, layer, [&](const shader::AreaInstance& instance) {
-            const std::vector<Loop> loops = margin < 0.0F ? std::vector<Loop>() : loopsOf(m_model, instance);
-            for (const Loop& loop : loops) {
-                margin = std::min(margin, marginOfLoop(loop, margin));
-                for (std::size_t p = 0; p < m_loopPoints.size(); ++p) {
-                    isAround[p] = (isAround[p] != 0) != winds(loop, m_loopPoints[p]) ? 1 : 0;
-                }
+            if (margin < 0.0F) {
+                return;
             }
+            forLoops(m_model, instance, [&](const Loop& loop) {
+                const Box2 box = boxAround(loop);
+                margin = std::min(margin, marginOfLoop(loop, box, margin));
+                for (std::size_t p = 0; p < m_loopPoints.size(); ++p) {
+                    if (isWithin(box, m_loopPoints[p])) {
+                        isAround[p] ^= static_cast<std::uint8_t>(winds(loop, m_loopPoints[p]));
+                    }
+                }
+            });
         });
         // Solder mask ends at the very edge of the substrate, where rounding would decide.
         const bool isAroundAny = margin > kSlack && std::ranges::count(isAround, 1) > 0;
         return isAroundAny ? -1.0F : margin;
     }
 
-    [[nodiscard]] float marginOfLoop(const Loop& loop, float margin) const {
+    [[nodiscard]] float marginOfLoop(const Loop& loop, const Box2& box, float margin) const {
+        if (margin > 2.0F * kSlack && m_grid.distance(box.min, box.max, margin) >= margin) {
+            return m_grid.contains(loop.front()) ? margin : -1.0F;  // as all of it
+        }
         for (std::size_t i = 0; i < loop.size() && margin >= 0.0F; ++i) {
             const Edge edge = edgeOf(loop, i);
             margin = std::min(margin, m_grid.distance(edge, std::max(margin, 2.0F * kSlack)));
@@ -291,9 +308,7 @@ private:
             }
         };
         forInstances(m_model, layer, [&](const shader::AreaInstance& instance) {
-            for (const Loop& loop : loopsOf(m_model, instance)) {
-                addUnlessPlugged(plugs.layerOfLoop(loop), loop);
-            }
+            forLoops(m_model, instance, [&](const Loop& loop) { addUnlessPlugged(plugs.layerOfLoop(loop), loop); });
         });
         forClusters(m_model, layer, [&](const shader::Cluster& cluster) {
             forLets(m_model, cluster,
