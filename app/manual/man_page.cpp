@@ -103,12 +103,12 @@ std::string footer(const ManualCommand& program) {
 }  // namespace
 
 std::string manPage(const ManualCommand& program, const std::string& version) {
-    std::string text =
-        header(program.name, program.summary, version) + section("SYNOPSIS") + synopsis(program.name, program) +
-        ".br\n" + bold(program.name) + " " + italic("COMMAND") + " [" + italic("OPTION") + " ...] [" + italic("BOARD") +
-        "]\n" + section("DESCRIPTION") + "Without a command the board is opened in a window.\n" + commandList(program) +
-        list("ARGUMENTS", program.arguments) + list("OPTIONS", program.options) + files() + footer(program) +
-        section("SEE ALSO");
+    std::string text = header(program.name, program.summary, version) + section("SYNOPSIS") +
+                       synopsis(program.name, program) + ".br\n" + bold(program.name) + " " + italic("COMMAND") + " [" +
+                       italic("OPTION") + " ...] [" + italic("BOARD") + "]\n" + section("DESCRIPTION") +
+                       "Without a command the board is opened in a window.\n" + commandList(program) +
+                       list("ARGUMENTS", program.arguments) + list("OPTIONS", program.options) + files() +
+                       footer(program) + section("SEE ALSO");
     for (const ManualCommand& command : program.commands) {
         text += bold(program.name + "-" + command.name) + "(1)" + (&command == &program.commands.back() ? "\n" : ",\n");
     }

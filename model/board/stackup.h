@@ -37,9 +37,9 @@ inline constexpr double kOunceTolerance = 0.035;
 /// copper layers they lie on the flexible copper next to them.
 ///
 /// What the user set counts most, then the job's own number; what is left of the job's board thickness is shared by
-/// those dielectrics (or, where all of them are known, copper layers) that have no number; defaults come last. Shares of
-/// copper follow from what the job says of dielectrics, not from what the user sets. What is implausible in the result is checked apart
-/// (model/board/stackup_checks.h).
+/// those dielectrics (or, where all of them are known, copper layers) that have no number; defaults come last. Shares
+/// of copper follow from what the job says of dielectrics, not from what the user sets. What is implausible in the
+/// result is checked apart (model/board/stackup_checks.h).
 [[nodiscard]] Stackup buildStackup(std::vector<Layer>& layers, StackupFacts facts, Diagnostics& diagnostics);
 
 /// From the lowest to the highest face of copper and what lies between; the substrate of a single copper layer for

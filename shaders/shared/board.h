@@ -63,12 +63,14 @@ struct Let {
 };
 GPU_SIZE(Let, 32);
 
-// What a fabricator mills away (model/solids/milling.h) is drawn only in views of the board as designed; what is left of elements that are milled in part,
-// only in views of the board as fabricated (kFrameFabricated); all else (0) in both.
+// What a fabricator mills away (model/solids/milling.h) is drawn only in views of the board as designed; what is left
+// of elements that are milled in part, only in views of the board as fabricated (kFrameFabricated); all else (0) in
+// both.
 GPU_CONST kOnlyAsDesigned = 1;
 GPU_CONST kOnlyAsFabricated = 2;
 
-// 32 lets of one layer, neighbours along a Morton curve, all milled or none. `count` may be less than 32 at the end of either.
+// 32 lets of one layer, neighbours along a Morton curve, all milled or none. `count` may be less than 32 at the end of
+// either.
 GPU_CONST kClusterSize = 32;
 struct Cluster {
     vec2 boxMin;

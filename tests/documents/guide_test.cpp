@@ -1,5 +1,5 @@
-// What the guide (docs/guide) names is there: commands by their menus, keys, panels, pages, pictures, command lines with their options.
-// Every check is proven on a page with a planted fault.
+// What the guide (docs/guide) names is there: commands by their menus, keys, panels, pages, pictures, command lines
+// with their options. Every check is proven on a page with a planted fault.
 #include <QDir>
 #include <QRegularExpression>
 #include <QtTest>
@@ -37,7 +37,8 @@ QString placeOf(const ActionSpec& spec) {
 
 const ActionSpec* commandAt(const QString& place) {
     const auto* const end = std::end(ui::ActionSet::kSpecs);
-    const auto* found = std::ranges::find_if(ui::ActionSet::kSpecs, [&](const auto& spec) { return placeOf(spec) == place; });
+    const auto* found =
+        std::ranges::find_if(ui::ActionSet::kSpecs, [&](const auto& spec) { return placeOf(spec) == place; });
     return found == end ? nullptr : found;
 }
 
@@ -82,7 +83,8 @@ QStringList faultsOfPanels(const QString& text) {
     QStringList faults;
     for (auto found = matchesOf(R"(\b[Tt]he\s([A-Z][a-z-]+(?:\s[a-z]+)?)\spanel\b)", text); found.hasNext();) {
         const QString panel = found.next().captured(1).simplified();
-        faults += commandAt("View, Panels, " + panel) != nullptr ? QStringList() : QStringList("no such panel: " + panel);
+        faults +=
+            commandAt("View, Panels, " + panel) != nullptr ? QStringList() : QStringList("no such panel: " + panel);
     }
     return faults;
 }
@@ -113,12 +115,15 @@ QStringList faultsOfCalls(const QString& text) {
     for (auto found = matchesOf(R"((?:^|`)copperscope ([^`\n]+))", text); found.hasNext();) {
         const QString call = found.next().captured(1);
         const QString first = call.section(' ', 0, 0);
-        const bool isCommand = QRegularExpression("\n  " + QRegularExpression::escape(first) + " ").match(helpOf({})).hasMatch();
+        const bool isCommand =
+            QRegularExpression("\n  " + QRegularExpression::escape(first) + " ").match(helpOf({})).hasMatch();
         const QString help = helpOf(isCommand ? first : QString());
         for (auto option = matchesOf(R"((?:^| )(--?[a-z][a-z-]*))", call); option.hasNext();) {
             const QString name = option.next().captured(1);
-            const bool isThere = QRegularExpression("(^|[ ,])" + name + "([ ,=]|$)", QRegularExpression::MultilineOption)
-                                     .match(help).hasMatch();
+            const bool isThere =
+                QRegularExpression("(^|[ ,])" + name + "([ ,=]|$)", QRegularExpression::MultilineOption)
+                    .match(help)
+                    .hasMatch();
             faults += isThere ? QStringList() : QStringList("copperscope " + first + " has no " + name);
         }
         if (!isCommand && QRegularExpression("^[a-z]+$").match(first).hasMatch()) {
@@ -165,7 +170,8 @@ private slots:
         for (const QFileInfo& picture : QDir(kGuide).entryInfoList({"*.png"})) {
             QVERIFY2(texts.join('\n').contains("](" + picture.fileName() + ")"), qPrintable(picture.fileName()));
             const QSize size = program::pngSize(picture.filePath());
-            QVERIFY2(size.width() > 0 && size.width() <= 780, qPrintable(picture.fileName()));  // the window is that wide
+            QVERIFY2(size.width() > 0 && size.width() <= 780,
+                     qPrintable(picture.fileName()));  // the window is that wide
             bytes += picture.size();
         }
         QVERIFY2(bytes < 1'500'000, qPrintable(QString::number(bytes)));
@@ -175,20 +181,30 @@ private slots:
     void plantedFaultsAreNamed_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("fault");
-        QTest::newRow("a command that is gone") << "**Board, Find gaps**" << "no such command: Board, Find gaps";
-        QTest::newRow("a command of another menu") << "**File, Find clearances**" << "no such command: File, Find clearances";
-        QTest::newRow("a submenu left out") << "**View, Stackup**" << "no such command: View, Stackup";
-        QTest::newRow("a key of another command")
-            << "**Board, Find clearances** (`M`)" << "Board, Find clearances has no key M";
-        QTest::newRow("a key of none") << "press `Ctrl+Shift+F7`" << "no such key: Ctrl+Shift+F7";
-        QTest::newRow("a panel") << "in the Stack panel" << "no such panel: Stack";
-        QTest::newRow("a page") << "[more](gone.md)" << "nothing beside it is called gone.md";
-        QTest::newRow("a page elsewhere") << "[more](../keys.md)" << "nothing beside it is called ../keys.md";
-        QTest::newRow("a site") << "[more](https://example.org)" << "nothing beside it is called https://example.org";
-        QTest::newRow("a picture") << "![it](gone.png)" << "nothing beside it is called gone.png";
-        QTest::newRow("a call") << "```\ncopperscope look board.tgz\n```" << "no such command: copperscope look";
-        QTest::newRow("an option")
-            << "`copperscope info board.tgz --rules x`" << "copperscope info has no --rules";
+        QTest::newRow("a command that is gone") << "**Board, Find gaps**"
+                                                << "no such command: Board, Find gaps";
+        QTest::newRow("a command of another menu") << "**File, Find clearances**"
+                                                   << "no such command: File, Find clearances";
+        QTest::newRow("a submenu left out") << "**View, Stackup**"
+                                            << "no such command: View, Stackup";
+        QTest::newRow("a key of another command") << "**Board, Find clearances** (`M`)"
+                                                  << "Board, Find clearances has no key M";
+        QTest::newRow("a key of none") << "press `Ctrl+Shift+F7`"
+                                       << "no such key: Ctrl+Shift+F7";
+        QTest::newRow("a panel") << "in the Stack panel"
+                                 << "no such panel: Stack";
+        QTest::newRow("a page") << "[more](gone.md)"
+                                << "nothing beside it is called gone.md";
+        QTest::newRow("a page elsewhere") << "[more](../keys.md)"
+                                          << "nothing beside it is called ../keys.md";
+        QTest::newRow("a site") << "[more](https://example.org)"
+                                << "nothing beside it is called https://example.org";
+        QTest::newRow("a picture") << "![it](gone.png)"
+                                   << "nothing beside it is called gone.png";
+        QTest::newRow("a call") << "```\ncopperscope look board.tgz\n```"
+                                << "no such command: copperscope look";
+        QTest::newRow("an option") << "`copperscope info board.tgz --rules x`"
+                                   << "copperscope info has no --rules";
     }
 
     void plantedFaultsAreNamed() {
@@ -199,8 +215,10 @@ private slots:
 
     void whatIsThereIsNoFault() {
         const QString text =
-            "**Board, Find clearances** (`Ctrl+Shift+G`), **View, Panels, Stackup** (`Ctrl+6`), `Tab`, `U1.3`, `rules.json`,\n"
-            "the Netlist check panel, the Stackup\npanel, [contents](README.md)\n```\ncopperscope board.tgz --step pcb\n"
+            "**Board, Find clearances** (`Ctrl+Shift+G`), **View, Panels, Stackup** (`Ctrl+6`), `Tab`, `U1.3`, "
+            "`rules.json`,\n"
+            "the Netlist check panel, the Stackup\npanel, [contents](README.md)\n```\ncopperscope board.tgz --step "
+            "pcb\n"
             "copperscope render board.tgz -o a.png --view top\n```\n";
         QCOMPARE(faultsOf(text, kGuide).join("; "), QString());
     }

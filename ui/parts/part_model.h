@@ -50,8 +50,8 @@ private:
     void listAttributeNames();
 
     std::shared_ptr<const model::Document> m_board;
-    std::vector<const model::Document*> m_steps;               ///< as model::StepTree::steps
-    std::vector<BoardPart> m_rows;                             ///< by designator
+    std::vector<const model::Document*> m_steps;  ///< as model::StepTree::steps
+    std::vector<BoardPart> m_rows;                ///< by designator
     /// Per column of names: places of the rows' texts. Made when the table first shows or sorts that column.
     mutable std::array<std::vector<std::uint32_t>, Step + 1> m_ranks;
     QStringList m_attributeNames;

@@ -14,9 +14,10 @@ DeviceNotice::DeviceNotice(const render::gpu::Caps& caps, Settings& settings, QW
         return;
     }
     settings.setKnowsOfSoftwareDevice();
-    auto* text = new QLabel(tr("No graphics card is in use: the processor draws (%1). All works, but moving a large board "
-                               "in 3D is slow. If there is a card in this machine, its Vulkan driver is missing.")
-                                .arg(QString::fromStdString(caps.name)));
+    auto* text =
+        new QLabel(tr("No graphics card is in use: the processor draws (%1). All works, but moving a large board "
+                      "in 3D is slow. If there is a card in this machine, its Vulkan driver is missing.")
+                       .arg(QString::fromStdString(caps.name)));
     text->setObjectName(QStringLiteral("softwareDevice"));
     text->setTextFormat(Qt::PlainText);
     text->setWordWrap(true);

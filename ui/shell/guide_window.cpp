@@ -50,7 +50,8 @@ void GuideWindow::showContents() {
     if (QFileInfo::exists(m_folder + '/' + kFirstPage)) {
         m_page->setSource(urlOf(m_folder, kFirstPage));
     } else {
-        m_page->setPlainText(tr("The guide is not installed: it belongs into %1").arg(QDir::toNativeSeparators(m_folder)));
+        m_page->setPlainText(
+            tr("The guide is not installed: it belongs into %1").arg(QDir::toNativeSeparators(m_folder)));
     }
 }
 

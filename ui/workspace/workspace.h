@@ -17,8 +17,8 @@ namespace ui {
 ///
 /// A board is opened in four steps; everybody has taken the board in one before the next begins, so nobody hears of a
 /// board before what it stands on has it: `boardRead`, `boardShown`, then the selection is emptied, `boardOpened`,
-/// `sessionRestored`. Within a step the order does not matter. Before the first, whoever keeps something of the board on
-/// the screen hears `boardLeaves`.
+/// `sessionRestored`. Within a step the order does not matter. Before the first, whoever keeps something of the board
+/// on the screen hears `boardLeaves`.
 class Workspace : public QObject {
     Q_OBJECT
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/formats/kicad/canvas.h"
-#include "model/formats/kicad/text/tree.h"
 #include "model/formats/kicad/text/text_strokes.h"
+#include "model/formats/kicad/text/tree.h"
 
 namespace model::kicad {
 

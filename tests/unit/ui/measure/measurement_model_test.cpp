@@ -109,7 +109,8 @@ private slots:
             5e5};
         length.notes = {"a guess"};
         QVERIFY(text(length, MeasurementModel::Value).startsWith("6.5000 mm"));
-        QCOMPARE(text(length, MeasurementModel::Details), QString("TOP 5.0000 mm; L2 1.0000 mm; 2 holes 0.5000 mm; a guess"));
+        QCOMPARE(text(length, MeasurementModel::Details),
+                 QString("TOP 5.0000 mm; L2 1.0000 mm; 2 holes 0.5000 mm; a guess"));
     }
 
     void whatRoundsToNothingHasNoSign() {
