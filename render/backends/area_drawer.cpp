@@ -41,7 +41,9 @@ AreaDrawer::AreaDrawer(gpu::Device& device, const TargetFormat& target)
       m_caps(makePipelines(device, "area caps", shader::spirv::kAreaCapVert, false, target)),
       m_patches(makePipelines(device, "area patches", shader::spirv::kAreaPatchVert, false, target)),
       m_walls(makePipelines(device, "area walls", shader::spirv::kAreaWallVert, true, target)),
-      m_outlines(makePipelines(device, "area outlines", shader::spirv::kAreaOutlineVert, false, target)) {}
+      m_makeOutlines([&device, target] {
+          return makePipelines(device, "area outlines", shader::spirv::kAreaOutlineVert, false, target);
+      }) {}
 
 void AreaDrawer::reset(const Recording& recording) const {
     const DrawLists& lists = recording.lists;
@@ -65,10 +67,13 @@ void AreaDrawer::lineUp(const Recording& recording) const {
     vkCmdDispatch(recording.commands(), static_cast<std::uint32_t>(recording.step.areaRuns.size()), 1, 1);
 }
 
-void AreaDrawer::draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const {
+void AreaDrawer::draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) {
     const bool seesUpper = recording.plan.data.quadFace == 0;
     if ((recording.plan.data.flags & shader::kFrameOutlines) != 0) {
-        drawEdges(recording, pass, batch, m_outlines, seesUpper ? &SeenFaces::upper : &SeenFaces::lower);
+        if (!m_outlines) {
+            m_outlines = m_makeOutlines();
+        }
+        drawEdges(recording, pass, batch, *m_outlines, seesUpper ? &SeenFaces::upper : &SeenFaces::lower);
         return;
     }
     drawCaps(recording, pass, batch, 0);

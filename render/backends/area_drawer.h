@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "render/backends/let_backend.h"
 
 namespace render {
@@ -15,7 +18,7 @@ public:
     /// Makes commands of what `cull` has found, in order and without gaps: a device takes its time for each command,
     /// whether it draws something or not.
     void lineUp(const Recording& recording) const;
-    void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) const;
+    void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass);
 
 private:
     void drawCaps(const Recording& recording, gpu::Pass pass, std::uint32_t batch, std::uint32_t face) const;
@@ -30,7 +33,8 @@ private:
     PassPipelines m_caps;
     PassPipelines m_patches;
     PassPipelines m_walls;
-    PassPipelines m_outlines;
+    std::function<PassPipelines()> m_makeOutlines;
+    std::optional<PassPipelines> m_outlines;  ///< made when they are drawn first
 };
 
 }  // namespace render

@@ -1,17 +1,19 @@
 #include "render/backends/let_backend.h"
 
+#include "model/base/parallel.h"
 #include "render/gpu/device_select.h"
 
 namespace render {
 
 PassPipelines makePassPipelines(gpu::Device& device, std::string_view label, std::span<const gpu::ShaderStage> stages,
                                 bool cullsBackFaces, const TargetFormat& target, gpu::Cover cover) {
+    constexpr gpu::Pass kPasses[] = {gpu::Pass::Opaque, gpu::Pass::DepthOnly, gpu::Pass::Blend};
     PassPipelines pipelines;
-    for (const gpu::Pass pass : {gpu::Pass::Opaque, gpu::Pass::DepthOnly, gpu::Pass::Blend}) {
-        pipelines[passRow(pass)] =
-            gpu::Pipeline(device, {label, stages, sizeof(shader::Push), pass, cullsBackFaces, cover, target.colour,
-                                   gpu::kDepthFormat, target.samples, target.hasSection});
-    }
+    base::parallelFor(std::size(kPasses), [&](std::size_t i) {
+        pipelines[passRow(kPasses[i])] =
+            gpu::Pipeline(device, {label, stages, sizeof(shader::Push), kPasses[i], cullsBackFaces, cover,
+                                   target.colour, gpu::kDepthFormat, target.samples, target.hasSection});
+    });
     return pipelines;
 }
 
