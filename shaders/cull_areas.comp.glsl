@@ -30,7 +30,7 @@ const uint kInFull = 1u;
 const uint kNotSeen = 0u;
 
 uint wayOf(AreaInstance instance, LayerState layer) {
-    if (!has(layer.flags, kLayerVisible) || !isDrawn(instance.onlyAs) || isHidden(instance.element)) {
+    if (!isOnLayer(layer, instance.onlyAs) || isHidden(instance.element)) {
         return kNotSeen;
     }
     if (!has(FRAME.flags, kFrameCull)) {

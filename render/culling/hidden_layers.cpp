@@ -62,6 +62,10 @@ bool hides(const Block& substrate, float bottom, float marginMm, const Sight& si
            (below == 0.0F || below * sight.flatness <= marginMm || below * sight.pixelsPerMm < kThinPx);
 }
 
+void hide(bool isMilled, LayerState& state) {
+    state.flags = isMilled ? state.flags | shader::kLayerMilledOnly : state.flags & ~shader::kLayerVisible;
+}
+
 void cutAt(const Block& substrate, const Sight& sight, LayerState& state) {
     const float overlap = std::min(kOverlapPx / sight.pixelsPerMm, substrate.top - substrate.bottom);
     if (sight.isFromAbove) {
@@ -123,8 +127,8 @@ void hideBuried(std::span<const LayerInSubstrate> layers, const Sight& sight, st
                 continue;
             }
             if (block.top < substrate.top - kSameHeight) {
-                states[i].flags &= ~shader::kLayerVisible;
-            } else if (block.bottom < substrate.top && !isUneven) {
+                hide(layers[i].isMilled, states[i]);
+            } else if (block.bottom < substrate.top && !isUneven && !layers[i].isMilled) {
                 cutAt(substrate, sight, states[i]);
             }
         }

@@ -32,9 +32,9 @@ struct EyePoint {
 /// Walls of fewer pixels are not drawn: tilted as boards are looked at, less than a third of a pixel would show.
 inline constexpr float kThinPx = 0.6F;
 
-/// Leaves out what opaque substrate hides. Layers in it or behind it lose kLayerVisible, barrels that go through it end
-/// a little below its surface. Holes let nobody see into it while the layers that fill them are visible and opaque.
-/// `layers` are in the rows of `states`.
+/// Leaves out what opaque substrate hides. Layers in it or behind it lose kLayerVisible, or, where some of it is milled
+/// at the board's edge, get kLayerMilledOnly; barrels that go through it end a little below its surface. Holes let
+/// nobody see into it while the layers that fill them are visible and opaque. `layers` are in the rows of `states`.
 void hideBuried(std::span<const LayerInSubstrate> layers, const Sight& sight, std::vector<shader::LayerState>& states);
 
 }  // namespace render

@@ -185,7 +185,7 @@ private:
     [[nodiscard]] float marginOfLets(std::size_t layer) const {
         float margin = kLargestMargin;
         forClusters(m_model, layer, [&](const shader::Cluster& cluster) {
-            if (margin < 0.0F) {
+            if (margin < 0.0F || cluster.onlyAs != 0) {
                 return;
             }
             const float distance = m_grid.distance(cluster.boxMin, cluster.boxMax, margin);
@@ -221,7 +221,7 @@ private:
         float margin = kLargestMargin;
         std::vector<std::uint8_t> isAround(m_loopPoints.size(), 0);
         forInstances(m_model, layer, [&](const shader::AreaInstance& instance) {
-            if (margin < 0.0F) {
+            if (margin < 0.0F || instance.onlyAs != 0) {
                 return;
             }
             forLoops(m_model, instance, [&](const Loop& loop) {
@@ -293,11 +293,19 @@ public:
                 margin = margin < 0.0F ? margin : std::min(margin, part.marginOf(layer));
             }
             m_result[layer].marginMm = margin;
+            m_result[layer].isMilled = isMilled(layer);
         });
         return std::move(m_result);
     }
 
 private:
+    [[nodiscard]] bool isMilled(std::size_t layer) const {
+        bool isAny = false;
+        forClusters(m_model, layer, [&](const shader::Cluster& cluster) { isAny = isAny || cluster.onlyAs != 0; });
+        forInstances(m_model, layer, [&](const shader::AreaInstance& area) { isAny = isAny || area.onlyAs != 0; });
+        return isAny;
+    }
+
     SubstratePart partOf(const Plugs& plugs, std::size_t layer) {
         SubstratePart part;
         const auto addUnlessPlugged = [&](std::optional<std::uint32_t> plug, const Loop& loop) {

@@ -16,9 +16,10 @@ struct LayerInSubstrate {
         Plug        ///< its holes go through the substrate and fill them as long as they are drawn
     };
     Role role = Role::Content;
-    /// How far everything on the layer keeps inside the substrate's edge, mm; kLargestMargin if it is farther.
-    /// Negative: something sticks out, or there is no substrate. Holes with a plug are no edge.
+    /// How far everything on the layer that is not milled keeps inside the substrate's edge, mm; kLargestMargin if it
+    /// is farther. Negative: something sticks out, or there is no substrate. Holes with a plug are no edge.
     float marginMm = -1.0F;
+    bool isMilled = false;  ///< in part: what is, and what is left of it, reaches the edge at least
 };
 
 inline constexpr float kLargestMargin = 2.0F;

@@ -83,6 +83,7 @@ std::vector<LayerInSubstrate> inSubstrate(const BoardModel& model) {
         for (std::size_t i = 0; i < std::min(layers.size(), step.inSubstrate.size()); ++i) {
             const LayerInSubstrate& own = step.inSubstrate[i];
             layers[i].marginMm = std::min(layers[i].marginMm, own.marginMm);
+            layers[i].isMilled = layers[i].isMilled || own.isMilled;
             layers[i].role = own.role == LayerInSubstrate::Role::Content ? layers[i].role : own.role;
         }
     }

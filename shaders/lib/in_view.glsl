@@ -1,7 +1,9 @@
 // What is in view.
 
-bool isDrawn(uint onlyAs) {
-    return !has(onlyAs, has(FRAME.flags, kFrameFabricated) ? kOnlyAsDesigned : kOnlyAsFabricated);
+// Whether what `onlyAs` says is drawn on the layer.
+bool isOnLayer(LayerState layer, uint onlyAs) {
+    return has(layer.flags, kLayerVisible) && (onlyAs != 0u || !has(layer.flags, kLayerMilledOnly)) &&
+           !has(onlyAs, has(FRAME.flags, kFrameFabricated) ? kOnlyAsDesigned : kOnlyAsFabricated);
 }
 
 // Whether a box (half extents around its middle, relative to FRAME.centre) may be in view.

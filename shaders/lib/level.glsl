@@ -4,7 +4,7 @@
 #include "element.glsl"
 
 bool isClusterInView(Cluster cluster, LayerState layer) {
-    if (!has(layer.flags, kLayerVisible) || !isDrawn(cluster.onlyAs)) {
+    if (!isOnLayer(layer, cluster.onlyAs)) {
         return false;
     }
     return !has(FRAME.flags, kFrameCull) ||

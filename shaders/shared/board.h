@@ -89,6 +89,7 @@ GPU_CONST kLayerVisible = 1;
 GPU_CONST kLayerTranslucent = 2;  // drawn in its own blended pass
 GPU_CONST kLayerGrowsUp = 4;      // areas differ in height: each grows up from the lower face
 GPU_CONST kLayerGrowsDown = 8;    // areas differ in height: each grows down from the upper face
+GPU_CONST kLayerMilledOnly = 16;  // of all that is on it only what is milled, or left of it, may be seen
 GPU_CONST kLayerBottomRankShift = 8;
 GPU_CONST kLayerTopRankShift = 16;
 GPU_CONST kLayerMaterialShift = 24;

@@ -89,6 +89,20 @@ private slots:
         QVERIFY(isDrawn(plan(scene, NamedView::Iso, settings), Inner));
     }
 
+    /// Of a layer of which something ends at the board's edge that alone may be seen; and holes at the edge are open.
+    void whatIsMilledIsDrawn() {
+        SceneLayers scene = board();
+        scene.inSubstrate[Inner].isMilled = true;
+        scene.inSubstrate[Drill].isMilled = true;
+        const LayerPlan seen = plan(scene);
+        QVERIFY(isDrawn(seen, Inner) && !isDrawn(seen, Bottom));
+        QVERIFY((seen.states[Inner].flags & shader::kLayerMilledOnly) != 0);
+        QVERIFY((seen.states[Top].flags & shader::kLayerMilledOnly) == 0);
+        QCOMPARE(seen.states[Drill].z0, 0.0F);
+        scene.styles[Substrate].isVisible = false;
+        QVERIFY((plan(scene).states[Inner].flags & shader::kLayerMilledOnly) == 0);
+    }
+
     void whatStandsOutIsDrawnThroughEverything() {
         for (const NamedView view : {NamedView::Iso, NamedView::Top, NamedView::Bottom}) {
             const LayerPlan over = plan(board(), view, {}, 1.0F, Subject::StandingOut);

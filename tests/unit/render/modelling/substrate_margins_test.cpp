@@ -93,6 +93,31 @@ private slots:
         QVERIFY(insetOfLine({10 * kMm, 10 * kMm}, {12 * kMm, 10 * kMm}) < 0.0F);  // over an open hole
     }
 
+    /// Whatever is milled, lines or areas: it is left out of the margin, and of that alone.
+    void whatIsMilledIsMentioned() {
+        Board board;
+        model::ShapeSketch sketch;
+        sketch.addPolygon(box(0, 40 * kMm), false);
+        board.builder().setProfile(board.builder().addShape(sketch));
+        board.begin(LayerType::Signal);
+        board.builder().addLine({{20 * kMm, 3 * kMm / 2}, {25 * kMm, 3 * kMm / 2}, kMm, 0}, {});
+        QVERIFY(!board.last().isMilled);
+
+        Board milled;
+        milled.builder().setProfile(milled.builder().addShape(sketch));
+        model::ShapeSketch across;
+        across.addPolygon(box(36 * kMm, 60 * kMm), false);
+        const model::ShapeId acrossEdge = milled.builder().addShape(across);
+        milled.begin(LayerType::Signal);
+        milled.builder().addLine({{20 * kMm, 3 * kMm / 2}, {25 * kMm, 3 * kMm / 2}, kMm, 0}, {});
+        milled.builder().addLine({{20 * kMm, 0}, {25 * kMm, 0}, kMm, 0}, {});
+        milled.builder().addLine({{5 * kMm, 3 * kMm}, {8 * kMm, 3 * kMm}, kMm, 0}, {});
+        milled.builder().addArea({acrossEdge, {}}, {});
+        const LayerInSubstrate found = milled.last();
+        QVERIFY(found.isMilled);
+        QVERIFY2(near(found.marginMm, 1.0), qPrintable(QString::number(found.marginMm)));
+    }
+
     void areasAreMeasuredAlongTheirWalls_data() {
         QTest::addColumn<int>("low");
         QTest::addColumn<int>("high");
