@@ -44,7 +44,7 @@ public:
         while (isGoingOn(clock)) {
             step();
         }
-        const bool isEnded = m_driver.settle();
+        const bool isEnded = m_driver.settle(kEndOfWorkMs);
         m_driver.restart();
         const bool isDown = m_driver.awaitThreads(before.threads + kThreadsOfQt);
         print(static_cast<double>(clock.elapsed()) / 1e3);
@@ -55,6 +55,7 @@ public:
     }
 
 private:
+    static constexpr int kEndOfWorkMs = 600'000;  // under a sanitizer a PDF of a large board takes minutes
     static constexpr std::size_t kThreadsOfQt = 16;  // which it keeps: pools, the display's
 
     [[nodiscard]] bool isGoingOn(const QElapsedTimer& clock) const {
