@@ -6,8 +6,8 @@
 
 namespace base {
 
-/// Asks the system to back memory that is about to be filled by large pages: one takes as long at its first touch as
-/// two of the small ones it stands for. Has no effect where the system knows none.
+/// Asks the system to back memory that is about to be filled by large pages, which take a fraction of the time at their
+/// first touch that the small ones they stand for take. Has no effect where the system knows none.
 void preferLargePages(std::span<const std::byte> memory);
 
 /// Resizes an empty table that will be large, and filled at once.
