@@ -55,7 +55,11 @@ public:
     }
 
 private:
-    static constexpr int kEndOfWorkMs = 600'000;  // under a sanitizer a PDF of a large board takes minutes
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    static constexpr int kEndOfWorkMs = 600'000;  // a PDF of a large board takes minutes
+#else
+    static constexpr int kEndOfWorkMs = 60'000;
+#endif
     static constexpr std::size_t kThreadsOfQt = 16;  // which it keeps: pools, the display's
 
     [[nodiscard]] bool isGoingOn(const QElapsedTimer& clock) const {
