@@ -39,7 +39,6 @@ StatusLine::StatusLine(QStatusBar& bar)
     m_steps->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_stepLabel->setBuddy(m_steps);
     m_frame->setObjectName(QStringLiteral("frame"));
-    m_frame->setToolTip(tr("Device, how it draws, and the time of the last frame"));
     m_position->setObjectName(QStringLiteral("position"));
     m_position->setToolTip(tr("Position of the pointer in the coordinates of the job (Q changes the unit)"));
     for (QWidget* widget : std::initializer_list<QWidget*>{m_position, m_work, m_stepLabel, m_steps, m_frame}) {
@@ -49,6 +48,7 @@ StatusLine::StatusLine(QStatusBar& bar)
     m_stepLabel->hide();
     m_steps->hide();
     connect(m_steps, &QComboBox::textActivated, this, &StatusLine::stepChosen);
+    connect(&bar, &QStatusBar::messageChanged, &bar, &QStatusBar::setToolTip);  // whole, where it is cut
 }
 
 void StatusLine::beginWork(const QString& name) {
@@ -72,13 +72,14 @@ void StatusLine::showSteps(const model::JobInfo& job) {
 }
 
 void StatusLine::showDevice(const render::gpu::Caps& caps) {
-    const QString name = QString::fromStdString(caps.name);
-    m_device = caps.isCpu ? tr("no graphics card: %1").arg(name) : name;
+    m_device = QString::fromStdString(caps.name);
+    m_shortDevice = caps.isCpu ? tr("no graphics card") : m_device;
 }
 
 void StatusLine::showFrame(const render::FrameStats& stats) {
     const double ms = stats.gpuMs > 0.0 ? stats.gpuMs : stats.cpuMs;
-    m_frame->setText(QStringLiteral("%1 · %2 · %3 ms").arg(m_device, backendText(stats.backend)).arg(ms, 0, 'f', 1));
+    m_frame->setText(tr("%1 · %2 ms").arg(m_shortDevice).arg(ms, 0, 'f', 1));
+    m_frame->setToolTip(tr("%1, %2, and the time of the last frame").arg(m_device, backendText(stats.backend)));
 }
 
 void StatusLine::showPosition(const QString& text) {

@@ -14,7 +14,7 @@ class QStatusBar;
 namespace ui {
 
 /// The widgets of the status bar: progress of work with a button to stop it (hidden while nothing runs), the step
-/// shown, the device, the time of the last frame.
+/// shown, the device, the time of the last frame. Texts that do not change are short, so that messages find room.
 class StatusLine : public QObject {
     Q_OBJECT
 
@@ -48,6 +48,7 @@ private:
     QLabel* m_position;
     QLabel* m_frame;
     QString m_device;
+    QString m_shortDevice;  ///< says only that there is no card, where there is none
 };
 
 }  // namespace ui

@@ -44,6 +44,7 @@ StackupPanel::StackupPanel(StackupModel& model, const ActionSet& actions, QWidge
     m_halves->setStretchFactor(0, 1);
     m_halves->setStretchFactor(1, 1);
     m_halves->setSizes({1'000, 1'000});  // halves, whatever their contents want
+    m_halves->setMinimumWidth(1);        // side by side only where there is room, which they do not ask for
     columnIn(*this)->addWidget(m_halves);
     refresh();
 }
@@ -91,11 +92,9 @@ QWidget* StackupPanel::drawingHalf(const ActionSet& actions) {
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* row = new QHBoxLayout;
-    row->addWidget(toolBar({&actions[ActionId::ExaggerateCopper], &actions[ActionId::ExportStackup]}), 2);
+    row->addWidget(toolBar({&actions[ActionId::ExaggerateCopper], &actions[ActionId::ExportStackup]}), 1);
     m_total->setObjectName(QStringLiteral("stackupTotal"));
-    m_total->setMinimumWidth(1);  // the panel is not made wider for it
-    m_total->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row->addWidget(m_total, 1);
+    row->addWidget(m_total);
     return panelOf(row, scroll, 0);
 }
 

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QtTest>
 
 #include "tests/ui/window_fixture.h"
@@ -60,7 +61,15 @@ private slots:
     void theStatusBarGoesOnSayingSo() {
         QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
         QTRY_VERIFY(window().label("frame").endsWith(" ms"));
-        QCOMPARE(window().label("frame").contains("no graphics card"), m_fixture->context().device().caps().isCpu);
+        const render::gpu::Caps& caps = m_fixture->context().device().caps();
+        QCOMPARE(window().label("frame").startsWith("no graphics card · "), caps.isCpu);
+        QVERIFY(window().findChild<QLabel*>("frame")->toolTip().startsWith(QString::fromStdString(caps.name)));
+    }
+
+    void aMessageThatIsCutIsWholeInItsToolTip() {
+        const QString message(500, u'm');
+        window().statusBar()->showMessage(message);
+        QCOMPARE(window().statusBar()->toolTip(), message);
     }
 
 private:
