@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/base/parallel.h"
 #include "model/board/layers.h"
 #include "model/export/drawings/drawn_outlines.h"
 #include "model/solids/shells/area_shell.h"
@@ -12,6 +13,7 @@ namespace model {
 namespace {
 
 constexpr const char* kOutlineName = "board outline";
+constexpr std::uint32_t kAtOnce = 8192;  // elements whose outlines are found side by side, then drawn one by one
 
 bool isFilled(const Layer& layer) {
     const LayerGroup group = groupOf(layer);
@@ -120,17 +122,27 @@ private:
     }
 
     base::Status drawElements(std::uint32_t step, LayerId layer, const std::vector<Placement>& placements) {
-        const Document& document = *m_tree.steps[step];
-        const Range range = document.layer(layer).elements;
-        for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+        const Range range = m_tree.steps[step]->layer(layer).elements;
+        for (std::uint32_t i = 0; i < range.count; i += kAtOnce) {
+            drawSome(step, {range.first + i, std::min(kAtOnce, range.count - i)}, placements);
             RETURN_IF_ERROR(stateOfWork());
-            const ElementOutlines drawn = drawnOutlinesOf(document, ElementId{i});
-            if (drawn.regions.empty() && !drawn.problem.empty()) {
-                note(step, ElementId{i}, drawn.problem);
-            }
-            add(drawn.regions, placements);
         }
         return base::Done{};
+    }
+
+    void drawSome(std::uint32_t step, Range elements, const std::vector<Placement>& placements) {
+        std::vector<ElementOutlines> drawn(elements.count);
+        base::parallelFor(elements.count, [&](std::size_t i) {
+            if (!m_progress.isCancelled()) {
+                drawn[i] = drawnOutlinesOf(*m_tree.steps[step], ElementId{elements.first + i});
+            }
+        });
+        for (std::uint32_t i = 0; i < elements.count && !m_progress.isCancelled(); ++i) {
+            if (drawn[i].regions.empty() && !drawn[i].problem.empty()) {
+                note(step, ElementId{elements.first + i}, drawn[i].problem);
+            }
+            add(drawn[i].regions, placements);
+        }
     }
 
     void note(std::uint32_t step, ElementId element, std::string_view reason) {

@@ -1,27 +1,12 @@
 #include "model/export/drawings/pdf_file.h"
 
-#include <array>
-
-#include "model/base/assert.h"
 #include "model/export/drawings/utf8.h"
 #include "model/text/formatting.h"
 
 namespace model {
 
-namespace {
-
-constexpr std::size_t kGathered = 65536;
-
-}  // namespace
-
 PdfFile::PdfFile(FileWriter& file) : m_file(file) {
     m_file.write("%PDF-1.5\n%\xE2\xE3\xCF\xD3\n");
-    const int state = deflateInit(&m_deflate, Z_DEFAULT_COMPRESSION);
-    ASSERT(state == Z_OK);
-}
-
-PdfFile::~PdfFile() {
-    deflateEnd(&m_deflate);
 }
 
 int PdfFile::reserve() {
@@ -40,18 +25,12 @@ void PdfFile::beginStream(int number) {
     start(number);
     m_file.write("<< /Filter /FlateDecode /Length " + std::to_string(m_length) + " 0 R >>\nstream\n");
     m_streamStart = m_file.size();
-    deflateReset(&m_deflate);
-}
-
-void PdfFile::addToStream(std::string_view text) {
-    m_pending += text;
-    if (m_pending.size() >= kGathered) {
-        compress(Z_NO_FLUSH);
-    }
+    m_stream.emplace([this](std::string_view bytes) { m_file.write(bytes); });
 }
 
 void PdfFile::endStream() {
-    compress(Z_FINISH);
+    m_stream->end();
+    m_stream.reset();
     const std::uint64_t length = m_file.size() - m_streamStart;
     m_file.write("\nendstream\nendobj\n");
     addObject(m_length, std::to_string(length));
@@ -71,19 +50,6 @@ void PdfFile::end(int catalog, int info) {
 void PdfFile::start(int number) {
     m_starts[static_cast<std::size_t>(number) - 1] = m_file.size();
     m_file.write(std::to_string(number) + " 0 obj\n");
-}
-
-void PdfFile::compress(int flush) {
-    std::array<Bytef, kGathered> out{};
-    m_deflate.next_in = reinterpret_cast<Bytef*>(m_pending.data());
-    m_deflate.avail_in = static_cast<uInt>(m_pending.size());
-    do {
-        m_deflate.next_out = out.data();
-        m_deflate.avail_out = static_cast<uInt>(out.size());
-        deflate(&m_deflate, flush);
-        m_file.write({reinterpret_cast<const char*>(out.data()), out.size() - m_deflate.avail_out});
-    } while (m_deflate.avail_out == 0);
-    m_pending.clear();
 }
 
 std::string pdfText(std::string_view utf8) {

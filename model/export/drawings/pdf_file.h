@@ -1,12 +1,12 @@
 #pragma once
 
-#include <zlib.h>
-
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "model/export/drawings/deflated_stream.h"
 #include "model/text/file_writer.h"
 
 namespace model {
@@ -17,9 +17,6 @@ class PdfFile {
 public:
     /// Writes the first lines.
     explicit PdfFile(FileWriter& file);
-    ~PdfFile();
-    PdfFile(const PdfFile&) = delete;
-    PdfFile& operator=(const PdfFile&) = delete;
 
     /// A number for an object that is written later.
     [[nodiscard]] int reserve();
@@ -27,7 +24,7 @@ public:
 
     /// A stream of any length; no other object until endStream().
     void beginStream(int number);
-    void addToStream(std::string_view text);
+    void addToStream(std::string_view text) { m_stream->add(text); }
     void endStream();
 
     /// `catalog` and `info` are objects that were written.
@@ -35,12 +32,10 @@ public:
 
 private:
     void start(int number);
-    void compress(int flush);
 
     FileWriter& m_file;
-    std::vector<std::uint64_t> m_starts;  ///< where an object starts, by number - 1
-    z_stream m_deflate{};
-    std::string m_pending;  ///< of the stream, not yet compressed
+    std::vector<std::uint64_t> m_starts;     ///< where an object starts, by number - 1
+    std::optional<DeflatedStream> m_stream;  ///< between beginStream() and endStream()
     std::uint64_t m_streamStart = 0;
     int m_length = 0;  ///< the object that holds the length of the stream
 };

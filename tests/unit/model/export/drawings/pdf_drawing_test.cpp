@@ -5,6 +5,7 @@
 #include <QtTest>
 #include <sstream>
 
+#include "model/base/parallel.h"
 #include "model/export/drawings/pdf_file.h"
 #include "tests/unit/model/export/drawings/drawn_board.h"
 
@@ -167,6 +168,33 @@ private slots:
         const std::string content = pdfOf(*builder.finish(), {}, PdfPages::AllOnOne).streams()[0];
         QVERIFY(content.size() > 4 * 65536);
         QVERIFY(isNear(areaOf(content) / 1'000, 100.0 + std::numbers::pi / 4));
+    }
+
+    /// More elements than are drawn at once, each of its own size, and some without any.
+    void theSameBitsWithAnyNumberOfThreads() {
+        model::DocumentBuilder builder;
+        builder.beginLayer(hand_made::addLayer(builder, "top"));
+        for (int i = 0; i < 20'000; ++i) {
+            builder.addCircle({{i * hand_made::kUm, 0}, i % 7 == 0 ? 0 : 1'000 + i, 0}, {});
+        }
+        const auto board = builder.finish();
+        std::vector<std::uint32_t> notDrawn;
+        const auto drawn = [&] {
+            return drawn_board::written([&](model::FileWriter& file, base::Progress& progress) {
+                auto report = model::writePdf(*board, {}, PdfPages::AllOnOne, file, progress);
+                for (const model::NotDrawn& one : report->notDrawn) {
+                    notDrawn.push_back(static_cast<std::uint32_t>(one.element.row()));
+                }
+                return report;
+            });
+        };
+        const std::string many = drawn();
+        const base::ThreadLimit one(1);
+        QVERIFY(drawn() == many);
+        QCOMPARE(notDrawn.size(), std::size_t{2} * (20'000 / 7 + 1));
+        QVERIFY(std::equal(notDrawn.begin(), notDrawn.begin() + notDrawn.size() / 2,
+                           notDrawn.begin() + notDrawn.size() / 2, notDrawn.end()));
+        QVERIFY(std::is_sorted(notDrawn.begin(), notDrawn.begin() + notDrawn.size() / 2));
     }
 
     void textsAreUtf16() {
