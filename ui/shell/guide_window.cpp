@@ -41,7 +41,7 @@ GuideWindow::GuideWindow(const QString& folder, QWidget* parent)
     layout->addWidget(m_page, 1);
     m_page->setObjectName(QStringLiteral("guidePage"));
     m_page->document()->setDocumentMargin(12);
-    resize(820, 720);  // the pictures are up to 760 pixels wide
+    resize(850, 720);  // the pictures are up to 760 pixels wide, beside them are margins and a scroll bar
     showContents();
     m_page->setFocus();
 }
