@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <tuple>
 
 #include "model/base/edge_slots.h"
 #include "model/geometry/discretise.h"
@@ -127,6 +128,111 @@ bool addLoops(ShapeSketch& sketch, Loops loops, const CurveTable& curves, bool i
     return true;
 }
 
+/// A straight edge on the line through the points with the same offset from the origin across the same direction.
+struct OnLine {
+    std::int64_t dx = 0;  ///< the line's direction: no common divisor, to the right or straight up
+    std::int64_t dy = 0;
+    __int128 offset = 0;
+    std::int64_t low = 0;  ///< along the line: x, or y where it runs straight up
+    std::int64_t high = 0;
+    std::uint32_t edge = 0;
+    bool isBack = false;  ///< the edge runs against the line
+
+    [[nodiscard]] bool isOnSameLine(const OnLine& other) const {
+        return dx == other.dx && dy == other.dy && offset == other.offset;
+    }
+    bool operator<(const OnLine& other) const {
+        return std::tie(dx, dy, offset, low) < std::tie(other.dx, other.dy, other.offset, other.low);
+    }
+};
+
+OnLine onLine(Point a, Point b, std::uint32_t edge) {
+    OnLine line;
+    line.edge = edge;
+    line.dx = std::int64_t{b.x} - a.x;
+    line.dy = std::int64_t{b.y} - a.y;
+    const std::int64_t divisor = std::gcd(line.dx, line.dy);
+    line.isBack = line.dx < 0 || (line.dx == 0 && line.dy < 0);
+    line.dx /= line.isBack ? -divisor : divisor;
+    line.dy /= line.isBack ? -divisor : divisor;
+    line.offset = static_cast<__int128>(line.dx) * a.y - static_cast<__int128>(line.dy) * a.x;
+    const auto [low, high] = line.dx == 0 ? std::minmax(a.y, b.y) : std::minmax(a.x, b.x);
+    line.low = low;
+    line.high = high;
+    return line;
+}
+
+/// A node to repeat on an edge.
+struct Stop {
+    std::uint32_t edge = 0;
+    std::int64_t along = 0;
+    Point point;
+};
+
+/// Finds where ends of straight edges lie on such as run the other way.
+class StopFinder {
+public:
+    explicit StopFinder(const PathNodes& contour) : m_contour(contour), m_pairsLeft(kPairsPerEdge * contour.size()) {}
+
+    /// By edge, then along its line; none where too many edges lie upon each other.
+    std::vector<Stop> find() {
+        std::vector<OnLine> edges = straightEdges();
+        std::ranges::sort(edges, std::less{});
+        for (auto first = edges.begin(); first != edges.end();) {
+            const auto end =
+                std::find_if(first, edges.end(), [&](const OnLine& edge) { return !edge.isOnSameLine(*first); });
+            findOn({first, end});
+            first = end;
+        }
+        if (m_pairsLeft == 0) {
+            return {};
+        }
+        std::ranges::sort(m_stops, {}, [](const Stop& stop) { return std::pair(stop.edge, stop.along); });
+        return std::move(m_stops);
+    }
+
+private:
+    static constexpr std::size_t kPairsPerEdge = 16;
+
+    [[nodiscard]] std::vector<OnLine> straightEdges() const {
+        std::vector<OnLine> edges;
+        for (std::uint32_t edge = 0; edge < m_contour.size(); ++edge) {
+            const Point a = m_contour[edge].point;
+            const Point b = m_contour.endOf(edge);
+            if (m_contour[edge].edge == EdgeKind::Line && a != b) {
+                edges.push_back(onLine(a, b, edge));
+            }
+        }
+        return edges;
+    }
+
+    /// The edges of one line, in the order in which they begin.
+    void findOn(std::span<const OnLine> edges) {
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            for (std::size_t j = i + 1; j < edges.size() && edges[j].low < edges[i].high && m_pairsLeft > 0; ++j) {
+                --m_pairsLeft;
+                if (edges[i].isBack != edges[j].isBack) {
+                    add(edges[i], edges[j], edges[j].low);
+                    add(edges[i], edges[j], edges[j].high);
+                    add(edges[j], edges[i], edges[i].high);
+                }
+            }
+        }
+    }
+
+    /// The end of `other` at `along` is a stop on `edge` if it lies on it.
+    void add(const OnLine& edge, const OnLine& other, std::int64_t along) {
+        if (edge.low < along && along < edge.high) {
+            const bool isStart = (along == other.low) != other.isBack;
+            m_stops.push_back({edge.edge, along, isStart ? m_contour[other.edge].point : m_contour.endOf(other.edge)});
+        }
+    }
+
+    PathNodes m_contour;
+    std::size_t m_pairsLeft;
+    std::vector<Stop> m_stops;
+};
+
 }  // namespace
 
 std::optional<ShapeSketch> healSlits(const ShapeSketch& sketch) {
@@ -148,6 +254,30 @@ std::optional<ShapeSketch> healSlits(const ShapeSketch& sketch) {
         }
     }
     return isHealed ? std::optional(std::move(healed)) : std::nullopt;
+}
+
+std::vector<PathNode> withNodesWhereRunBack(std::vector<PathNode> contour) {
+    const std::vector<Stop> stops = StopFinder(contour).find();
+    if (stops.empty()) {
+        return contour;
+    }
+    std::vector<PathNode> result;
+    auto stop = stops.begin();
+    for (std::uint32_t edge = 0; edge < contour.size(); ++edge) {
+        std::vector<Point> points;
+        for (; stop != stops.end() && stop->edge == edge; ++stop) {
+            points.push_back(stop->point);
+        }
+        points.erase(std::unique(points.begin(), points.end()), points.end());
+        if (!points.empty() && onLine(contour[edge].point, PathNodes(contour).endOf(edge), edge).isBack) {
+            std::ranges::reverse(points);
+        }
+        result.push_back(contour[edge]);
+        for (const Point point : points) {
+            result.push_back({point, {}, EdgeKind::Line});
+        }
+    }
+    return result;
 }
 
 }  // namespace model

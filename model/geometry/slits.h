@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "model/geometry/shapes.h"
 
@@ -13,5 +14,11 @@ namespace model {
 /// that only touches itself stays whole. An edge counts as run both ways if both its ends are the same, to the
 /// nanometre; arcs never do. None if there is nothing to heal, which is found out in one pass over the nodes.
 [[nodiscard]] std::optional<ShapeSketch> healSlits(const ShapeSketch& sketch);
+
+/// For contours that run in along one edge and back along several, past the corners of
+/// openings: the closed contour with nodes more where a straight edge is run back along from or to a point on it, so
+/// that the way back has the same ends. Only nodes of the contour are repeated, where they lie exactly on the edge. A
+/// contour of which a great many edges lie upon each other stays as it is.
+[[nodiscard]] std::vector<PathNode> withNodesWhereRunBack(std::vector<PathNode> contour);
 
 }  // namespace model

@@ -8,6 +8,7 @@
 #include "model/formats/gerber/image/image_parser.h"
 #include "model/formats/gerber/text/words.h"
 #include "model/geometry/outlines.h"
+#include "model/geometry/slits.h"
 
 namespace model::gerber {
 
@@ -254,7 +255,7 @@ void ImageParser::endContour() {
     }
     ShapeSketch sketch;
     sketch.beginContour(false);
-    for (const PathNode& node : nodes) {
+    for (const PathNode& node : withNodesWhereRunBack(std::move(nodes))) {
         sketch.addNode(node);
     }
     DrawnFeature feature;

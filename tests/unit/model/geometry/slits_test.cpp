@@ -162,6 +162,50 @@ private slots:
         QVERIFY(model::twiceArea(unhealed(sketch)) == model::twiceArea(healed(sketch)));
     }
 
+    void whatRunsBackInPiecesGetsNodes_data() {
+        QTest::addColumn<QString>("nodes");
+        QTest::addColumn<int>("added");
+        QTest::addColumn<QString>("expected");
+        QTest::newRow("one edge in along a hole's side, and back behind it")
+            << "0,0 90,0 90,90 50,90 50,20 20,20 20,60 50,60 50,90 0,90" << 1 << "island 5, hole 4";
+        QTest::newRow("in behind it, back along its side")
+            << "50,90 50,60 80,60 80,20 50,20 50,90 0,90 0,0 90,0 90,90" << 1 << "island 5, hole 4";
+        QTest::newRow("past two holes")
+            << "0,0 90,0 90,90 50,90 50,10 20,10 20,30 50,30 50,50 20,50 20,70 50,70 50,90 0,90" << 3
+            << "island 5, hole 4, hole 4";
+        QTest::newRow("aslant") << "0,0 120,0 120,90 60,90 20,10 5,50 40,50 60,90 0,90" << 1 << "island 5, hole 3";
+        QTest::newRow("to and fro, neither within the other")
+            << "0,0 90,0 90,90 60,90 60,40 20,40 20,60 60,60 60,90 0,90" << 1 << "island 5, hole 4";
+        QTest::newRow("an edge that runs along part of another")
+            << "0,0 90,0 90,90 0,90 0,50 20,50 40,70 60,50 0,50" << 1 << "island 5, hole 3";
+        QTest::newRow("the same ends") << "0,0 90,0 90,90 0,90 0,50 20,50 40,70 60,50 40,30 20,50 0,50" << 0
+                                       << "island 5, hole 4";
+        QTest::newRow("the same way") << "0,0 90,0 90,90 0,0 60,0 60,60" << 0 << "";
+        QTest::newRow("beside each other") << "0,0 90,0 90,50 10,50 10,51 90,51 90,90 0,90" << 0 << "";
+    }
+    void whatRunsBackInPiecesGetsNodes() {
+        QFETCH(QString, nodes);
+        const ShapeSketch sketch = contour(nodes);
+        const auto before = sketch.contour(0);
+        const std::vector<PathNode> after = model::withNodesWhereRunBack({before.begin(), before.end()});
+        QTEST(static_cast<int>(after.size() - before.size()), "added");
+        ShapeSketch cut;
+        cut.beginContour(false);
+        cut.addNodes(after);
+        const std::optional<ShapeSketch> result = model::healSlits(cut);
+        QTEST(result ? text(*result) : QString(), "expected");
+        QVERIFY(coversSame(unhealed(sketch), healed(cut), 400));
+        QVERIFY(model::twiceArea(unhealed(sketch)) == model::twiceArea(healed(cut)));
+    }
+
+    void edgesThatLieUponEachOtherTakeLittleTime() {
+        std::vector<PathNode> contour;
+        for (int i = 0; i < 100'000; ++i) {
+            contour.push_back({{i % 2 == 0 ? i : 1'000'000 - i, 0}, {}, EdgeKind::Line});
+        }
+        QCOMPARE(model::withNodesWhereRunBack(contour), contour);
+    }
+
     void arcsStayArcs() {
         const Point centre{50, 50};
         ShapeSketch sketch = contour({{0, 0}, {90, 0}, {90, 90}, {0, 90}, {0, 50}});
