@@ -5,7 +5,7 @@
 
 #include "model/base/parallel.h"
 #include "model/board/layers.h"
-#include "model/export/drawings/drawn_outlines.h"
+#include "model/solids/shells/drawn_outlines.h"
 #include "model/solids/shells/area_shell.h"
 
 namespace model {

@@ -6,7 +6,7 @@
 
 #include "model/geometry/loops/fit_arcs.h"
 #include "model/geometry/loops/needless_corners.h"
-#include "model/solids/shells/area_shell.h"
+#include "model/geometry/loops/region_booleans.h"
 
 namespace model {
 
@@ -259,7 +259,7 @@ ElementShells SolidPlan::shellsOf(const StepSolids& step, ElementId element) con
     ElementShells result;
     const MilledElement* milled = milledOf(step, element);
     ElementOutlines outlines =
-        milled != nullptr ? ElementOutlines{areaOutlines(milled->rest), {}} : outlinesOf(*step.document, element);
+        milled != nullptr ? ElementOutlines{regionsOf(milled->rest), {}} : outlinesOf(*step.document, element);
     result.problem = outlines.problem;
     const LayerId layer = step.document->elements.layer[element.row()];
     const bool isSubstrate = step.document->layer(layer).type == LayerType::Body;

@@ -1,11 +1,13 @@
 #include "model/formats/common/board_outline.h"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <string>
 
-#include "model/figures/element_polygons.h"
-#include "model/geometry/boolean.h"
 #include "model/geometry/outlines.h"
+#include "model/solids/shells/area_shell.h"
+#include "model/solids/shells/drawn_outlines.h"
 
 namespace model::formats {
 
@@ -40,30 +42,32 @@ void forEachCopper(const Document& document, Visit visit) {
 }
 
 /// What copies of one step take away, in that step's coordinates.
-PolygonSet takenBy(const Document& step, const Discretisation& how) {
+std::vector<EdgeLoops> takenBy(const Document& step) {
     if (step.profile.isValid()) {
-        return discretise(step.shapes, step.profile, how);
+        return areaOutlines(step.shapes, step.profile);
     }
-    PolygonSet taken;
+    std::vector<EdgeLoops> taken;
     for (std::size_t row = 0; row < step.elements.size(); ++row) {
         if ((step.elements.flags[row] & kHole) != 0) {
-            taken.append(discretise(step, ElementId{row}, how));
+            std::ranges::move(drawnOutlinesOf(step, ElementId{row}).regions, std::back_inserter(taken));
         }
     }
     return taken;
 }
 
-PolygonSet takenByCopies(const Document& document, const Discretisation& how) {
-    std::vector<PolygonSet> ofStep;
+std::vector<EdgeLoops> takenByCopies(const Document& document) {
+    std::vector<std::vector<EdgeLoops>> ofStep;
     for (const auto& step : document.steps) {
-        ofStep.push_back(takenBy(*step, how));
+        ofStep.push_back(takenBy(*step));
         if (!step->profile.isValid()) {
-            ofStep.back().append(takenByCopies(*step, how));
+            std::ranges::move(takenByCopies(*step), std::back_inserter(ofStep.back()));
         }
     }
-    PolygonSet taken;
+    std::vector<EdgeLoops> taken;
     for (const StepInstance& instance : document.instances) {
-        taken.append(placed(ofStep[instance.step], instance.placement));
+        for (const EdgeLoops& region : ofStep[instance.step]) {
+            taken.push_back(placed(region, instance.placement));
+        }
     }
     return taken;
 }
@@ -106,8 +110,9 @@ void setOutline(DocumentBuilder& builder, std::optional<ShapeSketch> sketch, std
     }
 }
 
-PolygonSet withoutCopies(const Document& document, const PolygonSet& region, const Discretisation& how) {
-    return document.instances.empty() ? region : subtract(region, takenByCopies(document, how));
+RegionBoolean withoutCopies(const Document& document, std::vector<EdgeLoops> region) {
+    return document.instances.empty() ? RegionBoolean{std::move(region), true}
+                                      : differenceOf(region, takenByCopies(document));
 }
 
 }  // namespace model::formats

@@ -2,9 +2,10 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "model/board/document_builder.h"
-#include "model/geometry/discretise.h"
+#include "model/geometry/loops/region_booleans.h"
 
 namespace model::formats {
 
@@ -24,6 +25,6 @@ void setOutline(DocumentBuilder& builder, std::optional<ShapeSketch> sketch, std
 /// What a panel leaves to the copies it holds: `region` of the document minus the outlines of its copies, which have
 /// substrates and planes of their own. A copy without an outline lies on the panel's; then its holes are cut, and so
 /// are the copies it holds. Needs the document's instances only, so it works on one that is being built.
-[[nodiscard]] PolygonSet withoutCopies(const Document& document, const PolygonSet& region, const Discretisation& how);
+[[nodiscard]] RegionBoolean withoutCopies(const Document& document, std::vector<EdgeLoops> region);
 
 }  // namespace model::formats

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -10,11 +11,12 @@
 #include "model/base/parallel.h"
 #include "model/board/element_copy.h"
 #include "model/figures/element_polygons.h"
-#include "model/geometry/boolean.h"
 #include "model/geometry/box_index.h"
 #include "model/geometry/edges.h"
+#include "model/geometry/loops/region_booleans.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
+#include "model/solids/shells/drawn_outlines.h"
 
 namespace model::formats {
 
@@ -52,9 +54,21 @@ private:
     std::optional<BoxIndex> m_index;
 };
 
+using Regions = std::vector<EdgeLoops>;
+
+/// What an element covers: of a hole what is drilled. Chords where tracks could not be joined.
+Regions regionsOf(const Document& document, std::size_t row) {
+    Regions regions = drawnOutlinesOf(document, ElementId{row}).regions;
+    return regions.empty() ? model::regionsOf(discretise(document, ElementId{row}, kBooleanChords)) : regions;
+}
+
+void append(Regions& regions, Regions more) {
+    regions.insert(regions.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
 /// What is left of a positive element that negative ones lie over.
 struct Remainder {
-    PolygonSet left;
+    RegionBoolean left;
     std::vector<std::uint32_t> features;  ///< its own and those of the negatives, rising
 };
 
@@ -66,13 +80,13 @@ std::optional<Remainder> remainder(const Document& document, std::size_t element
     }
     Remainder result;
     result.features.push_back(document.elements.firstFeature[element]);
-    PolygonSet cut;
+    Regions cut;
     for (const std::size_t row : above) {
-        cut.append(discretise(document, ElementId{row}, kBooleanChords));
+        append(cut, regionsOf(document, row));
         result.features.push_back(document.elements.firstFeature[row]);
     }
     result.features.erase(std::unique(result.features.begin(), result.features.end()), result.features.end());
-    result.left = subtract(discretise(document, ElementId{element}, kBooleanChords), cut);
+    result.left = differenceOf(regionsOf(document, element), cut);
     return result;
 }
 
@@ -87,12 +101,16 @@ std::vector<std::optional<Remainder>> remainders(const Document& document, std::
     return left;
 }
 
-PolygonSet visible(const Document& document, std::span<const std::uint8_t> negatives) {
-    const std::vector<std::optional<Remainder>> left = remainders(document, negatives);
-    PolygonSet all;
+/// What the positive elements cover, each by itself.
+RegionBoolean visible(const Document& document, std::span<const std::uint8_t> negatives) {
+    std::vector<std::optional<Remainder>> left = remainders(document, negatives);
+    RegionBoolean all;
     for (std::size_t i = 0; i < left.size(); ++i) {
-        if (negatives[i] == 0) {
-            all.append(left[i] ? left[i]->left : discretise(document, ElementId{i}, kBooleanChords));
+        if (left[i]) {
+            all.isExact = all.isExact && left[i]->left.isExact;
+            append(all.regions, std::move(left[i]->left.regions));
+        } else if (negatives[i] == 0) {
+            append(all.regions, regionsOf(document, i));
         }
     }
     return all;
@@ -113,89 +131,46 @@ DocumentBuilder::Origin originOf(DocumentBuilder& builder, const Document& docum
     return origin;
 }
 
-/// The outline of an element with exact arcs, where that is easy.
-std::optional<ShapeSketch> exactOutline(const Document& document, std::size_t row) {
-    const std::uint32_t geometry = document.elements.geometry[row];
-    const ElementKind kind = document.elements.kind[row];
-    if (kind == ElementKind::Area) {
-        const AreaGeometry& area = document.areas[geometry];
-        return sketchOf(document.shapes, area.shape, area.placement);
-    }
-    ShapeSketch sketch;
-    if (kind == ElementKind::Circle) {
-        const CircleGeometry& circle = document.circles[geometry];
-        if (circle.diameter < 2) {
-            return std::nullopt;
-        }
-        sketch.addCircle(circle.centre, circle.diameter / 2, false);
-        if (circle.innerDiameter > 0) {
-            sketch.addCircle(circle.centre, circle.innerDiameter / 2, true);
-        }
-        return sketch;
-    }
-    const bool isRoundLine = kind == ElementKind::Line && (document.elements.flags[row] & kSquarePen) == 0;
-    if (!isRoundLine || document.lines[geometry].width < 2) {
-        return std::nullopt;
-    }
-    const LineGeometry& line = document.lines[geometry];
-    addCapsule(sketch, base::toDouble(line.a), base::toDouble(line.b), line.width);
-    return sketch;
-}
+/// More regions than this are not tested pair by pair.
+constexpr std::size_t kMostPairwise = 64;
 
-/// More elements than this are not tested pair by pair for exactness.
-constexpr std::size_t kMaxExactElements = 64;
-
-bool keepApart(const Document& document) {
-    const std::size_t count = document.elements.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t j = i + 1; j < count; ++j) {
-            if (document.boxOf(ElementId{i}).meets(document.boxOf(ElementId{j}))) {
-                return false;
-            }
+/// Is it certain that no two of them meet?
+bool keepApart(const Regions& regions) {
+    if (regions.size() > kMostPairwise) {
+        return false;
+    }
+    std::vector<Box> boxes;
+    for (const EdgeLoops& region : regions) {
+        const Box box = boxOf(region);
+        if (std::ranges::any_of(boxes, [&](const Box& other) { return other.meets(box); })) {
+            return false;
         }
+        boxes.push_back(box);
     }
     return true;
 }
 
-std::optional<ShapeSketch> exactRegion(const Document& document, std::span<const std::uint8_t> negatives) {
-    const bool isPositive = std::ranges::all_of(negatives, [](std::uint8_t n) { return n == 0; });
-    if (!isPositive || negatives.size() > kMaxExactElements || !keepApart(document)) {
-        return std::nullopt;
-    }
-    ShapeSketch all;
-    for (std::size_t i = 0; i < negatives.size(); ++i) {
-        const std::optional<ShapeSketch> outline = exactOutline(document, i);
-        if (!outline) {
-            return std::nullopt;
-        }
-        all.append(*outline, {});
-    }
-    return all;
-}
-
-/// Finds the features whose outlines run along a piece. Booleans round crossings to whole nanometres, so the middle of
-/// an edge of the result lies within 2 nm of the edge it is a part of.
+/// Finds the features whose outlines run along a piece: the middle of an edge of the result lies within 6 nm of the
+/// edge it is a part of, as booleans and the grid move edges by less.
 class OutlineSources {
 public:
     explicit OutlineSources(const Document& painted) {
-        for (std::size_t row = 0; row < painted.elements.size(); ++row) {
-            const PolygonSet polygons = discretise(painted, ElementId{row}, kBooleanChords);
-            for (std::size_t i = 0; i < polygons.loopCount(); ++i) {
-                addLoop(polygons.loop(i), painted.elements.firstFeature[row]);
-            }
-        }
         std::vector<Box> boxes;
-        for (const Edge& edge : m_edges) {
-            boxes.push_back(boxOf(edge).grownBy(kReach));
+        for (std::size_t row = 0; row < painted.elements.size(); ++row) {
+            for (const EdgeLoops& region : regionsOf(painted, row)) {
+                for (const Edge& edge : region.edges) {
+                    m_edges.push_back(edge);
+                    m_features.push_back(painted.elements.firstFeature[row]);
+                    boxes.push_back(boxOf(edge).grownBy(kReach));
+                }
+            }
         }
         m_index.emplace(boxes);
     }
 
-    void collect(std::span<const Point> loop, std::set<std::uint32_t>& features) const {
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const Point a = loop[i];
-            const Point b = loop[(i + 1) % loop.size()];
-            const PointD middle = {(static_cast<double>(a.x) + b.x) / 2, (static_cast<double>(a.y) + b.y) / 2};
+    void collect(const EdgeLoops& region, std::set<std::uint32_t>& features) const {
+        for (const Edge& edge : region.edges) {
+            const PointD middle = pointAt(edge, lengthOf(edge) / 2);
             Box box;
             box.include(rounded(middle));
             m_index->visit(box, [&](std::uint32_t row) {
@@ -208,14 +183,7 @@ public:
     }
 
 private:
-    static constexpr Nm kReach = 2;
-
-    void addLoop(std::span<const Point> loop, std::uint32_t feature) {
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            m_edges.push_back(edgeOf({loop[i], {}, EdgeKind::Line}, loop[(i + 1) % loop.size()]));
-            m_features.push_back(feature);
-        }
-    }
+    static constexpr Nm kReach = 6;
 
     std::vector<Edge> m_edges;
     std::vector<std::uint32_t> m_features;  ///< by edge
@@ -308,22 +276,19 @@ PieceNet winner(const std::map<NetId, std::size_t>& counts) {
     return most == counts.end() ? PieceNet{} : PieceNet{most->first, counts.size() > 1};
 }
 
-Inverse::Piece pieceOf(const PolygonSet& pieces, const PolygonSet::Polygon& polygon, NetId net,
-                       const OutlineSources& sources) {
-    Inverse::Piece piece;
-    piece.net = net;
+Inverse::Piece pieceOf(const EdgeLoops& region, NetId net, const OutlineSources& sources) {
+    Inverse::Piece piece{sketchOf({&region, 1}), net, {}};
     std::set<std::uint32_t> features;
-    for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
-        piece.sketch.addPolygon(pieces.loop(polygon.firstLoop + i), i > 0);
-        sources.collect(pieces.loop(polygon.firstLoop + i), features);
-    }
+    sources.collect(region, features);
     piece.features.assign(features.begin(), features.end());
     return piece;
 }
 
 }  // namespace
 
-void addPainted(DocumentBuilder& builder, const Document& painted, std::span<const std::uint8_t> negatives) {
+void addPainted(DocumentBuilder& builder, const Document& painted, std::span<const std::uint8_t> negatives,
+                std::string_view file) {
+    std::size_t inexact = 0;
     const std::vector<std::optional<Remainder>> left = remainders(painted, negatives);
     ElementCopier copier(builder, painted);
     for (std::size_t i = 0; i < left.size(); ++i) {
@@ -332,9 +297,16 @@ void addPainted(DocumentBuilder& builder, const Document& painted, std::span<con
         }
         if (!left[i]) {
             copier.copy(ElementId{i}, originOf(builder, painted, i));
-        } else if (const ShapeSketch sketch = sketchOf(left[i]->left); !sketch.isEmpty()) {
+        } else if (const ShapeSketch sketch = sketchOf(left[i]->left.regions); !sketch.isEmpty()) {
             builder.addPaintedArea({builder.addShape(sketch), {}}, originOf(builder, painted, i), left[i]->features);
+            inexact += left[i]->left.isExact ? 0 : 1;
         }
+    }
+    if (inexact > 0) {
+        builder.diagnostics().report(Severity::Info, file, 0,
+                                     "of " + std::to_string(inexact) +
+                                         " features that negative ones cut, arcs are straight edges within 1 µm, as "
+                                         "they could not be kept");
     }
 }
 
@@ -373,15 +345,17 @@ std::vector<PieceNet> netsOf(const PolygonSet& pieces, std::span<const NetVote> 
     return nets;
 }
 
-Inverse inverseOf(const PolygonSet& base, const Document& painted, std::span<const std::uint8_t> negatives,
+Inverse inverseOf(const std::vector<EdgeLoops>& base, const Document& painted, std::span<const std::uint8_t> negatives,
                   std::span<const NetVote> votes) {
-    const PolygonSet pieces = subtract(base, visible(painted, negatives));
-    const std::vector<PieceNet> nets = netsOf(pieces, votes);
+    const RegionBoolean shown = visible(painted, negatives);
+    const RegionBoolean pieces = differenceOf(base, shown.regions);
+    const std::vector<PieceNet> nets = netsOf(polygonsOf(pieces.regions), votes);
     const OutlineSources sources(painted);
     Inverse inverse;
-    inverse.summary.pieces = pieces.polygons.size();
+    inverse.summary.pieces = pieces.regions.size();
+    inverse.summary.isExact = shown.isExact && pieces.isExact;
     for (std::size_t i = 0; i < nets.size(); ++i) {
-        inverse.pieces.push_back(pieceOf(pieces, pieces.polygons[i], nets[i].net, sources));
+        inverse.pieces.push_back(pieceOf(pieces.regions[i], nets[i].net, sources));
         inverse.summary.withoutNet += nets[i].net.isValid() ? 0 : 1;
         inverse.summary.withSeveralNets += nets[i].hasOtherVotes ? 1 : 0;
     }
@@ -397,8 +371,8 @@ void addInverse(DocumentBuilder& builder, const Inverse& inverse) {
 }
 
 ShapeSketch regionOf(const Document& painted, std::span<const std::uint8_t> negatives) {
-    std::optional<ShapeSketch> exact = exactRegion(painted, negatives);
-    return exact ? std::move(*exact) : sketchOf(unite(visible(painted, negatives)));
+    const Regions shown = visible(painted, negatives).regions;
+    return sketchOf(keepApart(shown) ? shown : unionOf(shown).regions);
 }
 
 }  // namespace model::formats

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "model/board/document_builder.h"
 #include "model/geometry/discretise.h"
+#include "model/geometry/loops/edge_loops.h"
 
 namespace model::formats {
 
@@ -12,10 +14,14 @@ namespace model::formats {
 /// of a positive element is its region minus all negative elements after it. `negatives` has one entry per element of
 /// the document.
 
+/// What is left has exact lines and arcs, on the grid of 1 nm (region_booleans.h). Where there is no exact result its
+/// edges are straight, within 1 µm, and functions here say so.
+
 /// Copies the positive elements of `painted` to the builder's current layer. Those that no later negative touches stay
-/// as they are; what is left of the others becomes a painted Area with the same net, symbol and feature, straight-edged
-/// within 1 µm; its sources are that feature and the negative ones over its box.
-void addPainted(DocumentBuilder& builder, const Document& painted, std::span<const std::uint8_t> negatives);
+/// as they are; what is left of the others becomes a painted Area with the same net, symbol and feature; its sources
+/// are that feature and the negative ones over its box. Reports with `file` how many areas are not exact.
+void addPainted(DocumentBuilder& builder, const Document& painted, std::span<const std::uint8_t> negatives,
+                std::string_view file);
 
 /// Jobs name nets for features only, and those of a negative layer are what is not copper; so a piece of it has the net
 /// of what touches it.
@@ -42,6 +48,7 @@ struct InverseSummary {
     std::size_t pieces = 0;
     std::size_t withoutNet = 0;
     std::size_t withSeveralNets = 0;  ///< votes for several nets lie in one piece
+    bool isExact = true;
 };
 
 /// The copper of a negative layer.
@@ -56,13 +63,12 @@ struct Inverse {
 };
 
 /// Base minus everything that `painted` leaves visible.
-[[nodiscard]] Inverse inverseOf(const PolygonSet& base, const Document& painted,
+[[nodiscard]] Inverse inverseOf(const std::vector<EdgeLoops>& base, const Document& painted,
                                 std::span<const std::uint8_t> negatives, std::span<const NetVote> votes);
 /// Adds the pieces to the builder's current layer, a painted Area each.
 void addInverse(DocumentBuilder& builder, const Inverse& inverse);
 
-/// The region that all elements together leave visible. Exact when there is no negative and no two elements come near
-/// each other, else straight-edged within 1 µm.
+/// The region that all elements together leave visible.
 [[nodiscard]] ShapeSketch regionOf(const Document& painted, std::span<const std::uint8_t> negatives);
 
 }  // namespace model::formats

@@ -145,7 +145,7 @@ private:
         DocumentBuilder scratch;
         const std::vector<std::uint8_t> negatives = paint(scratch, source, holes);
         m_copies.reportOwnNegatives(source.layer, source.path, scratch.soFar(), negatives);
-        addPainted(m_builder, scratch.soFar(), negatives);
+        addPainted(m_builder, scratch.soFar(), negatives, source.path);
     }
 
     NegativeLayer paintNegative(const DrawnSource& source, const std::optional<HoleRules>& holes) {

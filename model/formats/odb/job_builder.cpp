@@ -183,7 +183,7 @@ private:
         DocumentBuilder scratch;
         const std::vector<std::uint8_t> negatives = paint(scratch, row);
         m_copies.reportOwnNegatives(m_layers.id(row), m_step.layers[row].features.path, scratch.soFar(), negatives);
-        formats::addPainted(m_builder, scratch.soFar(), negatives);
+        formats::addPainted(m_builder, scratch.soFar(), negatives, m_step.layers[row].features.path);
     }
 
     formats::NegativeLayer paintNegative(std::size_t row) {

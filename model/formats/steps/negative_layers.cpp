@@ -5,7 +5,7 @@
 #include "model/base/parallel.h"
 #include "model/formats/common/board_outline.h"
 #include "model/formats/common/painting.h"
-#include "model/geometry/region.h"
+#include "model/solids/shells/area_shell.h"
 
 namespace model::formats {
 
@@ -14,7 +14,8 @@ namespace {
 std::string summaryText(const InverseSummary& summary) {
     return " is negative: shown is the board's outline minus its features; " +
            std::to_string(summary.pieces - summary.withoutNet) + " of " + std::to_string(summary.pieces) +
-           " pieces have a net, that of the plated holes and pads in them";
+           " pieces have a net, that of the plated holes and pads in them" +
+           (summary.isExact ? "" : "; arcs are straight edges within 1 µm, as they could not be kept");
 }
 
 ShapeId outlineOf(const DocumentBuilder& builder, LayerId layer) {
@@ -24,9 +25,11 @@ ShapeId outlineOf(const DocumentBuilder& builder, LayerId layer) {
 
 Inverse inverseOf(const DocumentBuilder& builder, const NegativeLayer& layer) {
     const Document& board = builder.soFar();
-    const PolygonSet outline = discretise(board.shapes, outlineOf(builder, layer.layer), kBooleanChords);
+    const RegionBoolean base = withoutCopies(board, areaOutlines(board.shapes, outlineOf(builder, layer.layer)));
     const std::vector<NetVote> votes = votesOn(board, layer.layer, layer.painted->soFar());
-    return inverseOf(withoutCopies(board, outline, kBooleanChords), layer.painted->soFar(), layer.negatives, votes);
+    Inverse inverse = inverseOf(base.regions, layer.painted->soFar(), layer.negatives, votes);
+    inverse.summary.isExact = inverse.summary.isExact && base.isExact;
+    return inverse;
 }
 
 void report(Diagnostics& diagnostics, const NegativeLayer& layer, const std::string& name,

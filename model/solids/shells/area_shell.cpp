@@ -52,24 +52,4 @@ std::vector<EdgeLoops> areaOutlines(const ShapeTable& shapes, ShapeId shape) {
     return regions;
 }
 
-std::vector<EdgeLoops> areaOutlines(const PolygonSet& polygons) {
-    std::vector<EdgeLoops> regions;
-    for (const PolygonSet::Polygon& polygon : polygons.polygons) {
-        EdgeLoops loops;
-        for (std::uint32_t i = 0; i < polygon.loopCount; ++i) {
-            const std::span<const Point> points = polygons.loop(polygon.firstLoop + i);
-            for (std::size_t k = 0; k < points.size(); ++k) {
-                loops.addLine(toDouble(points[k]), toDouble(points[(k + 1) % points.size()]));
-            }
-            if (!loops.endLoop() && i == 0) {
-                break;
-            }
-        }
-        if (loops.loopCount() > 0) {
-            regions.push_back(std::move(loops));
-        }
-    }
-    return regions;
-}
-
 }  // namespace model

@@ -7,6 +7,7 @@
 
 #include "model/geometry/boolean.h"
 #include "model/geometry/loops/edge_union.h"
+#include "model/geometry/loops/region_booleans.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
 
@@ -166,24 +167,13 @@ std::vector<EdgeLoops> thermal(PrimitiveValues v) {
     return subtract(whole, cross).value_or(whole);
 }
 
-/// Where exact booleans give no result: chords within 1 µm.
-PolygonSet chords(std::span<const EdgeLoops> regions) {
-    PolygonSet set;
-    for (const EdgeLoops& region : regions) {
-        ShapeSketch sketch;
-        append(sketch, region);
-        set.append(polygonsOf(sketch));
-    }
-    return set;
-}
-
 formats::PadShape painted(std::span<const Primitive> primitives) {
     PolygonSet set;
     for (const Primitive& one : primitives) {
         if (one.isDark) {
-            set.append(chords(one.pieces));
+            set.append(polygonsOf(one.pieces));
         } else {
-            set = subtract(set, chords(one.pieces));
+            set = subtract(set, polygonsOf(one.pieces));
         }
     }
     formats::PadShape shape;
@@ -266,19 +256,6 @@ Primitive primitive(int code, PrimitiveValues values, bool& isKnown) {
     return result;
 }
 
-void append(ShapeSketch& sketch, const EdgeLoops& region) {
-    for (std::size_t i = 0; i < region.loopCount(); ++i) {
-        std::vector<PathNode> nodes;
-        for (const Edge& edge : region.loop(i)) {
-            const EdgeKind kind = !edge.isArc()      ? EdgeKind::Line
-                                  : edge.isClockwise ? EdgeKind::ArcClockwise
-                                                     : EdgeKind::ArcCounterClockwise;
-            nodes.push_back({rounded(edge.a), edge.isArc() ? rounded(edge.centre) : Point{}, kind});
-        }
-        addPath(sketch, nodes, i > 0);
-    }
-}
-
 std::vector<EdgeLoops> regionsOf(const ShapeSketch& sketch) {
     std::vector<EdgeLoops> regions;
     for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
@@ -319,9 +296,7 @@ formats::PadShape combined(std::vector<Primitive> primitives) {
     if (!regions) {
         shape = painted(primitives);
     } else if (!isRound(*regions, shape)) {
-        for (const EdgeLoops& region : *regions) {
-            append(shape.region, region);
-        }
+        shape.region = sketchOf(*regions);
     }
     if (!shape.region.isEmpty()) {
         shape.kind = formats::PadShape::Kind::Region;

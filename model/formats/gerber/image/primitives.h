@@ -24,9 +24,6 @@ using PrimitiveValues = std::span<const double>;
 /// What the primitives of a macro leave, lines and arcs exact.
 [[nodiscard]] formats::PadShape combined(std::vector<Primitive> primitives);
 
-/// A region with corners on the grid of 1 nm.
-void append(ShapeSketch& sketch, const EdgeLoops& region);
-
 /// A sketch as regions with exact edges: each island with the holes behind it.
 [[nodiscard]] std::vector<EdgeLoops> regionsOf(const ShapeSketch& sketch);
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "model/geometry/boolean.h"
 #include "model/geometry/discretise.h"
 #include "model/geometry/loops/edge_union.h"
+#include "model/geometry/loops/region_booleans.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
 #include "model/geometry/slits.h"
@@ -27,45 +27,6 @@ void addEdge(EdgeLoops& loops, const PathNode& from, Point to) {
     } else {
         loops.addLine(toDouble(from.point), toDouble(to));
     }
-}
-
-/// The same region with straight edges, for what exact booleans give up on.
-PolygonSet polygonsOf(std::span<const EdgeLoops> regions) {
-    PolygonSet polygons;
-    std::vector<Point> points;
-    for (const EdgeLoops& region : regions) {
-        polygons.beginPolygon();
-        for (std::size_t loop = 0; loop < region.loopCount(); ++loop) {
-            points.clear();
-            for (const Edge& edge : region.loop(loop)) {
-                const EdgeKind kind = !edge.isArc()      ? EdgeKind::Line
-                                      : edge.isClockwise ? EdgeKind::ArcClockwise
-                                                         : EdgeKind::ArcCounterClockwise;
-                discretiseEdge(PathNode{rounded(edge.a), rounded(edge.centre), kind}, rounded(edge.b), kBooleanChords,
-                               points);
-            }
-            static_cast<void>(polygons.addLoop(points));
-        }
-    }
-    return polygons;
-}
-
-ShapeSketch sketchOf(std::span<const EdgeLoops> regions) {
-    ShapeSketch sketch;
-    std::vector<PathNode> nodes;
-    for (const EdgeLoops& region : regions) {
-        for (std::size_t loop = 0; loop < region.loopCount(); ++loop) {
-            nodes.clear();
-            for (const Edge& edge : region.loop(loop)) {
-                const EdgeKind kind = !edge.isArc()      ? EdgeKind::Line
-                                      : edge.isClockwise ? EdgeKind::ArcClockwise
-                                                         : EdgeKind::ArcCounterClockwise;
-                nodes.push_back({rounded(edge.a), edge.isArc() ? rounded(edge.centre) : Point(), kind});
-            }
-            addPath(sketch, nodes, loop > 0);
-        }
-    }
-    return sketch;
 }
 
 EdgeLoops circle(PointD centre, double radius) {
@@ -238,13 +199,11 @@ std::vector<EdgeLoops> penAlong(const PathNode& from, Point to, double width) {
 }
 
 ShapeSketch united(std::span<const EdgeLoops> regions) {
-    const std::optional<std::vector<EdgeLoops>> exact = unite(regions);
-    return exact ? sketchOf(*exact) : model::sketchOf(unite(polygonsOf(regions)));
+    return sketchOf(unionOf(regions).regions);
 }
 
 ShapeSketch without(std::span<const EdgeLoops> from, std::span<const EdgeLoops> what) {
-    const std::optional<std::vector<EdgeLoops>> exact = subtract(from, what);
-    return exact ? sketchOf(*exact) : model::sketchOf(subtract(unite(polygonsOf(from)), unite(polygonsOf(what))));
+    return sketchOf(differenceOf(from, what).regions);
 }
 
 ShapeSketch grown(const ShapeSketch& sketch, double margin) {

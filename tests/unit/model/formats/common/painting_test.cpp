@@ -90,6 +90,36 @@ private slots:
         QVERIFY(d->painted.of(ElementId{d->layer(d->findLayer("TOP")).elements.first}).empty());
     }
 
+    void clearancesAreExactCircles() {
+        const Folder folder;
+        writePlaneJob(folder);
+        const auto d = read(folder.path());
+        const ElementId piece = pieceAt(*d, {20'000'000, 20'000'000});
+        const model::ShapeId shape = d->areas[d->elements.geometry[piece.row()]].shape;
+        const auto isAntipad = [&](const model::Contour& contour) {
+            const model::PathNodes nodes = d->shapes.nodesOf(contour);
+            return contour.isHole && nodes.size() == 1 && nodes[0].centre == Point{10'000'000, 10'000'000} &&
+                   std::abs(nodes[0].point.x - nodes[0].centre.x) + std::abs(nodes[0].point.y - nodes[0].centre.y) ==
+                       1'000'000;
+        };
+        QCOMPARE(std::ranges::count_if(d->shapes.contoursOf(shape), isAntipad), 1);
+        QVERIFY(findDiagnostic(d->diagnostics, "straight edges") == nullptr);
+    }
+
+    void whatOverlapsInASymbolKeepsItsArcs() {
+        const Folder folder;
+        writeSmallJob(folder, "UNITS=MM\n$0 pair\nP 10 10 0 P 0 0\n");
+        folder.write("symbols/pair/features", "UNITS=MM\n$0 r1000\nP 0 0 0 P 0 0\nP 0.5 0 0 P 0 0\n");
+        const auto d = read(folder.path());
+        const ElementId pad = elementOf(*d, "TOP", 0);
+        const model::ShapeId shape = d->areas[d->elements.geometry[pad.row()]].shape;
+        const auto contours = d->shapes.contoursOf(shape);
+        QCOMPARE(contours.size(), std::size_t{1});
+        for (const model::PathNode& node : d->shapes.nodesOf(contours[0])) {
+            QVERIFY(node.edge != model::EdgeKind::Line);
+        }
+    }
+
     void holesOfSeveralNetsInOnePieceAreReported() {
         const Folder folder;
         writePlaneJob(folder, "P 30 30 0 P 0 0;0=2\nP 31 40 0 P 0 0;0=2\nP 32 50 0 P 0 0;0=1\n",

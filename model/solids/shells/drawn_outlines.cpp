@@ -1,4 +1,4 @@
-#include "model/export/drawings/drawn_outlines.h"
+#include "model/solids/shells/drawn_outlines.h"
 
 #include "model/solids/shells/arc_shell.h"
 #include "model/solids/shells/circle_shell.h"
