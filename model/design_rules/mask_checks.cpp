@@ -122,6 +122,9 @@ void checkSlivers(RuleContext& context, LayerId mask) {
     request.reach = static_cast<double>(context.table().rules[*rule].least);
     request.mayTouch = [](std::uint32_t, std::uint32_t) { return false; };  // they are one opening
     for (const FigurePair& pair : closestPairs(openings, openings, request, context.progress())) {
+        if (pair.spacing.distance <= static_cast<double>(context.table().tolerance)) {
+            continue;  // they abut, but for rounding
+        }
         if (isBridged(openings, pair.spacing, isAnyRow)) {
             ++bridged;
         } else {

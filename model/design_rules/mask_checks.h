@@ -5,7 +5,8 @@
 /// Checks of solder mask and silkscreen against each other and against the outer copper beneath them.
 namespace model {
 
-/// RuleKind::MaskSliver
+/// RuleKind::MaskSliver: of what lies between two openings. Openings no farther apart than the table's tolerance abut:
+/// programs round their edges.
 void checkSlivers(RuleContext& context, LayerId mask);
 /// RuleKind::MaskToCopper: of each pad in an opening what the opening leaves around it; where several openings lie
 /// around it, the one that leaves most. Pads larger than their opening (defined by solder mask) are noted, not held

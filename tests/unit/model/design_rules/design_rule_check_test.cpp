@@ -197,6 +197,21 @@ private slots:
         verifyNarrowest(*board.builder.finish(), RuleKind::MaskSliver, 50 * kUm);
     }
 
+    void openingsThatAbutButForRoundingLeaveNoSliver() {
+        for (const auto& [gapNm, isSliver] : {std::pair(2, false), std::pair(500, false), std::pair(501, true)}) {
+            Board board;
+            board.builder.beginLayer(board.mask);
+            const int side = 1'000'000;
+            for (const int x : {0, side + gapNm}) {
+                const auto square = hand_made::rectangle({x, 0}, {x + side, side});
+                board.builder.addArea({board.builder.addShape(square), {}}, of({}));
+            }
+            const RuleTable table{{}, {{RuleKind::MaskSliver, 100 * kUm, {}}}};  // tolerance: half a micrometre
+            base::Progress progress;
+            QCOMPARE(model::checkRules(*board.builder.finish(), table, progress)->isPassed(), !isSliver);
+        }
+    }
+
     void aThirdOpeningTakesTheSliverAway() {
         Board board;
         board.builder.beginLayer(board.mask);
