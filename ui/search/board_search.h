@@ -12,7 +12,8 @@
 
 namespace ui {
 
-enum class FoundKind : std::uint8_t { Location, Layer, Component, Pin, Net, Attribute };
+/// Those with the same fit are listed in this order.
+enum class FoundKind : std::uint8_t { Location, Component, Pin, Net, Layer, Attribute };
 
 /// Something on the board that a text names.
 struct Found {

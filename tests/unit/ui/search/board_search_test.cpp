@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "tests/unit/model/formats/odb/odb_testing.h"
+#include "tests/unit/model/hand_made.h"
 
 using ui::BoardSearch;
 using ui::Found;
@@ -35,6 +36,18 @@ private slots:
         QVERIFY2(m_search.detailOf(only("J6")).endsWith("bottom side, Keystone_4871"),
                  qPrintable(m_search.detailOf(only("J6"))));
         QCOMPARE(m_search.detailOf(only("L02")), "Layer, Signal");
+    }
+
+    void aNetComesBeforeTheLayerOfItsName() {
+        model::DocumentBuilder builder;
+        hand_made::addLayer(builder, "GND");
+        static_cast<void>(builder.addNet("GND"));
+        BoardSearch search;
+        search.setBoard(builder.finish());
+        const std::vector<Found> found = search.find("gnd", LengthUnit::Millimetre, 5);
+        QCOMPARE(found.size(), std::size_t{2});
+        QCOMPARE(found[0].kind, FoundKind::Net);
+        QCOMPARE(found[1].kind, FoundKind::Layer);
     }
 
     void pinsAreNamedByTheirComponent() {
