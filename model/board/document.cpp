@@ -154,7 +154,7 @@ const char* toString(LayerUse use) {
 }
 
 const char* toString(HoleKind kind) {
-    constexpr const char* kNames[] = {"via", "component", "mounting", "non_plated"};
+    constexpr const char* kNames[] = {"via", "component", "plated", "non_plated"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -34,7 +34,7 @@ std::vector<model::ElementId> DrillModel::holesIn(const std::vector<int>& rows) 
 
 Cell DrillModel::cell(int at, int column) const {
     const model::DrillRow& row = m_rows[static_cast<std::size_t>(at)];
-    const QString kinds[] = {tr("Via"), tr("Component"), tr("Mounting"), tr("NPTH")};  // in the order of HoleKind
+    const QString kinds[] = {tr("Via"), tr("Component"), tr("Plated"), tr("NPTH")};  // in the order of HoleKind
     switch (column) {
         case Layer: return text(m_document->layer(row.layer).name);
         case Span: return {QString::fromLatin1(model::toString(row.span))};
