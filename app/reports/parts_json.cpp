@@ -70,10 +70,7 @@ void printShort(const StepCheck& check, const model::ShortedNets& entry) {
 
 ordered_json netsJson(const Document& document) {
     const std::vector<std::uint32_t> pins = model::pinCounts(document);
-    std::vector<std::uint32_t> vias(document.nets.size());
-    for (const model::Subnet& subnet : document.subnets) {
-        vias[subnet.net.row()] += subnet.kind == model::SubnetKind::Via ? 1 : 0;
-    }
+    const std::vector<std::uint32_t> vias = model::viaCounts(document);
     ordered_json list = ordered_json::array();
     for (std::size_t row = 0; row < document.nets.size(); ++row) {
         list.push_back({{"name", document.nets[row].name},

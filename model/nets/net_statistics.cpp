@@ -77,10 +77,8 @@ bool isRouted(const Document& document, ElementId element) {
 void measure(const Document& document, NetId net, NetStatistics& out) {
     const std::size_t row = net.row();
     for (const ElementId element : document.elementsOf(net)) {
-        const std::uint8_t flags = document.elements.flags[element.row()];
-        if ((flags & kHole) != 0) {
-            out.vias[row] += holeKind(flags) == HoleKind::Via ? 1 : 0;
-        } else if (document.layer(document.elements.layer[element.row()]).isCopper()) {
+        const bool isHole = (document.elements.flags[element.row()] & kHole) != 0;
+        if (!isHole && document.layer(document.elements.layer[element.row()]).isCopper()) {
             out.areaNm2[row] += areaOf(document, element);
             out.lengthNm[row] += isRouted(document, element) ? lengthOf(document, element) : 0.0;
         }
@@ -94,6 +92,18 @@ std::vector<std::uint32_t> pinCounts(const Document& document) {
     for (const Pin& pin : document.pins) {
         if (pin.net.isValid()) {
             ++counts[pin.net.row()];
+        }
+    }
+    return counts;
+}
+
+std::vector<std::uint32_t> viaCounts(const Document& document) {
+    std::vector<std::uint32_t> counts(document.nets.size());
+    for (std::size_t row = 0; row < document.elements.size(); ++row) {
+        const NetId net = document.elements.net[row];
+        const std::uint8_t flags = document.elements.flags[row];
+        if (net.isValid() && (flags & kHole) != 0 && holeKind(flags) == HoleKind::Via) {
+            ++counts[net.row()];
         }
     }
     return counts;
@@ -120,7 +130,7 @@ base::Result<NetStatistics> measureNets(const Document& document, base::Progress
     const std::size_t count = document.nets.size();
     NetStatistics out;
     out.pins = pinCounts(document);
-    out.vias.resize(count);
+    out.vias = viaCounts(document);
     out.lengthNm.resize(count);
     out.areaNm2.resize(count);
     base::parallelFor((count + kPiece - 1) / kPiece, [&](std::size_t piece) {

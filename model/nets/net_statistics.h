@@ -28,6 +28,8 @@ struct NetStatistics {
 
 /// Pins of components by net.
 [[nodiscard]] std::vector<std::uint32_t> pinCounts(const Document& document);
+/// Plated holes that are there to join layers, by net.
+[[nodiscard]] std::vector<std::uint32_t> viaCounts(const Document& document);
 
 /// The place of each name among all in the order of isNamedBefore.
 [[nodiscard]] std::vector<std::uint32_t> ranksOf(std::span<const std::string> names);
