@@ -98,8 +98,8 @@ bool HoleRules::isPlated(const DrillHit& hit, const ToolsOfSize& tools, Hole& ho
 }
 
 bool HoleRules::isVia(const DrillHit& hit, const ToolsOfSize& tools, bool hasPin) {
-    if (hit.plating != Plating::NotSaid) {
-        return hit.plating == Plating::Via;
+    if (hit.isVia || hit.plating != Plating::NotSaid) {
+        return hit.isVia || hit.plating == Plating::Via;
     }
     if (tools.hasVia != tools.hasPlated) {
         return tools.hasVia;

@@ -149,8 +149,7 @@ private:
 
     /// A hole of a via is a via, whichever way the job says so.
     [[nodiscard]] DrillHit hitOf(const DrawnFeature& feature, bool hasNet) const {
-        const bool isVia = feature.plating == Plating::Plated && feature.subnet == SubnetKind::Via;
-        DrillHit hit{isVia ? Plating::Via : feature.plating, {}, hasNet};
+        DrillHit hit{feature.plating, {}, hasNet, feature.subnet == SubnetKind::Via};
         switch (feature.kind) {
             case DrawnKind::Pad: hit.centre = feature.a; break;
             case DrawnKind::Line: hit.centre = between(feature.a, feature.b); break;

@@ -23,6 +23,8 @@ constexpr Nm kPointReach = 15'000;
 constexpr Nm kWidestPad = 10'000'000;  ///< from where it is flashed to any of its points
 /// Tools without a size are drawn no wider than this (drill_parser.cpp).
 constexpr Nm kSizeless = 10;
+/// Leads of components need wider holes than these 20 mil and some rounding; vias rarely do.
+constexpr Nm kMostViaDrill = 510'000;
 
 Point middleOf(const DrawnFeature& hole) {
     return hole.kind == DrawnKind::Line ? Point{hole.a.x / 2 + hole.b.x / 2, hole.a.y / 2 + hole.b.y / 2} : hole.a;
@@ -54,6 +56,9 @@ void PadNets::run(const std::vector<ReadFile>& files, const BoardFiles& board, b
         }
     }
     nameHoles();
+    if (!isUseOfHolesTold()) {
+        assumeVias();
+    }
 }
 
 /// Flashes on the copper layers of the step.
@@ -249,6 +254,50 @@ void PadNets::nameHoles() {
             }
         }
     }
+}
+
+/// By pins, which other holes then lack, by points of a netlist, or by attributes of the drills.
+bool PadNets::isUseOfHolesTold() const {
+    const auto isTold = [this](const DrawnFeature& hole) {
+        return hole.plating == Plating::Via ||
+               (hole.attributes >= 0 && std::ranges::count(m_step.attributes[static_cast<std::size_t>(hole.attributes)],
+                                                           ".AperFunction", &formats::Words::value_type::first) > 0);
+    };
+    bool isAnyTold = std::ranges::any_of(m_step.components, [](const auto& part) { return !part.pins.empty(); });
+    for (std::size_t layer = 0; layer < m_layers.layers.size() && !isAnyTold; ++layer) {
+        isAnyTold = holdsHoles(layer) && std::ranges::any_of(m_step.features[layer], isTold);
+    }
+    return isAnyTold;
+}
+
+/// Small round holes that join pads are vias; whether wider ones take pins or screws stays open.
+void PadNets::assumeVias() {
+    for (std::size_t layer = 0; layer < m_layers.layers.size(); ++layer) {
+        if (!holdsHoles(layer)) {
+            continue;
+        }
+        for (DrawnFeature& hole : m_step.features[layer]) {
+            const bool isPlated = hole.kind == DrawnKind::Pad && hole.plating != Plating::NonPlated;
+            if (isPlated && isSmallDrill(hole) && joinsPads(hole)) {
+                hole.subnet = SubnetKind::Via;
+                m_diagnostics.report(Severity::Info, m_layers.layers[layer].file, hole.line,
+                                     "nothing in the job tells vias from other plated holes; those of up to 0.51 mm "
+                                     "in pads of several copper layers are taken as vias");
+            }
+        }
+    }
+}
+
+/// Round, of a size that is known and fits a via.
+bool PadNets::isSmallDrill(const DrawnFeature& hole) const {
+    const formats::PadShape& shape = m_step.symbols[static_cast<std::size_t>(hole.symbol)].shape;
+    return shape.kind == formats::PadShape::Kind::Round && shape.width > kSizeless && shape.width <= kMostViaDrill;
+}
+
+bool PadNets::joinsPads(const DrawnFeature& hole) const {
+    std::set<std::int32_t> layers;
+    m_pads.visit(middleOf(hole), kHoleReach, [&](const IndexedPad& pad) { layers.insert(pad.layer); });
+    return layers.size() > 1;
 }
 
 }  // namespace model::gerber

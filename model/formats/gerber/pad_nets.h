@@ -25,8 +25,8 @@ private:
 };
 
 /// Brings netlists, pads and holes of a step together, whose layers are in place: nets and pins for the pads at the
-/// points of a netlist where images name none, nets for the holes in pads, and sizes for tools whose file has none
-/// (Allegro's routed slots).
+/// points of a netlist where images name none, nets for the holes in pads, sizes for tools whose file has none
+/// (Allegro's routed slots), and vias where nothing tells what holes are for.
 class PadNets {
 public:
     PadNets(formats::DrawnStep& step, OrderedLayers& layers, PartList& parts, NetNames& nets, Diagnostics& diagnostics);
@@ -47,6 +47,10 @@ private:
                                 Point shift);
     void nameHoles();
     [[nodiscard]] bool holdsHoles(std::size_t layer) const;
+    [[nodiscard]] bool isUseOfHolesTold() const;
+    void assumeVias();
+    [[nodiscard]] bool isSmallDrill(const formats::DrawnFeature& hole) const;
+    [[nodiscard]] bool joinsPads(const formats::DrawnFeature& hole) const;
 
     formats::DrawnStep& m_step;
     OrderedLayers& m_layers;

@@ -4,7 +4,10 @@
 
 #include <QtTest>
 #include <algorithm>
+#include <numeric>
 
+#include "model/board/holes.h"
+#include "model/nets/net_statistics.h"
 #include "tests/unit/model/formats/gerber/gerber_testing.h"
 
 using namespace gerber_testing;
@@ -14,6 +17,20 @@ namespace {
 std::size_t holesOf(const model::Document& board) {
     return static_cast<std::size_t>(
         std::ranges::count_if(board.elements.flags, [](std::uint8_t flags) { return (flags & model::kHole) != 0; }));
+}
+
+/// How many holes of this size and kind there are.
+std::uint32_t holesOf(const model::Document& board, model::Nm diameter, model::HoleKind kind) {
+    std::uint32_t count = 0;
+    for (const model::DrillRow& row : model::drillTable(board)) {
+        count += row.diameter == diameter && row.kind == kind ? row.count : 0;
+    }
+    return count;
+}
+
+std::uint32_t viasOfNets(const model::Document& board) {
+    const std::vector<std::uint32_t> counts = model::viaCounts(board);
+    return std::accumulate(counts.begin(), counts.end(), 0U);
 }
 
 std::vector<std::string> namesOf(const model::Document& board) {
@@ -424,6 +441,49 @@ private slots:
             (*board)->tools, [&](const model::DrillTool& row) { return (*board)->layer(row.layer).file == "b.rou"; });
         QVERIFY(tool != (*board)->tools.end());
         QCOMPARE(tool->drillSize, 2'000'000);
+    }
+
+    /// A hole of 0.4 mm in pads, one beside them, and one of 3 mm in pads.
+    void smallPlatedHolesInPadsAreVias() {
+        const std::string drills = "M48\nMETRIC\nT1C0.4\nT2C3.0\n%\nT1\nX2.0Y2.0\nX5.0Y5.0\nT2\nX8.0Y8.0\nM30\n";
+        const Files copper = {{"b.GTL", image(kCopper)}, {"b.GBL", image(kCopper)}};
+        for (const char* name : {"b-PTH.drl", "b.drl"}) {
+            Files files = copper;
+            files[name] = drills;
+            const Job job(files);
+            const Board board = job.open();
+            QVERIFY(board.ok());
+            QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Via), 1U);
+            QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Mounting), 1U);
+            QCOMPARE(holesOf(**board, 3'000'000, model::HoleKind::Mounting), 1U);
+            QCOMPARE(viasOfNets(**board), 1U);
+            QVERIFY(std::ranges::any_of((*board)->diagnostics.entries(), [name](const auto& entry) {
+                return entry.text.find("are taken as vias") != std::string::npos && entry.file == name &&
+                       entry.line == 7;
+            }));
+        }
+        Files files = copper;
+        files["b-NPTH.drl"] = drills;
+        const Job unplated(files);
+        const Board board = unplated.open();
+        QVERIFY(board.ok());
+        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::NonPlated), 2U);
+        QVERIFY(!isReported(**board, "are taken as vias"));
+    }
+
+    /// The netlist knows one of the holes as a pin; the others are none, and no vias either.
+    void wherePinsAreKnownNoHoleIsTakenAsAVia() {
+        const Job job(
+            {{"b.GTL", image(kCopper)},
+             {"b.GBL", image(kCopper)},
+             {"b-PTH.drl", "M48\nMETRIC\nT1C0.4\n%\nT1\nX2.0Y2.0\nX8.0Y2.0\nX8.0Y8.0\nM30\n"},
+             {"b.ipc",
+              "P  UNITS CUST 1\n317A                J1    -1     D0400PA00X+002000Y+002000X1500Y0000R000 S0\n999\n"}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Component), 1U);
+        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Mounting), 2U);
+        QVERIFY(!isReported(**board, "are taken as vias"));
     }
 
     void whatIsWrongInAnImageIsReported() {

@@ -87,6 +87,23 @@ private slots:
     }
 
     void whereNothingIsSaidNetsAndPinsTell() {
+    void aHitThatIsAViaIsOneIfItIsPlated() {
+        const PinLocations pins;
+        const std::vector<DrillTool> tools;
+        const model::Layer drills = [] {
+            model::Layer layer;
+            layer.type = LayerType::Drill;
+            return layer;
+        }();
+        const HoleRules rules(drills, tools, pins);
+        const auto kindAs = [&](Plating plating) {
+            return kindOf(rules.hole({plating, model::Point{0, 0}, false, true}, 300'000));
+        };
+        QCOMPARE(kindAs(kNotSaid), HoleKind::Via);
+        QCOMPARE(kindAs(kPlated), HoleKind::Via);
+        QCOMPARE(kindAs(kNonPlated), HoleKind::NonPlated);
+    }
+
         QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, true, false)), HoleKind::Via);
         QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, true, true)), HoleKind::Component);
         QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, false, false)), HoleKind::Mounting);
