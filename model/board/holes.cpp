@@ -95,20 +95,19 @@ std::vector<DrillTool const*> toolsOf(const Document& document, LayerId layer) {
     return tools;
 }
 
-/// The reader takes both sizes from the tool where it knows them, so these are requested first.
+/// Of the tools that fit, the one of the same plating counts first: plated and non-plated holes of one size have two.
+/// Then both sizes, which the reader takes from the tool where it knows them, then whether it is for vias.
 const DrillTool* toolFor(const std::vector<const DrillTool*>& tools, const DrillRow& hole) {
     const bool isPlated = hole.kind != HoleKind::NonPlated;
     const DrillTool* best = nullptr;
     int bestRank = 0;
     for (const DrillTool* tool : tools) {
         const bool isBoth = tool->drillSize == hole.diameter && tool->finishedSize == hole.open;
-        const bool isKind = model::isPlated(tool->plating) == isPlated &&
-                            (tool->plating == Plating::Via) == (hole.kind == HoleKind::Via);
-        const int rank = !fits(*tool, hole.diameter)                  ? 0
-                         : isBoth                                     ? 4
-                         : isKind                                     ? 3
-                         : model::isPlated(tool->plating) == isPlated ? 2
-                                                                      : 1;
+        const bool isSamePlating = model::isPlated(tool->plating) == isPlated;
+        const bool isSameUse = (tool->plating == Plating::Via) == (hole.kind == HoleKind::Via);
+        const int rank = fits(*tool, hole.diameter)
+                             ? 1 + (isSamePlating ? 4 : 0) + (isBoth ? 2 : 0) + (isSamePlating && isSameUse ? 1 : 0)
+                             : 0;
         if (rank > bestRank) {
             best = tool;
             bestRank = rank;

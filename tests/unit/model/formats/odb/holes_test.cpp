@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "model/board/document_builder.h"
 #include "model/formats/common/hole_rules.h"
 #include "model/formats/odb/features/tools.h"
 #include "tests/locations.h"
@@ -86,7 +87,6 @@ private slots:
         QCOMPARE(kindOf(holeOf(tools, 3'000'000, kNotSaid, true)), HoleKind::NonPlated);
     }
 
-    void whereNothingIsSaidNetsAndPinsTell() {
     void aHitThatIsAViaIsOneIfItIsPlated() {
         const PinLocations pins;
         const std::vector<DrillTool> tools;
@@ -104,6 +104,7 @@ private slots:
         QCOMPARE(kindAs(kNonPlated), HoleKind::NonPlated);
     }
 
+    void whereNothingIsSaidNetsAndPinsTell() {
         QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, true, false)), HoleKind::Via);
         QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, true, true)), HoleKind::Component);
         QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, false, false)), HoleKind::Mounting);
@@ -192,6 +193,34 @@ private slots:
         QCOMPARE(findDiagnostic(diagnostics, "without a size")->line, 1U);
         QCOMPARE(findDiagnostic(diagnostics, "larger than its drilled size")->line, 7U);
         QCOMPARE(findDiagnostic(diagnostics, "unknown TYPE")->line, 12U);
+    }
+
+    /// Both tools have both sizes of the NPTH; the plated one comes first.
+    void holesOfOneSizeHaveTheToolOfTheirPlating() {
+        model::DocumentBuilder builder;
+        model::Layer layer;
+        layer.type = LayerType::Drill;
+        const model::LayerId drills = builder.addLayer(layer);
+        DrillTool plated = tool(kPlated, 889'000, 889'000);
+        plated.number = 4;
+        DrillTool unplated = tool(kNonPlated, 889'000, 889'000);
+        unplated.number = 9;
+        for (DrillTool* made : {&plated, &unplated}) {
+            made->layer = drills;
+            builder.addTool(*made);
+        }
+        builder.beginLayer(drills);
+        model::DocumentBuilder::Origin origin;
+        origin.flags = model::kHole;
+        builder.addCircle({{0, 0}, 889'000, 889'000}, origin);
+        origin.flags = model::kHole | model::kPlated;
+        builder.addCircle({{5'000'000, 0}, 889'000, 839'000}, origin);
+        const auto document = builder.finish();
+        const std::vector<DrillRow> rows = model::drillTable(*document);
+        QCOMPARE(rows.size(), std::size_t{2});
+        for (const DrillRow& row : rows) {
+            QCOMPARE(row.tool->number, row.kind == HoleKind::NonPlated ? 9 : 4);
+        }
     }
 
     void aToolOfTheRightPlatingIsPreferred() {
