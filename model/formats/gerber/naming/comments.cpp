@@ -59,7 +59,8 @@ std::optional<FileRole> roleOf(const AllegroClasses& classes) {
     FileRole role;
     role.source = RoleSource::Comment;
     role.side = classes.side;
-    if (classes.assemblies > 0 || (classes.drawings > 1 && classes.etch == 0)) {
+    const bool isAssembly = classes.assemblies > 0 && classes.assemblies >= classes.silks;
+    if (isAssembly || (classes.drawings > 1 && classes.etch == 0)) {
         role.kind = Kind::Document;
     } else if (classes.etch == 1) {
         role.kind = Kind::Copper;

@@ -130,6 +130,19 @@ private slots:
         QVERIFY(legend && legend->kind == Kind::Legend && legend->side == Side::Bottom);
         QVERIFY(!model::gerber::roleOfComments({}).has_value());
     }
+
+    /// OrCAD's silkscreen may show a class of the assembly drawing too, and assembly drawings silkscreen.
+    void filmsAreWhatMostOfTheirClassesAre() {
+        model::gerber::Image silkscreen;
+        silkscreen.comments = {"Layer:  REF DES/SILKSCREEN_BOTTOM", "Layer:  PACKAGE GEOMETRY/ASSEMBLY_BOTTOM",
+                               "Layer:  PACKAGE GEOMETRY/SILKSCREEN_BOTTOM", "Layer:  BOARD GEOMETRY/OUTLINE"};
+        const auto legend = model::gerber::roleOfComments(silkscreen);
+        QVERIFY(legend && legend->kind == Kind::Legend && legend->side == Side::Bottom);
+        model::gerber::Image assembly;
+        assembly.comments = {"Layer:  REF DES/ASSEMBLY_TOP", "Layer:  PACKAGE GEOMETRY/ASSEMBLY_TOP",
+                             "Layer:  BOARD GEOMETRY/SILKSCREEN_TOP"};
+        QVERIFY(model::gerber::roleOfComments(assembly)->kind == Kind::Document);
+    }
 };
 
 QTEST_APPLESS_MAIN(GerberNamingTest)
