@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
-#include <set>
 
 #include "model/formats/gerber/netlist_join.h"
 #include "model/formats/gerber/text/words.h"
@@ -55,6 +54,7 @@ void PadNets::run(const std::vector<ReadFile>& files, const BoardFiles& board, b
             add(files[row], hasNets);
         }
     }
+    reportSizeless();
     nameHoles();
     if (!isUseOfHolesTold()) {
         assumeVias();
@@ -182,19 +182,37 @@ void PadNets::giveSizes(const ReadFile& file, Point shift) {
         if (!holdsHoles(layer)) {
             continue;
         }
-        std::set<std::int32_t> sizeless;
-        for (const DrawnFeature& hole : m_step.features[layer]) {
-            const bool isSizeless =
-                hole.symbol >= 0 && m_step.symbols[static_cast<std::size_t>(hole.symbol)].shape.width <= kSizeless;
-            if (isSizeless) {
-                sizeless.insert(hole.symbol);
-            }
-        }
-        for (const std::int32_t symbol : sizeless) {
+        for (const std::int32_t symbol : sizelessTools(layer)) {
             if (giveSize(layer, symbol, holes, shift)) {
                 m_diagnostics.report(Severity::Info, m_layers.layers[layer].file, 0,
                                      "the size of a tool is that of the netlist's holes where it drills");
             }
+        }
+    }
+}
+
+std::set<std::int32_t> PadNets::sizelessTools(std::size_t layer) const {
+    std::set<std::int32_t> tools;
+    for (const DrawnFeature& hole : m_step.features[layer]) {
+        const bool isSizeless =
+            hole.symbol >= 0 && m_step.symbols[static_cast<std::size_t>(hole.symbol)].shape.width <= kSizeless;
+        if (isSizeless) {
+            tools.insert(hole.symbol);
+        }
+    }
+    return tools;
+}
+
+/// Tools without a size that no netlist has given one, where they drill first.
+void PadNets::reportSizeless() {
+    for (std::size_t layer = 0; layer < m_layers.layers.size(); ++layer) {
+        if (!holdsHoles(layer)) {
+            continue;
+        }
+        for (const std::int32_t tool : sizelessTools(layer)) {
+            const auto hole = std::ranges::find(m_step.features[layer], tool, &DrawnFeature::symbol);
+            m_diagnostics.report(Severity::Warning, m_layers.layers[layer].file, hole->line,
+                                 "a tool has no size, and no netlist tells it; its holes are drawn as points");
         }
     }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -46,11 +47,13 @@ private:
     [[nodiscard]] bool giveSize(std::size_t layer, std::int32_t symbol, const std::vector<const D356Point*>& holes,
                                 Point shift);
     void nameHoles();
-    [[nodiscard]] bool holdsHoles(std::size_t layer) const;
     [[nodiscard]] bool isUseOfHolesTold() const;
     void assumeVias();
     [[nodiscard]] bool isSmallDrill(const formats::DrawnFeature& hole) const;
     [[nodiscard]] bool joinsPads(const formats::DrawnFeature& hole) const;
+    void reportSizeless();
+    [[nodiscard]] std::set<std::int32_t> sizelessTools(std::size_t layer) const;
+    [[nodiscard]] bool holdsHoles(std::size_t layer) const;
 
     formats::DrawnStep& m_step;
     OrderedLayers& m_layers;

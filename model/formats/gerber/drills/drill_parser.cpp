@@ -430,9 +430,7 @@ private:
         symbol.name = "T" + std::to_string(m_tool) + " " + shortNumber(base::toMm(tool.size)) + " mm";
         symbol.shape.kind = formats::PadShape::Kind::Round;
         const std::optional<Nm> size = toNm(tool.size);
-        if (!size || *size < kNoSize) {
-            report(Severity::Warning, "a tool has no size; its holes are drawn as points unless a netlist tells it");
-        } else if (*size > 20 * static_cast<Nm>(base::kNmPerMm)) {
+        if (size && *size > 20 * static_cast<Nm>(base::kNmPerMm)) {
             report(Severity::Warning, "a tool of more than 20 mm: its size may be in another unit");
         }
         symbol.shape.width = std::max(size.value_or(kNoSize), kNoSize);

@@ -131,7 +131,7 @@ private slots:
         const Image image = parse("M48\nMETRIC\nT1C0.000\n%\nT1\nX1.0Y1.0\nT7\nX2.0Y2.0\nM30\n");
         QCOMPARE(image.features.size(), std::size_t{2});
         QCOMPARE(sizeOf(image, 1), 10);
-        QCOMPARE(image.diagnostics.entries().at(0).count, 2U);
+        QVERIFY(image.diagnostics.entries().empty());  // a netlist may tell it
     }
 };
 

@@ -441,6 +441,20 @@ private slots:
             (*board)->tools, [&](const model::DrillTool& row) { return (*board)->layer(row.layer).file == "b.rou"; });
         QVERIFY(tool != (*board)->tools.end());
         QCOMPARE(tool->drillSize, 2'000'000);
+        QVERIFY(!isReported(**board, "A tool has no size"));
+    }
+
+    void aToolWithoutASizeIsReportedWhereItDrills() {
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {"b.drl", "M48\nMETRIC\nT1\n%\nT1\nX2.0Y2.0\nX8.0Y2.0\nX8.0Y8.0\nM30\n"}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(std::ranges::any_of((*board)->diagnostics.entries(), [](const auto& entry) {
+            return entry.text.starts_with("A tool has no size, and no netlist tells it") && entry.file == "b.drl" &&
+                   entry.line == 6;
+        }));
+        QVERIFY(!isReported(**board, "are taken as vias"));
     }
 
     /// A hole of 0.4 mm in pads, one beside them, and one of 3 mm in pads.
