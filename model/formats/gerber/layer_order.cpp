@@ -217,9 +217,9 @@ private:
             const std::string by = source == RoleSource::Name      ? "name"
                                    : source == RoleSource::Comment ? "comments"
                                                                    : "content";
-            m_diagnostics.report(
-                Severity::Info, file.path, 0,
-                "nothing in the file says what it draws; taken as " + describe(file.role) + " by its " + by);
+            m_diagnostics.report(Severity::Info, file.path, 0,
+                                 "neither an attribute nor a job file says what the file draws; taken as " +
+                                     describe(file.role) + " by its " + by);
         } else if (source == RoleSource::Unknown) {
             m_diagnostics.report(Severity::Warning, file.path, 0,
                                  "nothing tells which layer this file draws; it is shown as a document");
