@@ -331,6 +331,19 @@ private:
         return 0;
     }
 
+    /// None if no netlist says how thick the board is.
+    std::optional<double> thicknessOfNetlists() {
+        for (const std::size_t row : m_board.files) {
+            const D356& netlist = m_files[row].netlist;
+            if (netlist.boardNm) {
+                diagnostics().report(Severity::Info, m_files[row].path, netlist.boardLine,
+                                     "the thickness of the board is that of the netlist's comments");
+                return netlist.boardNm;
+            }
+        }
+        return std::nullopt;
+    }
+
     void finish() {
         m_step.componentsFile = m_step.componentsFile.empty() && !m_layers.copper.empty()
                                     ? m_layers.layers[static_cast<std::size_t>(m_layers.copper[0])].file
@@ -339,7 +352,7 @@ private:
         formats::DrawnJob& job = m_result.job;
         m_step.name = m_board.name.empty() ? "board" : m_board.name;
         job.layers = std::move(m_layers.layers);
-        job.boardNm = m_job.boardNm;
+        job.boardNm = m_job.boardNm ? m_job.boardNm : thicknessOfNetlists();
         job.info.name = !m_job.name.empty() ? m_job.name : m_jobName;
         job.info.generator = m_job.generator;
         job.info.version = "Gerber";

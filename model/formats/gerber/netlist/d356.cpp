@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kInchUnit = base::kNmPerInch / 10'000;  ///< CUST 0 and CUST 2
 constexpr double kMetricUnit = base::kNmPerMm / 1'000;   ///< CUST 1, SI
+/// What begins an entry of the table of long names.
+constexpr std::string_view kAlias = "NNAME";
 
 bool isRecord(std::string_view line) {
     return line.size() >= 40 && (line[0] == '3' || line[0] == '0') && line[1] >= '0' && line[1] <= '9' &&
@@ -40,8 +42,11 @@ private:
     void report(std::string_view text) { m_diagnostics.report(Severity::Warning, m_path, m_line, text); }
 
     void record(std::string_view line) {
-        if (trimmed(line).empty() || line[0] == 'C' || line[0] == '#') {
+        if (trimmed(line).empty() || line[0] == '#') {
             return;
+        }
+        if (line[0] == 'C') {
+            return comment(trimmed(line.substr(1)));
         }
         if (line[0] == 'P') {
             return parameter(line);
@@ -64,13 +69,38 @@ private:
             const bool isMetric = holds(line, "CUST 1") || line.find("SI") != std::string_view::npos;
             m_unit = isMetric ? kMetricUnit : kInchUnit;
         }
-        const std::size_t alias = line.find("NNAME");
-        if (alias != std::string_view::npos) {
-            const std::string_view rest = line.substr(alias);
-            const std::size_t blank = rest.find_first_of(" \t");
-            if (blank != std::string_view::npos) {
-                m_aliases[std::string(rest.substr(0, blank))] = std::string(trimmed(rest.substr(blank)));
-            }
+        const std::size_t at = line.find(kAlias);
+        if (at != std::string_view::npos) {
+            alias(line.substr(at), 0);
+        }
+    }
+
+    /// Allegro: "NNAMEm0004 UNNAMED_3_CN8PA_I15_N3", where nets are called m0004, "Board Thickness(mils):  80.4".
+    void comment(std::string_view text) {
+        constexpr std::string_view kThickness = "Board Thickness(";
+        if (text.starts_with(kAlias)) {
+            alias(text, kAlias.size());
+        } else if (text.starts_with(kThickness)) {
+            thickness(text.substr(kThickness.size()));
+        }
+    }
+
+    /// An entry of the table of long names; the first `prefix` characters of it are no part of the short name.
+    void alias(std::string_view entry, std::size_t prefix) {
+        const std::size_t blank = entry.find_first_of(" \t");
+        if (blank != std::string_view::npos && blank > prefix) {
+            m_aliases[std::string(entry.substr(prefix, blank - prefix))] = std::string(trimmed(entry.substr(blank)));
+        }
+    }
+
+    /// "mils):  80.400000", which is left alone in any other unit.
+    void thickness(std::string_view text) {
+        constexpr std::string_view kMils = "mils):";
+        const std::optional<double> mils =
+            text.starts_with(kMils) ? parseReal(trimmed(text.substr(kMils.size()))) : std::nullopt;
+        if (mils && *mils > 0) {
+            m_result.boardNm = *mils * base::kNmPerInch / 1'000;
+            m_result.boardLine = m_line;
         }
     }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,8 +29,11 @@ struct D356Point {
 };
 
 struct D356 {
-    std::vector<std::string> nets;  ///< as written, or in full where the file says so (NNAME records)
+    std::vector<std::string>
+        nets;  ///< as written, or in full where the file says so (NNAME records, which Allegro writes as comments)
     std::vector<D356Point> points;
+    std::optional<double> boardNm;  ///< thickness of the board, which Allegro writes into a comment
+    std::uint32_t boardLine = 0;    ///< of that comment
 };
 
 /// Is this the beginning of such a netlist?

@@ -500,6 +500,23 @@ private slots:
         QVERIFY(!isReported(**board, "are taken as vias"));
     }
 
+    /// Allegro writes what the format has no record for, or other programs write as parameters, into comments.
+    void commentsOfANetlistTellLongNamesAndTheThicknessOfTheBoard() {
+        const std::string netlist =
+            "C  Board Thickness(mils):  80.400000\nP  UNITS CUST 1\nC  NNAMEm0004 UNNAMED_3_CN8PA_I15_N3\n"
+            "P  NNAME1 A_NAME_THAT_IS_TOO_LONG\n"
+            "317m0004            J1    -1     D0800PA00X+002000Y+002000X1500Y0000R000 S0\n"
+            "317NNAME1           J1    -3     D0800PA00X+008000Y+008000X1500Y0000R000 S0\n999\n";
+        const Job job({{"b.GTL", image(kCopper)}, {"b.GBL", image(kCopper)}, {"b.drl", kDrills}, {"b.ipc", netlist}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(namesOf(**board), (std::vector<std::string>{"A_NAME_THAT_IS_TOO_LONG", "UNNAMED_3_CN8PA_I15_N3"}));
+        QCOMPARE(qRound((*board)->stackup.facts.boardNm.value_or(0.0)), 2'042'160);
+        QVERIFY(std::ranges::any_of((*board)->diagnostics.entries(), [](const auto& entry) {
+            return entry.text.starts_with("The thickness of the board is that of the netlist") && entry.line == 1;
+        }));
+    }
+
     void whatIsWrongInAnImageIsReported() {
         const Job job({{"top.gtl", image(kCopper + "Q7*\n")}, {"bottom.gbl", image(kCopper)}});
         const Board board = job.open();
