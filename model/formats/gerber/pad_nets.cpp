@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <optional>
 
 #include "model/formats/gerber/netlist_join.h"
@@ -288,26 +289,43 @@ bool PadNets::isUseOfHolesTold() const {
     return isAnyTold;
 }
 
-/// Small round holes that join pads are vias; whether wider ones take pins or screws stays open.
+/// All holes of tools that mostly drill pads: some lie in pours only. Whether wider ones take pins or screws stays
+/// open.
 void PadNets::assumeVias() {
     for (std::size_t layer = 0; layer < m_layers.layers.size(); ++layer) {
-        if (!holdsHoles(layer)) {
-            continue;
-        }
+        const std::set<std::int32_t> tools = holdsHoles(layer) ? viaTools(layer) : std::set<std::int32_t>();
         for (DrawnFeature& hole : m_step.features[layer]) {
-            const bool isPlated = hole.kind == DrawnKind::Pad && hole.plating != Plating::NonPlated;
-            if (isPlated && isSmallDrill(hole) && joinsPads(hole)) {
+            if (tools.contains(hole.symbol) && mayBeVia(hole)) {
                 hole.subnet = SubnetKind::Via;
                 m_diagnostics.report(Severity::Info, m_layers.layers[layer].file, hole.line,
-                                     "nothing in the job tells vias from other plated holes; those of up to 0.51 mm "
-                                     "in pads of several copper layers are taken as vias");
+                                     "nothing in the job tells vias from other plated holes; tools of up to 0.51 mm "
+                                     "that mostly drill pads of several copper layers are taken to make vias");
             }
         }
     }
 }
 
-/// Round, of a size that is known and fits a via.
-bool PadNets::isSmallDrill(const DrawnFeature& hole) const {
+std::set<std::int32_t> PadNets::viaTools(std::size_t layer) const {
+    std::map<std::int32_t, std::int64_t> balances;  // holes that join pads less all others
+    for (const DrawnFeature& hole : m_step.features[layer]) {
+        if (mayBeVia(hole)) {
+            balances[hole.symbol] += joinsPads(hole) ? 1 : -1;
+        }
+    }
+    std::set<std::int32_t> tools;
+    for (const auto& [tool, balance] : balances) {
+        if (balance > 0) {
+            tools.insert(tool);
+        }
+    }
+    return tools;
+}
+
+/// Round, not said to be non-plated, of a size that is known and fits a via.
+bool PadNets::mayBeVia(const DrawnFeature& hole) const {
+    if (hole.kind != DrawnKind::Pad || hole.plating == Plating::NonPlated) {
+        return false;
+    }
     const formats::PadShape& shape = m_step.symbols[static_cast<std::size_t>(hole.symbol)].shape;
     return shape.kind == formats::PadShape::Kind::Round && shape.width > kSizeless && shape.width <= kMostViaDrill;
 }

@@ -49,7 +49,8 @@ private:
     void nameHoles();
     [[nodiscard]] bool isUseOfHolesTold() const;
     void assumeVias();
-    [[nodiscard]] bool isSmallDrill(const formats::DrawnFeature& hole) const;
+    [[nodiscard]] std::set<std::int32_t> viaTools(std::size_t layer) const;
+    [[nodiscard]] bool mayBeVia(const formats::DrawnFeature& hole) const;
     [[nodiscard]] bool joinsPads(const formats::DrawnFeature& hole) const;
     void reportSizeless();
     [[nodiscard]] std::set<std::int32_t> sizelessTools(std::size_t layer) const;

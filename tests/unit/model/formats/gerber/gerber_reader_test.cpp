@@ -454,12 +454,14 @@ private slots:
             return entry.text.starts_with("A tool has no size, and no netlist tells it") && entry.file == "b.drl" &&
                    entry.line == 6;
         }));
-        QVERIFY(!isReported(**board, "are taken as vias"));
+        QVERIFY(!isReported(**board, "are taken to make vias"));
     }
 
-    /// A hole of 0.4 mm in pads, one beside them, and one of 3 mm in pads.
-    void smallPlatedHolesInPadsAreVias() {
-        const std::string drills = "M48\nMETRIC\nT1C0.4\nT2C3.0\n%\nT1\nX2.0Y2.0\nX5.0Y5.0\nT2\nX8.0Y8.0\nM30\n";
+    /// Holes of 0.4 mm in pads and one beside them, one of 0.3 mm beside pads, and one of 3 mm in pads.
+    void toolsThatMostlyDrillPadsMakeVias() {
+        const std::string drills =
+            "M48\nMETRIC\nT1C0.4\nT2C3.0\nT3C0.3\n%\nT1\nX2.0Y2.0\nX5.0Y5.0\nX8.0Y2.0\nT2\nX8.0Y8.0\nT3\nX5.0Y6."
+            "0\nM30\n";
         const Files copper = {{"b.GTL", image(kCopper)}, {"b.GBL", image(kCopper)}};
         for (const char* name : {"b-PTH.drl", "b.drl"}) {
             Files files = copper;
@@ -467,13 +469,13 @@ private slots:
             const Job job(files);
             const Board board = job.open();
             QVERIFY(board.ok());
-            QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Via), 1U);
-            QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Mounting), 1U);
+            QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Via), 3U);
+            QCOMPARE(holesOf(**board, 300'000, model::HoleKind::Mounting), 1U);
             QCOMPARE(holesOf(**board, 3'000'000, model::HoleKind::Mounting), 1U);
-            QCOMPARE(viasOfNets(**board), 1U);
+            QCOMPARE(viasOfNets(**board), 3U);
             QVERIFY(std::ranges::any_of((*board)->diagnostics.entries(), [name](const auto& entry) {
-                return entry.text.find("are taken as vias") != std::string::npos && entry.file == name &&
-                       entry.line == 7;
+                return entry.text.find("are taken to make vias") != std::string::npos && entry.file == name &&
+                       entry.line == 8;
             }));
         }
         Files files = copper;
@@ -481,8 +483,8 @@ private slots:
         const Job unplated(files);
         const Board board = unplated.open();
         QVERIFY(board.ok());
-        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::NonPlated), 2U);
-        QVERIFY(!isReported(**board, "are taken as vias"));
+        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::NonPlated), 3U);
+        QVERIFY(!isReported(**board, "are taken to make vias"));
     }
 
     /// The netlist knows one of the holes as a pin; the others are none, and no vias either.
@@ -497,7 +499,7 @@ private slots:
         QVERIFY(board.ok());
         QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Component), 1U);
         QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Mounting), 2U);
-        QVERIFY(!isReported(**board, "are taken as vias"));
+        QVERIFY(!isReported(**board, "are taken to make vias"));
     }
 
     /// Allegro writes what the format has no record for, or other programs write as parameters, into comments.
