@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/base/parallel.h"
+#include "model/board/copies.h"
 #include "model/board/holes.h"
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
@@ -30,6 +31,8 @@ public:
     [[nodiscard]] const PolygonSet& region() const { return m_region; }
 
     [[nodiscard]] bool isWithin(const Box& box) const { return !m_edges.meets(box) && m_edges.contains(box.min); }
+    [[nodiscard]] bool isCrossedBy(const Box& box) const { return m_edges.meets(box); }
+    [[nodiscard]] bool holds(Point p) const { return m_edges.contains(p); }
 
     /// Where an element lies, by its box if that is enough; else `polygons()` is what it covers.
     template <class Polygons>
@@ -125,6 +128,59 @@ private:
     std::vector<Hole> m_holes;
 };
 
+bool isCopper(const Document& document, ElementId element) {
+    return document.layer(document.elements.layer[element.row()]).isCopper();
+}
+
+/// How many copper elements lie beyond an outline.
+struct CopperCount {
+    std::size_t within = 0;
+    std::size_t beyond = 0;
+
+    void add(bool isWithin, std::size_t count = 1) { (isWithin ? within : beyond) += count; }
+};
+
+/// The copper of a step without its copies.
+struct StepCopper {
+    std::vector<Box> boxes;  ///< by element
+    Box extent;
+};
+
+StepCopper copperOf(const Document& step) {
+    StepCopper copper;
+    for (std::uint32_t row = 0; row < step.elements.size(); ++row) {
+        if (isCopper(step, ElementId{row})) {
+            copper.boxes.push_back(step.boxOf(ElementId{row}));
+            copper.extent.include(copper.boxes.back());
+        }
+    }
+    return copper;
+}
+
+/// Adds one copy: whole if the outline does not cross it, else each element by the middle of its box.
+void addCopy(const StepCopper& copper, const Placement& placement, const Outline& outline, CopperCount& count) {
+    const Box extent = placement.boxOf(copper.extent);
+    if (!outline.isCrossedBy(extent)) {
+        count.add(outline.holds(extent.min), copper.boxes.size());
+        return;
+    }
+    for (const Box& box : copper.boxes) {
+        count.add(outline.holds(placement.boxOf(box).middle()));
+    }
+}
+
+void addCopies(const Document& document, const Outline& outline, CopperCount& count) {
+    const StepTree tree = unfoldCopies(document);
+    std::vector<StepCopper> steps(tree.steps.size());
+    std::ranges::transform(tree.steps, steps.begin(), [](const Document* step) { return copperOf(*step); });
+    for (std::size_t row = 1; row < tree.copies.size(); ++row) {  // behind the board itself
+        const StepCopy& copy = tree.copies[row];
+        if (!steps[copy.step].boxes.empty()) {
+            addCopy(steps[copy.step], copy.placement, outline, count);
+        }
+    }
+}
+
 class Miller {
 public:
     Miller(const Document& document, const Discretisation& how, const base::Progress& progress)
@@ -180,14 +236,16 @@ private:
     }
 
     [[nodiscard]] bool isOutlineDoubtful() const {
-        std::size_t within = 0;
-        std::size_t beyond = 0;
+        CopperCount count;
         forEachOfJob([&](ElementId element) {
-            if (m_document.layer(m_document.elements.layer[element.row()]).isCopper()) {
-                ++(lieOf(element) == Lie::Beyond ? beyond : within);
+            if (isCopper(m_document, element)) {
+                count.add(lieOf(element) != Lie::Beyond);
             }
         });
-        return beyond > within;
+        if (!m_document.instances.empty()) {
+            addCopies(m_document, m_outline, count);
+        }
+        return count.beyond > count.within;
     }
 
     [[nodiscard]] std::vector<ElementId> crossedHoles() const {

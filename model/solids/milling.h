@@ -21,8 +21,8 @@ struct MilledElement {
 /// What findMilled finds.
 struct MilledBoard {
     std::vector<MilledElement> elements;  ///< rising
-    /// More copper elements lie beyond the outline than within: it is taken for that of something else, and nothing is
-    /// milled.
+    /// More copper elements lie beyond the outline than within, those of copies counted: it is taken for that of
+    /// something else, and nothing is milled.
     bool isOutlineDoubtful = false;
 };
 
@@ -30,8 +30,8 @@ struct MilledBoard {
 /// outline, or a doubtful one.
 ///
 /// A hole across the outline (a castellation) keeps its plating within the outline; what it passes is open there.
-/// Layers that we add (Layer::isSynthetic) end at the outline already. Copies of other steps are not looked at: a panel
-/// is whole until it is milled. Curves become chords of `how`, of the elements listed only. The same with 1 and N
+/// Layers that we add (Layer::isSynthetic) end at the outline already. Copies of other steps are not milled: a panel is
+/// whole until it is. Curves become chords of `how`, of the elements listed only. The same with 1 and N
 /// threads; incomplete when cancelled.
 [[nodiscard]] MilledBoard findMilled(const Document& document, const Discretisation& how,
                                      const base::Progress& progress);

@@ -53,6 +53,11 @@ public:
         m_builder.addTrail(nodes, width, flagged(model::kHole));
     }
 
+    void place(const std::shared_ptr<const model::Document>& step, const model::Placement& placement) {
+        m_builder.addInstance({m_builder.addStep(step), placement, false});
+    }
+    [[nodiscard]] std::shared_ptr<const model::Document> finish() { return m_builder.finish(); }
+
     [[nodiscard]] model::MilledBoard found() const {
         return model::findMilled(m_builder.soFar(), model::kBooleanChords, {});
     }
@@ -195,6 +200,28 @@ private slots:
         board.disc({-6 * kMm, 5 * kMm}, kMm);
         QVERIFY(board.found().isOutlineDoubtful);
         QCOMPARE(board.milled().size(), 0U);
+    }
+
+    /// A panel without copper of its own but fiducials in its frame, which lies beyond its outline.
+    void copiesOfStepsCountAsCopper() {
+        Board step;
+        step.on(0);
+        for (Nm x = 1; x <= 3; ++x) {
+            step.disc({x * kMm, 0}, kMm / 2);
+        }
+        const auto finished = step.finish();
+        const auto isDoubtful = [&](const model::Placement& placement) {
+            Board panel;
+            panel.on(0);
+            panel.disc({-5 * kMm, 5 * kMm}, kMm);
+            panel.place(finished, placement);
+            return panel.found().isOutlineDoubtful;
+        };
+        QVERIFY(!isDoubtful({{5 * kMm, 5 * kMm}}));
+        QVERIFY(isDoubtful({{50 * kMm, 5 * kMm}}));
+        QVERIFY(isDoubtful({{18'500 * kUm, 5 * kMm}}));  // two of its three lie beyond
+        QVERIFY(!isDoubtful({{17'500 * kUm, 5 * kMm}}));
+        QVERIFY(!isDoubtful({{18'500 * kUm, 5 * kMm}, 90.0}));  // upwards or downwards, all within
     }
 
     void withoutAnOutlineNothingIsMilled() {
