@@ -123,7 +123,7 @@ std::string RuleChoice::whyUnused(std::size_t rule, const std::vector<HoleClass>
     const Rule& own = m_table.rules[rule];
     for (std::size_t side = 0; side < holeSidesOf(own.kind); ++side) {
         if (own.holes[side] != HoleClass::Any && std::ranges::count(holes, own.holes[side]) == 0) {
-            return std::string("the board has no holes of the kind ") + nameOf(own.holes[side]);
+            return std::string("the step has no holes of the kind ") + nameOf(own.holes[side]);
         }
     }
     for (std::size_t row = rule + 1; row < m_table.rules.size(); ++row) {

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] double reachOf(RuleKind kind) const;
     /// Rows of the rules of a kind that are on.
     [[nodiscard]] std::vector<std::size_t> rowsOf(RuleKind kind) const;
-    /// Why no item of the document can meet a rule that is on: there are no such holes, or a later rule holds for all
+    /// Why no item of a step can meet a rule that is on: there are none of `holes`, or a later rule holds for all
     /// it is for. Empty if some can.
     [[nodiscard]] std::string whyUnused(std::size_t rule, const std::vector<HoleClass>& holes) const;
     /// Classes that a rule names and that no net of the document fits.

@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "model/board/copies.h"
 #include "model/board/layers.h"
 #include "model/clearance/layer_geometry.h"
 #include "model/design_rules/rule_context.h"
@@ -177,10 +178,24 @@ private:
             reach = std::max(reach, m_choice.reachOf(kind));
         }
         const std::size_t pairs = reach > 0 ? pairsOfCopies(static_cast<Nm>(reach)) : 0;
+        const std::vector<HoleClass> holes = pairs > 0 ? holesOfAllSteps() : std::vector<HoleClass>{};
         for (const RuleKind kind : kKinds) {
-            add(kind, pairs, "pair", "pairs",
-                "copies of steps, or a copy and an element, may come closer than the limit");
+            for (const std::size_t rule : pairs > 0 ? m_choice.rowsOf(kind) : std::vector<std::size_t>{}) {
+                if (m_choice.whyUnused(rule, holes).empty()) {
+                    m_items.push_back({rule, pairs, pairs == 1 ? "pair" : "pairs",
+                                       "copies of steps, or a copy and an element, may come closer than the limit"});
+                }
+            }
         }
+    }
+
+    /// The kinds of holes of the step and of all copies on it, whatever their depth.
+    [[nodiscard]] std::vector<HoleClass> holesOfAllSteps() const {
+        std::vector<HoleClass> all;
+        for (const Document* step : distinctSteps(m_document)) {
+            std::ranges::copy(holeClassesOf(*step), std::back_inserter(all));
+        }
+        return all;
     }
 
     /// Copies whose boxes come within reach of each other, and elements within reach of a copy.

@@ -325,6 +325,29 @@ private slots:
         }
     }
 
+    /// Copies may hold holes that the step itself lacks; what none of them has cannot come too close.
+    void copiesLeaveRulesForOtherHolesAlone() {
+        DocumentBuilder step;
+        const LayerId top = addLayer(step, "top");
+        step.beginLayer(addDrill(step, top, top));
+        step.addCircle({{0, 0}, 300 * kUm, 0}, of({}, model::kHole));
+        DocumentBuilder panel;
+        addDrill(panel, addLayer(panel, "top"), LayerId{0});
+        const std::uint32_t row = panel.addStep(step.finish());
+        panel.addInstance({row, {{0, 0}}, false});
+        panel.addInstance({row, {{400 * kUm, 0}}, false});
+        const auto board = panel.finish();
+        Rule rule{RuleKind::HoleToHole, 200 * kUm, {}};
+        const auto verdict = [&](model::HoleClass holes) {
+            rule.holes = {holes, holes};
+            const RuleTable table{{}, {rule}};
+            return model::verdictOf(table, check(*board, table), 0);
+        };
+        QCOMPARE(verdict(model::HoleClass::Any), model::Verdict::Incomplete);
+        QCOMPARE(verdict(model::HoleClass::NonPlated), model::Verdict::Incomplete);
+        QCOMPARE(verdict(model::HoleClass::Microvia), model::Verdict::Unused);
+    }
+
     void rulesThatAreOffDoNotCount() {
         Board board;
         board.builder.beginLayer(board.top);
@@ -418,7 +441,7 @@ private slots:
                                {RuleKind::HoleToHole, 2, {}},
                                {RuleKind::CopperToCopper, 1, {}}}};
         const RuleReport report = check(*document, table);
-        QCOMPARE(report.unused[0], std::string("the board has no holes of the kind microvia"));
+        QCOMPARE(report.unused[0], std::string("the step has no holes of the kind microvia"));
         QCOMPARE(report.unused[1], std::string("rule 3 holds instead"));
         QVERIFY(report.unused[2].empty() && report.unused[3].empty());
         QVERIFY(model::verdictOf(table, report, 0) == model::Verdict::Unused);
