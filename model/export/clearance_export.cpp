@@ -156,8 +156,8 @@ std::string textOf(const RuleTable& table, const StepRules& found, std::size_t m
     return text;
 }
 
-/// Findings, those that are waived, then a row for all that was not checked and is to be said of waivers: without
-/// layer, sides and location.
+/// Findings, those that are waived, then a row for all that is not listed, was not checked and is to be said of
+/// waivers: without layer, sides and location.
 std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t most) {
     const Document& step = *found.step;
     const SideNames names(step);
@@ -167,14 +167,20 @@ std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t mo
         const Rule& rule = table.rules[row];
         const std::string start = csvField(step.job.step) + ',' + csvField(titleOf(rule)) +
                                   formatted(",%.3f,", micrometres(static_cast<double>(rule.least)));
+        const auto addRow = [&](const char* result, const std::string& reason) {
+            text += start + ",,,,,,,,,,,,,," + result + ',' + csvField(reason) + end;
+        };
         for (const RuleFinding& f : findingsOf(found, row, most)) {
             text += start + csvOf(step, names, f) + ',' + toString(Verdict::Failed) + ',' + toString(f.reason) + end;
         }
         for (const WaivedFinding& waived : waivedOf(found, row, most)) {
             text += start + csvOf(step, names, waived.found) + ",waived," + csvField(waived.reason) + end;
         }
+        for (const std::string& unlisted : unlistedOf(found, row, most)) {
+            addRow("not listed", unlisted);
+        }
         for (const std::string& unchecked : uncheckedOf(found.report, row)) {
-            text += start + ",,,,,,,,,,,,,," + toString(Verdict::Incomplete) + ',' + csvField(unchecked) + end;
+            addRow(toString(Verdict::Incomplete), unchecked);
         }
     }
     for (const WaiverNote& note : found.report.waiverNotes) {

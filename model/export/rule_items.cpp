@@ -1,6 +1,7 @@
 #include "model/export/rule_items.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "model/base/units.h"
 #include "model/text/formatting.h"
@@ -8,6 +9,8 @@
 namespace model {
 
 namespace {
+
+constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 
 template <class Item, class RuleOf>
 std::span<const Item> firstOf(const std::vector<Item>& all, std::size_t rule, std::size_t most, RuleOf ruleOf) {
@@ -29,6 +32,19 @@ std::span<const RuleFinding> findingsOf(const StepRules& step, std::size_t rule,
 
 std::span<const WaivedFinding> waivedOf(const StepRules& step, std::size_t rule, std::size_t most) {
     return firstOf(step.report.waived, rule, most, [](const WaivedFinding& waived) { return waived.found.rule; });
+}
+
+std::vector<std::string> unlistedOf(const StepRules& step, std::size_t rule, std::size_t most) {
+    std::vector<std::string> texts;
+    const auto add = [&](std::size_t count, const std::string& what) {
+        if (count > most) {
+            texts.push_back(std::to_string(count - most) + " more " + what +
+                            (count - most == 1 ? "location is not listed" : "locations are not listed"));
+        }
+    };
+    add(findingsOf(step, rule, kAll).size(), "");
+    add(waivedOf(step, rule, kAll).size(), "waived ");
+    return texts;
 }
 
 std::vector<std::string> uncheckedOf(const RuleReport& report, std::size_t rule) {

@@ -13,6 +13,8 @@ namespace model {
 /// The first ones of a rule.
 [[nodiscard]] std::span<const RuleFinding> findingsOf(const StepRules& step, std::size_t rule, std::size_t most);
 [[nodiscard]] std::span<const WaivedFinding> waivedOf(const StepRules& step, std::size_t rule, std::size_t most);
+/// How many of either are behind those, in words; empty if there are none.
+[[nodiscard]] std::vector<std::string> unlistedOf(const StepRules& step, std::size_t rule, std::size_t most);
 /// What a rule could not check.
 [[nodiscard]] std::vector<std::string> uncheckedOf(const RuleReport& report, std::size_t rule);
 

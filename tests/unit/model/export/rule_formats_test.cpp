@@ -121,6 +121,18 @@ private slots:
         QCOMPARE(step["waivers"][0]["waiver"].toInt(), 2);
     }
 
+    void tablesSayWhatTheyDoNotList() {
+        const Checked checked(4);
+        const auto unlisted = [&](std::size_t most) {
+            return QString::fromUtf8(checked.report(ReportFormat::Csv, most)).split('\n').filter(",not listed,");
+        };
+        QVERIFY(unlisted(3).isEmpty());
+        QCOMPARE(unlisted(1).size(), 1);
+        QVERIFY2(unlisted(1)[0].contains("2 more locations are not listed"), qPrintable(unlisted(1)[0]));
+        QCOMPARE(unlisted(1)[0].count(','), checked.report(ReportFormat::Csv).split('\n')[0].count(','));
+        QCOMPARE(unlisted(0).filter("1 more waived location is not listed").size(), 1);
+    }
+
     void junitHasATestForEachLocation() {
         const Checked checked(4);
         const QByteArray report = checked.report(ReportFormat::Junit, 2);
