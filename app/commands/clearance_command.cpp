@@ -126,6 +126,16 @@ base::Result<base::Nm> parseTolerance(const std::string& text) {
     return tolerance;
 }
 
+void reportLeftOut(const model::RuleFile& file, const std::string& path) {
+    for (const model::LeftOutRule& one : file.leftOut) {
+        const std::string from = one.file.empty() ? path : one.file.string();
+        std::fprintf(stderr, "copperscope: %s: %s\n", from.c_str(), model::textOf(one).c_str());
+    }
+    for (const std::string& unused : file.unused) {
+        std::fprintf(stderr, "copperscope: %s: %s\n", path.c_str(), unused.c_str());
+    }
+}
+
 /// `board`: what they are for; null: as the file has them.
 base::Result<model::RuleTable> rulesFor(const ClearanceArguments& arguments, const model::Document* board) {
     model::RuleTable table = model::defaultRules();
@@ -134,9 +144,7 @@ base::Result<model::RuleTable> rulesFor(const ClearanceArguments& arguments, con
         if (board != nullptr) {
             model::leaveOutUnusedClasses(file, *board);
         }
-        for (const std::string& leftOut : file.leftOut) {
-            std::fprintf(stderr, "copperscope: %s: %s\n", arguments.rules.c_str(), leftOut.c_str());
-        }
+        reportLeftOut(file, arguments.rules);
         table = std::move(file.table);
     }
     if (!arguments.tolerance.empty()) {

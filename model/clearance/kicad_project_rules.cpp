@@ -70,8 +70,8 @@ std::optional<Nm> lengthOf(const json& value) {
     return value.is_number() ? lengthOf(value.get<double>()) : std::nullopt;
 }
 
-std::string inLine(std::size_t line, const std::string& what) {
-    return "line " + std::to_string(line) + ": " + what + " is left out";
+LeftOutRule inLine(std::size_t line, const std::string& what) {
+    return {what + " is left out", static_cast<std::uint32_t>(line)};
 }
 
 /// A net class as both kinds of files have it.
@@ -124,7 +124,7 @@ void addClasses(std::vector<ClassOfNets>& classes, RuleFile& file) {
             continue;
         }
         if (kept == kMostNetClasses) {
-            file.leftOut.push_back("net class " + one.name + ", of which there are too many, is left out");
+            file.leftOut.push_back({"net class " + one.name + ", of which there are too many, is left out"});
             one.clearance.reset();
             continue;
         }
@@ -137,7 +137,7 @@ base::Result<RuleFile> used(RuleFile file) {
     if (file.table.rules.empty()) {
         return base::Error{base::ErrorCode::BadInput,
                            "the rules cannot be used: no minimum in this file of KiCad's has a counterpart" +
-                               (file.leftOut.empty() ? "" : "; " + file.leftOut.front())};
+                               (file.leftOut.empty() ? "" : "; " + textOf(file.leftOut.front()))};
     }
     file.isOfKicad = true;
     return file;
@@ -284,7 +284,13 @@ std::optional<RuleFile> readFile(const fs::path& path, base::Result<RuleFile> (*
     }
     const base::Result<std::string> text = readWholeFile(path);
     base::Result<RuleFile> file = text ? parse(*text) : base::Result<RuleFile>(text.error());
-    return file ? std::optional(std::move(*file)) : std::nullopt;
+    if (!file) {
+        return {};
+    }
+    for (LeftOutRule& one : file->leftOut) {
+        one.file = path;
+    }
+    return std::move(*file);
 }
 
 /// Is it of KiCad 4 or 5, by the first lines?
@@ -386,13 +392,12 @@ std::optional<RuleFile> kicadRulesOf(const fs::path& board) {
     return file;
 }
 
-std::optional<RuleTable> kicadRulesFor(const fs::path& path, const Document& board) {
+std::optional<RuleFile> kicadRulesFor(const fs::path& path, const Document& board) {
     std::optional<RuleFile> file = kicadRulesOf(path);
-    if (!file) {
-        return {};
+    if (file) {
+        leaveOutUnusedClasses(*file, board);
     }
-    leaveOutUnusedClasses(*file, board);
-    return std::move(file->table);
+    return file;
 }
 
 void leaveOutUnusedClasses(RuleFile& file, const Document& board) {
@@ -412,9 +417,9 @@ void leaveOutUnusedClasses(RuleFile& file, const Document& board) {
     }
     for (const std::string& name : unused) {
         const bool isName = name.starts_with(kNetPrefix);
-        file.leftOut.push_back("no net of the board fits " +
-                               (isName ? "the name " + name.substr(kNetPrefix.size()) : "net class " + name) +
-                               "; its rules ask for nothing");
+        file.unused.push_back("no net of the board fits " +
+                              (isName ? "the name " + name.substr(kNetPrefix.size()) : "net class " + name) +
+                              "; its rules ask for nothing");
     }
 }
 

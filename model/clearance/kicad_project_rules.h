@@ -24,10 +24,10 @@ namespace model {
 [[nodiscard]] std::optional<RuleFile> kicadRulesOf(const std::filesystem::path& board);
 
 /// The same as they hold for the board that lies there.
-[[nodiscard]] std::optional<RuleTable> kicadRulesFor(const std::filesystem::path& path, const Document& board);
+[[nodiscard]] std::optional<RuleFile> kicadRulesFor(const std::filesystem::path& path, const Document& board);
 
 /// Of rules of KiCad: takes away those for net classes and names that no net of the board fits, which ask for nothing
-/// there, and names them in `leftOut`. Projects carry classes from board to board. A board without nets keeps all:
+/// there, and names them in `unused`. Projects carry classes from board to board. A board without nets keeps all:
 /// there it is the board that lacks something.
 void leaveOutUnusedClasses(RuleFile& file, const Document& board);
 

@@ -69,14 +69,14 @@ public:
         if (m_file.table.rules.empty()) {
             return base::Error{base::ErrorCode::BadInput,
                                "the rules cannot be used: no minimum in this file of KiCad's rules has a counterpart" +
-                                   (m_file.leftOut.empty() ? "" : "; " + m_file.leftOut.front())};
+                                   (m_file.leftOut.empty() ? "" : "; " + textOf(m_file.leftOut.front()))};
         }
         return std::move(m_file);
     }
 
 private:
     void leaveOut(const SExpression& at, const std::string& what) {
-        m_file.leftOut.push_back("line " + std::to_string(at.line) + ": " + what + " is left out");
+        m_file.leftOut.push_back({what + " is left out", static_cast<std::uint32_t>(at.line)});
     }
 
     void addRule(const SExpression& rule) {

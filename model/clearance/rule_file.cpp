@@ -309,6 +309,10 @@ std::string commentedJson(const RuleTable& table) {
     return text + "  ]\n}\n";
 }
 
+std::string textOf(const LeftOutRule& one) {
+    return (one.line > 0 ? "line " + std::to_string(one.line) + ": " : "") + one.text;
+}
+
 base::Result<RuleFile> readRules(const std::filesystem::path& path) {
     if (const RulePreset* preset = findPreset(path.string()); preset != nullptr && !std::filesystem::exists(path)) {
         ASSIGN_OR_RETURN(RuleTable table, parseRules(preset->text));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -28,10 +29,21 @@ namespace model {
 [[nodiscard]] std::string toJson(const RuleTable& table);
 /// The same for people to edit: a rule a line, with comments on what is what. parseRules reads it.
 [[nodiscard]] std::string commentedJson(const RuleTable& table);
-/// Rules, and what of the file has no counterpart here and is left out, a sentence each.
+/// What of a file has no counterpart here or cannot be read: it is not checked.
+struct LeftOutRule {
+    std::string text;              ///< "min_via_diameter is left out"
+    std::uint32_t line = 0;        ///< 0: no line of the file
+    std::filesystem::path file{};  ///< empty: the file that was read
+    bool operator==(const LeftOutRule&) const = default;
+};
+/// "line 7: min_via_diameter is left out"
+[[nodiscard]] std::string textOf(const LeftOutRule& one);
+
 struct RuleFile {
     RuleTable table;
-    std::vector<std::string> leftOut;
+    std::vector<LeftOutRule> leftOut;
+    std::vector<std::string>
+        unused{};            ///< which net classes and names no net fits, a sentence each: they ask for nothing
     bool isOfKicad = false;  ///< a project, board or custom rules of KiCad: see leaveOutUnusedClasses()
 };
 /// From a file, also one of KiCad's custom rules (.kicad_dru, see kicad_rules.h), a project of KiCad or a board that

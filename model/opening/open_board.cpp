@@ -28,8 +28,11 @@ base::Result<Thicknesses> parseThicknesses(const std::vector<std::string>& texts
 
 /// Where the user has set none, a board of KiCad has the rules of its project.
 void takeProjectRules(const OpenRequest& request, const Document& board, session::LoadedSession& found) {
-    if (!found.session.designRules) {
-        found.session.designRules = kicadRulesFor(request.path, board);
+    if (found.session.designRules) {
+        return;
+    }
+    if (std::optional<RuleFile> project = kicadRulesFor(request.path, board)) {
+        found.session.designRules = std::move(project->table);
     }
 }
 

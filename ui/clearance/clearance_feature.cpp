@@ -29,10 +29,33 @@ constexpr std::size_t kDrawn = 100;      ///< locations of a rule in a report wi
 
 /// The rules that a board begins with need no place in its session: those of its project, or else the common ones.
 base::Status saveRulesOf(const std::filesystem::path& board, const model::Document& document,
-                         const model::RuleTable& rules) {
+                         const model::RuleFile& rules) {
     using Saved = std::optional<model::RuleTable>;
-    const model::RuleTable first = model::kicadRulesFor(board, document).value_or(model::defaultRules());
-    return model::session::saveDesignRules(board, document, rules == first ? Saved() : Saved(rules));
+    const std::optional<model::RuleFile> project = model::kicadRulesFor(board, document);
+    const model::RuleTable first = project ? project->table : model::defaultRules();
+    return model::session::saveDesignRules(board, document, rules.table == first ? Saved() : Saved(rules.table));
+}
+
+/// What a board begins with. What is left out of its project is so under rules that were edited, too.
+model::RuleFile rulesOf(const LoadedBoard& board) {
+    model::RuleFile rules;
+    if (!board.request.noSession) {
+        rules = model::kicadRulesFor(board.request.path, *board.document).value_or(model::RuleFile{});
+    }
+    rules.table = board.session.designRules.value_or(model::defaultRules());
+    return rules;
+}
+
+/// What of the file is not checked, for the list of messages.
+model::Diagnostics messagesOf(const model::RuleFile& file) {
+    model::Diagnostics messages;
+    for (const model::LeftOutRule& one : file.leftOut) {
+        messages.report(model::Severity::Info, one.file.filename().string(), one.line, "design rules: " + one.text);
+    }
+    for (const std::string& unused : file.unused) {
+        messages.report(model::Severity::Info, {}, 0, "design rules: " + unused);
+    }
+    return messages;
 }
 
 }  // namespace
@@ -45,13 +68,7 @@ ClearanceFeature::ClearanceFeature(FeatureContext& context)
       m_selection(context.workspace.selection()),
       m_plan(context.plan),
       m_savedRules(
-          m_workspace, tr("The rules"),
-          [this](const model::RuleTable& rules) {
-              if (!(m_rules.rules() == rules)) {
-                  m_rules.setRules(rules);
-              }
-          },
-          saveRulesOf),
+          m_workspace, tr("The rules"), [this](const model::RuleFile& rules) { setRules(rules); }, saveRulesOf),
       m_waivers(m_workspace, context.settings, this),
       m_lens(m_views, m_workspace, this),
       m_distances(m_views, m_probing, m_workspace, this),
@@ -170,7 +187,7 @@ void ClearanceFeature::setBoard(const LoadedBoard& board) {
     endShowing();
     m_locations.setSpacings(nullptr, {}, {}, true);
     if (m_savedRules.open()) {
-        m_rules.setRules(board.session.designRules.value_or(model::defaultRules()));
+        setRules(rulesOf(board));
     }
     m_waivers.open(board);
     m_rules.setResults({});
@@ -187,6 +204,7 @@ std::optional<ClearanceRequest> ClearanceFeature::request() {
     ClearanceRequest request;
     request.isOfRules = m_panel->what() == ClearancePanel::What::Rules;
     request.rules = m_rules.rules();
+    request.leftOut = m_ruleFile.leftOut.size();
     request.waivers = m_waivers.list();
     request.question.count = kNarrowest;
     if (request.isOfRules) {
@@ -361,9 +379,23 @@ void ClearanceFeature::endShowing() {
     m_workspace.showSpacing(std::nullopt);
 }
 
+void ClearanceFeature::setRules(const model::RuleFile& rules) {
+    if (!(m_rules.rules() == rules.table)) {
+        m_rules.setRules(rules.table);
+    }
+    m_ruleFile = rules;
+    emit rulesListed(messagesOf(rules));
+}
+
+model::RuleFile ClearanceFeature::withTable(const model::RuleTable& table) const {
+    model::RuleFile rules = m_ruleFile;
+    rules.table = table;
+    return rules;
+}
+
 void ClearanceFeature::remember(const model::RuleTable& before) {
     if (m_workspace.board() != nullptr && !(before == m_rules.rules())) {
-        m_savedRules.edit(tr("the rules"), before, m_rules.rules());
+        m_savedRules.edit(tr("the rules"), withTable(before), withTable(m_rules.rules()));
     }
 }
 
@@ -419,14 +451,16 @@ base::Status ClearanceFeature::exportReport(const QString& path) const {
 base::Result<QString> ClearanceFeature::openRules(const QString& path) {
     ASSIGN_OR_RETURN(model::RuleFile file, model::readRules(toPath(path)));
     model::leaveOutUnusedClasses(file, *m_workspace.board()->document);
-    const model::RuleTable before = m_rules.rules();
-    m_rules.setRules(std::move(file.table));
-    remember(before);
-    QString said = tr("Rules of %1").arg(path);
-    for (const std::string& leftOut : file.leftOut) {
-        said += QStringLiteral("; ") + QString::fromStdString(leftOut);
+    for (model::LeftOutRule& one : file.leftOut) {
+        one.file = one.file.empty() ? toPath(path) : one.file;
     }
-    return said;
+    if (m_rules.rules() == file.table) {
+        setRules(file);
+    } else {
+        m_savedRules.edit(tr("the rules"), withTable(m_rules.rules()), file);
+    }
+    return file.leftOut.empty() ? tr("Rules of %1").arg(path)
+                                : tr("Rules of %1; what is left out of them is in the list of messages").arg(path);
 }
 
 base::Status ClearanceFeature::saveRules(const QString& path) const {

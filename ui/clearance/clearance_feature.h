@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include "model/clearance/rule_file.h"
 #include "ui/clearance/clearance_map_overlay.h"
 #include "ui/clearance/clearance_panel.h"
 #include "ui/clearance/clearance_search.h"
@@ -33,6 +34,10 @@ public:
     [[nodiscard]] base::Result<QString> openRules(const QString& path);
     [[nodiscard]] base::Status saveRules(const QString& path) const;
 
+signals:
+    /// The rules are from another file: what nobody checks of it, for the list of messages.
+    void rulesListed(const model::Diagnostics& messages);
+
 private:
     void connectPanel(FeatureContext& context);
     void connectCommands(FeatureContext& context);
@@ -62,6 +67,9 @@ private:
     void showSides(std::vector<model::BoardElement> sides, std::vector<model::LayerId> layers,
                    const model::LocalSpacing& spacing);
     void endShowing();
+    void setRules(const model::RuleFile& rules);
+    /// Other rules, but from the same file.
+    [[nodiscard]] model::RuleFile withTable(const model::RuleTable& table) const;
     /// Puts on the history that the rules are others than before.
     void remember(const model::RuleTable& before);
     [[nodiscard]] model::LayerId mappedLayer() const;
@@ -74,7 +82,8 @@ private:
     const PlanPainter& m_plan;
     ClearanceModel m_locations;
     RuleModel m_rules;
-    SessionPart<model::RuleTable> m_savedRules;
+    SessionPart<model::RuleFile> m_savedRules;
+    model::RuleFile m_ruleFile;  ///< where the rules are from; its table is as they were taken or shown last
     RuleWaivers m_waivers;
     BackgroundResult<ClearanceResult> m_search;
     std::shared_ptr<const model::Document> m_searched;  ///< the board that is or was searched, and what for

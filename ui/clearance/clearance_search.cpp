@@ -38,6 +38,16 @@ base::Status checkRules(const Document& step, const ClearanceRequest& request, b
     return base::Done{};
 }
 
+/// First of all notes: rules that pass say nothing of it.
+void noteLeftOut(const ClearanceRequest& request, ClearanceResult& answer) {
+    answer.leftOut = request.isOfRules ? request.leftOut : 0;
+    if (answer.leftOut > 0) {
+        answer.notes.push_back("not checked: " + std::to_string(answer.leftOut) +
+                               (answer.leftOut == 1 ? " entry" : " entries") +
+                               " of the file of rules without a counterpart here; Messages lists them");
+    }
+}
+
 /// Without nets there is nothing to measure.
 base::Status measure(const Document& step, const ClearanceRequest& request, base::Progress& progress,
                      ClearanceResult& answer) {
@@ -69,6 +79,7 @@ Result<ClearanceResult> searchClearances(const Document& board, const ClearanceR
         return measureThrough(board, *request.throughStackup, progress);
     }
     ClearanceResult answer;
+    noteLeftOut(request, answer);
     const bool isOfBoard = !request.isOfRules && isOfTheBoardAlone(request.question);
     for (const Document* step : isOfBoard ? std::vector{&board} : model::distinctSteps(board)) {
         RETURN_IF_ERROR(request.isOfRules ? checkRules(*step, request, progress, answer)
@@ -128,7 +139,8 @@ std::vector<std::size_t> goneWaivers(const ClearanceResult& answer) {
 }
 
 bool isComplete(const ClearanceResult& answer) {
-    return std::ranges::all_of(answer.rules, [](const model::StepRules& step) { return step.report.isComplete(); });
+    return answer.leftOut == 0 &&
+           std::ranges::all_of(answer.rules, [](const model::StepRules& step) { return step.report.isComplete(); });
 }
 
 }  // namespace ui

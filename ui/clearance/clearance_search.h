@@ -13,6 +13,7 @@ struct ClearanceRequest {
     model::ClearanceRequest question;                                ///< of the smallest clearances
     std::optional<model::StackupClearanceRequest> throughStackup{};  ///< instead of the smallest clearances
     model::RuleTable rules{};
+    std::size_t leftOut = 0;  ///< entries of the file of rules that no rule checks
     std::vector<model::Waiver> waivers{};
 };
 
@@ -20,6 +21,7 @@ struct ClearanceRequest {
 struct ClearanceResult {
     std::vector<model::StepClearances> clearances;
     std::vector<model::StepRules> rules;
+    std::size_t leftOut = 0;  ///< as requested; 0 if no rules were checked
     std::vector<model::StackupClearance> throughStackup;
     std::vector<std::shared_ptr<const model::SideNames>> names;  ///< of the steps of the one that is not empty; through
                                                                  ///< the stackup those of StepTree::steps
@@ -30,7 +32,7 @@ struct ClearanceResult {
 [[nodiscard]] std::vector<RuleResult> resultsOf(const model::RuleTable& rules, const ClearanceResult& answer);
 /// Rows of waivers without a finding.
 [[nodiscard]] std::vector<std::size_t> goneWaivers(const ClearanceResult& answer);
-/// Could every rule check everything?
+/// Could every rule check everything, and was nothing left out of the rules?
 [[nodiscard]] bool isComplete(const ClearanceResult& answer);
 
 /// Looks for the smallest clearances of a board and all its steps, or through its stackup. Layers and nets in the

@@ -54,8 +54,8 @@ void MessageBadge::refresh() {
     const std::size_t errors = m_messages.count(model::Severity::Error);
     const std::size_t warnings = m_messages.count(model::Severity::Warning);
     setText(countText(errors, warnings));
-    setToolTip(tr("What was skipped, repaired or assumed while the board was opened or exported: %L1 messages. Click "
-                  "to list them")
+    setToolTip(tr("What was skipped, repaired or assumed while the board was opened or exported, or left out of "
+                  "its rules: %L1 messages. Click to list them")
                    .arg(m_messages.rowCount()));
     setStyleSheet(errors == 0 ? QString()
                               : QStringLiteral("QToolButton { background: %1; color: white; font-weight: bold; }")

@@ -28,24 +28,52 @@ void MessageModel::setMessages(std::shared_ptr<const model::Document> document, 
 }
 
 void MessageModel::setExported(model::Diagnostics exported) {
+    setList(m_exported, std::move(exported));
+}
+
+void MessageModel::setRules(model::Diagnostics rules) {
+    setList(m_rules, std::move(rules));
+}
+
+void MessageModel::setList(model::Diagnostics& list, model::Diagnostics messages) {
     beginResetModel();
-    m_exported = std::move(exported);
+    list = std::move(messages);
     endResetModel();
 }
 
+std::vector<const model::Diagnostics*> MessageModel::lists() const {
+    std::vector<const model::Diagnostics*> lists{&m_modelling, &m_rules, &m_exported};
+    if (m_document) {
+        lists.insert(lists.begin(), &m_document->diagnostics);
+    }
+    return lists;
+}
+
+int MessageModel::rows() const {
+    std::size_t count = 0;
+    for (const model::Diagnostics* list : lists()) {
+        count += list->entries().size();
+    }
+    return static_cast<int>(count);
+}
+
 std::size_t MessageModel::count(model::Severity severity) const {
-    return (m_document ? m_document->diagnostics.count(severity) : 0) + m_modelling.count(severity) +
-           m_exported.count(severity);
+    std::size_t count = 0;
+    for (const model::Diagnostics* list : lists()) {
+        count += list->count(severity);
+    }
+    return count;
 }
 
 const model::Diagnostic& MessageModel::message(int row) const {
     auto position = static_cast<std::size_t>(row);
-    if (position < readingCount()) {
-        return m_document->diagnostics.entries()[position];
+    const std::vector<const model::Diagnostics*> all = lists();
+    auto list = all.begin();
+    while (position >= (*list)->entries().size()) {
+        position -= (*list)->entries().size();
+        ++list;
     }
-    position -= readingCount();
-    const std::size_t modelling = m_modelling.entries().size();
-    return position < modelling ? m_modelling.entries()[position] : m_exported.entries()[position - modelling];
+    return (*list)->entries()[position];
 }
 
 QString MessageModel::searchText(int row) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "model/board/document.h"
 #include "ui/common/table_model.h"
@@ -8,7 +9,8 @@
 namespace ui {
 
 /// What was skipped, repaired or assumed while opening a board: the document's diagnostics, then those of the
-/// modelling; then what is not in the file that was exported last. The rank of a row is its severity.
+/// modelling; then what is left out of the rules and of the file that was exported last. The rank of a row is its
+/// severity.
 class MessageModel : public TableModel {
     Q_OBJECT
 
@@ -21,6 +23,8 @@ public:
     void setMessages(std::shared_ptr<const model::Document> document, model::Diagnostics modelling);
     /// What the last export left out.
     void setExported(model::Diagnostics exported);
+    /// What is left out of the rules.
+    void setRules(model::Diagnostics rules);
     /// How many entries have this severity.
     [[nodiscard]] std::size_t count(model::Severity severity) const;
 
@@ -28,15 +32,16 @@ public:
     [[nodiscard]] QString searchText(int row) const override;
 
 private:
-    [[nodiscard]] int rows() const override {
-        return static_cast<int>(readingCount() + m_modelling.entries().size() + m_exported.entries().size());
-    }
+    [[nodiscard]] int rows() const override;
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] QString tip(int row, int column) const override;
-    [[nodiscard]] std::size_t readingCount() const { return m_document ? m_document->diagnostics.entries().size() : 0; }
+    /// All lists, one behind the other.
+    [[nodiscard]] std::vector<const model::Diagnostics*> lists() const;
+    void setList(model::Diagnostics& list, model::Diagnostics messages);
 
     std::shared_ptr<const model::Document> m_document;
     model::Diagnostics m_modelling;
+    model::Diagnostics m_rules;
     model::Diagnostics m_exported;
 };
 

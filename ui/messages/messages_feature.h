@@ -6,7 +6,8 @@ namespace ui {
 
 class MessageModel;
 
-/// The messages panel: what was skipped, repaired or assumed while the board was opened, and the badge that counts it.
+/// The messages panel: what was skipped, repaired or assumed while the board was opened, what is left out of its rules
+/// and exports, and the badge that counts it.
 /// A message that is chosen is shown: its element is selected, its layer visible.
 void addMessages(FeatureContext& context);
 

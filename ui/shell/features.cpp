@@ -6,6 +6,7 @@
 #include "ui/export/export_feature.h"
 #include "ui/layers/layers_feature.h"
 #include "ui/measure/measure_feature.h"
+#include "ui/messages/message_model.h"
 #include "ui/messages/messages_feature.h"
 #include "ui/netlist_check/netlist_check_feature.h"
 #include "ui/nets/nets_feature.h"
@@ -46,12 +47,19 @@ constexpr void (*kFeatures[])(FeatureContext&) = {
     addSearch,
 };
 
+/// What one feature finds out and another one lists.
+void connectMessages(const FeatureContext& context) {
+    QObject::connect(context.window.findChild<ClearanceFeature*>(), &ClearanceFeature::rulesListed,
+                     context.window.findChild<MessageModel*>(), &MessageModel::setRules);
+}
+
 }  // namespace
 
 void addFeatures(FeatureContext& context) {
     for (const auto feature : kFeatures) {
         feature(context);
     }
+    connectMessages(context);
 }
 
 }  // namespace ui

@@ -1,5 +1,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QtTest>
 #include <fstream>
@@ -7,9 +8,11 @@
 #include "model/clearance/design_rules.h"
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/clearance/clearance_feature.h"
 #include "ui/clearance/rule_dialog.h"
 #include "ui/clearance/rule_model.h"
 #include "ui/common/paths.h"
+#include "ui/messages/message_model.h"
 #include "ui/workspace/board_watch.h"
 
 namespace fs = std::filesystem;
@@ -19,7 +22,8 @@ using ui::ActionId;
 namespace {
 
 constexpr const char* kProject = R"json({
-"board": {"design_settings": {"rules": {"min_clearance": 0.17, "min_track_width": 0.13}}},
+"board": {"design_settings": {"rules": {"min_clearance": 0.17, "min_track_width": 0.13,
+  "min_via_diameter": 0.5}}},
 "net_settings": {
   "classes": [{"name": "Default", "clearance": 0.21}, {"name": "Power", "clearance": 0.43},
               {"name": "Elsewhere", "clearance": 0.9}],
@@ -50,6 +54,29 @@ private slots:
         const ui::RuleModel& model = window().find<ui::RuleModel>();
         QCOMPARE(model.rowCount(), 3);
         QCOMPARE(model.index(1, ui::RuleModel::First).data().toString(), "Power");
+    }
+
+    /// min_via_diameter has no counterpart: neither list nor verdict may be silent about it.
+    void whatIsLeftOutOfTheProjectIsSaid() {
+        const QString said = "Design rules: min_via_diameter is left out";
+        QCOMPARE(messageAt(said), QString("small.kicad_pro:3"));
+        QVERIFY(!messageAt("Design rules: no net of the board fits net class Elsewhere; its rules ask for nothing")
+                     .isNull());
+        check();
+        const QString verdict = window().panel("clearances").findChild<QLabel*>("summary")->text();
+        QVERIFY2(!verdict.contains("All rules pass"), qPrintable(verdict));
+        const QString notes = window().panel("clearances").findChild<QLabel*>("notes")->text();
+        QVERIFY2(notes.contains("not checked: 1 entry of the file of rules"), qPrintable(notes));
+
+        // Another file of rules has its own; undone, those of the project are back.
+        const fs::path custom = m_board.parent_path() / "other.kicad_dru";
+        std::ofstream(custom) << "(version 1)\n(rule a (constraint clearance (min 0.01mm)))\n(sheet)";
+        QVERIFY(window().find<ui::ClearanceFeature>().openRules(ui::fromPath(custom)));
+        QVERIFY(messageAt(said).isNull());
+        QCOMPARE(messageAt("Design rules: (sheet) is left out"), QString("other.kicad_dru:3"));
+        window().workspace().history().undo();
+        QVERIFY(!messageAt(said).isNull());
+        QVERIFY(messageAt("Design rules: (sheet) is left out").isNull());
     }
 
     void commonRulesThatWereChosenLastOverAReload() {
@@ -86,14 +113,8 @@ private slots:
     }
 
     void checksOfTheProjectAreComplete() {
-        auto* what = window().panel("clearances").findChild<QComboBox*>("what");
-        window().showPanel("clearances");
-        what->setCurrentIndex(static_cast<int>(ui::ClearancePanel::What::Rules));
-        window().actions()[ActionId::SearchClearances].trigger();
+        check();
         const ui::RuleModel& model = window().find<ui::RuleModel>();
-        QTRY_VERIFY_WITH_TIMEOUT(
-            !model.index(0, ui::RuleModel::Result).data().toString().isEmpty() && !window().workspace().isWorking(),
-            30000);
         for (int row = 0; row < model.rowCount(); ++row) {
             const QString result = model.index(row, ui::RuleModel::Result).data().toString();
             QVERIFY2(!result.contains("incomplete"), qPrintable(result));
@@ -103,6 +124,24 @@ private slots:
 private:
     [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
     [[nodiscard]] const model::RuleTable& rules() { return window().find<ui::RuleModel>().rules(); }
+    void check() {
+        auto* what = window().panel("clearances").findChild<QComboBox*>("what");
+        window().showPanel("clearances");
+        what->setCurrentIndex(static_cast<int>(ui::ClearancePanel::What::Rules));
+        window().actions()[ActionId::SearchClearances].trigger();
+        const ui::RuleModel& model = window().find<ui::RuleModel>();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !model.index(0, ui::RuleModel::Result).data().toString().isEmpty() && !window().workspace().isWorking(),
+            30000);
+    }
+    /// Where a message of the list is about; null if there is none.
+    [[nodiscard]] QString messageAt(const QString& text) {
+        const ui::MessageModel& messages = window().find<ui::MessageModel>();
+        const QModelIndexList found =
+            messages.match(messages.index(0, ui::MessageModel::Text), Qt::DisplayRole, text, 1, Qt::MatchExactly);
+        return found.isEmpty() ? QString()
+                               : found.front().siblingAtColumn(ui::MessageModel::Location).data().toString();
+    }
     void reload() {
         const model::Document* before = window().document();
         window().workspace().reload();

@@ -45,6 +45,12 @@ model::RuleFile import(const char* text) {
     return file ? *file : model::RuleFile{};
 }
 
+std::vector<std::string> textsOf(const std::vector<model::LeftOutRule>& leftOut) {
+    std::vector<std::string> texts;
+    std::ranges::transform(leftOut, std::back_inserter(texts), model::textOf);
+    return texts;
+}
+
 void write(const fs::path& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
 }
@@ -105,7 +111,7 @@ private slots:
     }
 
     void whatHasNoCounterpartIsNamedWithItsLine() {
-        QCOMPARE(import(kProject).leftOut,
+        QCOMPARE(textsOf(import(kProject).leftOut),
                  (std::vector<std::string>{"line 19: the clearance of net class Odd, which is no length, is left out",
                                            "line 7: min_via_diameter is left out"}));
         const model::RuleFile odd = import(R"json({"board": {"design_settings": {"rules": {
@@ -133,7 +139,7 @@ private slots:
                                             {RuleKind::TrackWidth, 150 * kUm, {}}};
         QVERIFY(file->table.rules == expected);
         QVERIFY(file->table.classes == (std::vector<NetClass>{{"Motor", {"GND"}}, {"Odd", {}}}));
-        QCOMPARE(file->leftOut,
+        QCOMPARE(textsOf(file->leftOut),
                  (std::vector<std::string>{"line 9: the clearance of net class Odd, which is no length, is left out"}));
         QVERIFY(!model::parseKicadBoardRules("(kicad_pcb (version 4))"));
         const auto nameless = model::parseKicadBoardRules(
@@ -141,7 +147,7 @@ private slots:
             "(net_class M \"\" (clearance 0.4) (add_net B))\n(net_class N\xff \"\" (clearance 0.5) (add_net C)))");
         QVERIFY(nameless);
         QVERIFY(nameless->table.classes == (std::vector<NetClass>{{"M", {"A"}}}));
-        QCOMPARE(nameless->leftOut,
+        QCOMPARE(textsOf(nameless->leftOut),
                  (std::vector<std::string>{"line 2: a net class without a name of its own is left out",
                                            "line 4: a net class without a name of its own is left out",
                                            "line 5: a net class whose name is no UTF-8 is left out"}));
@@ -160,12 +166,15 @@ private slots:
         QVERIFY(model::kicadRulesOf(board)->table.classes.front().name == "Power");
         const std::size_t count = model::kicadRulesOf(board)->table.rules.size();
         write(fs::path(board).replace_extension(".kicad_dru"),
-              "(version 1)\n(rule x (condition \"A.NetClass == 'Power'\") (constraint clearance (min 2mm)))");
+              "(version 1)\n(rule x (condition \"A.NetClass == 'Power'\") (constraint clearance (min 2mm)))\n(sheet)");
         const auto file = model::kicadRulesOf(board);
         QCOMPARE(file->table.rules.size(), count + 1);
         QCOMPARE(file->table.rules.back().least, 2000 * kUm);
         QCOMPARE(file->table.classes.size(), std::size_t{6});
         QCOMPARE(model::readRules(board)->table.rules.size(), count + 1);
+        QCOMPARE(file->leftOut.front().file, fs::path(board).replace_extension(".kicad_pro"));
+        QCOMPARE(file->leftOut.back(),
+                 (model::LeftOutRule{"(sheet) is left out", 3, fs::path(board).replace_extension(".kicad_dru")}));
         QVERIFY(!model::kicadRulesOf(fs::path(board).replace_extension(".tgz")));
         write(board, "(kicad_pcb (version 20241229))");
         fs::remove(fs::path(board).replace_extension(".kicad_pro"));
@@ -182,12 +191,13 @@ private slots:
               "(version 1)\n(rule x (condition \"A.NetName == 'CLK*'\") (constraint clearance (min 2mm)))");
         const model::RuleFile all = *model::kicadRulesOf(path);
         model::Document board;
-        QVERIFY(*model::kicadRulesFor(path, board) == all.table);  // it has no nets at all
+        QVERIFY(model::kicadRulesFor(path, board)->table == all.table);  // it has no nets at all
         board.nets.push_back({"GND", {}});
         board.nets.push_back({"/A", {}});
         model::RuleFile fitting = all;
         model::leaveOutUnusedClasses(fitting, board);
-        QVERIFY(*model::kicadRulesFor(path, board) == fitting.table);
+        QVERIFY(model::kicadRulesFor(path, board)->table == fitting.table);
+        QCOMPARE(fitting.leftOut, all.leftOut);  // classes that ask for nothing leave nothing unchecked
         const auto& rules = fitting.table.rules;
         const auto isOf = [](const Rule& rule, const char* name) { return std::ranges::count(rule.classes, name) > 0; };
         QVERIFY(std::ranges::any_of(rules, [&](const Rule& rule) { return isOf(rule, "Power"); }));
@@ -195,11 +205,10 @@ private slots:
         QVERIFY(std::ranges::none_of(rules, [&](const Rule& rule) { return isOf(rule, "Finer"); }));
         QVERIFY(std::ranges::none_of(rules, [](const Rule& rule) { return rule.least == 2000 * kUm; }));
         QCOMPARE(
-            std::ranges::count(fitting.leftOut, "no net of the board fits net class Finer; its rules ask for nothing"),
+            std::ranges::count(fitting.unused, "no net of the board fits net class Finer; its rules ask for nothing"),
             1);
         QCOMPARE(
-            std::ranges::count(fitting.leftOut, "no net of the board fits the name CLK*; its rules ask for nothing"),
-            1);
+            std::ranges::count(fitting.unused, "no net of the board fits the name CLK*; its rules ask for nothing"), 1);
 
         // Rules that somebody wrote for the board keep what fits nothing.
         fitting = all;

@@ -2,6 +2,7 @@
 #include "model/clearance/kicad_rules.h"
 
 #include <QtTest>
+#include <algorithm>
 
 #include "model/clearance/rule_presets.h"
 
@@ -56,8 +57,10 @@ private slots:
 (rule f (constraint clearance (min 0mm)))
 (sheet x))dru");
         QCOMPARE(file.table.rules.size(), std::size_t{1});
+        std::vector<std::string> leftOut;
+        std::ranges::transform(file.leftOut, std::back_inserter(leftOut), model::textOf);
         QCOMPARE(
-            file.leftOut,
+            leftOut,
             (std::vector<std::string>{
                 "line 3: rule b, length 1mm is left out", "line 5: rule c, condition A.insideArea('x') is left out",
                 "line 7: rule d, track_width without min is left out", "line 8: rule e, layer F.Cu is left out",

@@ -55,6 +55,17 @@ private slots:
         QCOMPARE(m_filter.index(3, 0).data().toString(), "Note");
     }
 
+    void whatRulesLeaveOutStaysOverAnExport() {
+        model::Diagnostics rules;
+        rules.report(Severity::Info, "b.kicad_pro", 7, "Design rules: min_via_diameter is left out");
+        m_model.setRules(rules);
+        m_model.setExported({});
+        QCOMPARE(m_model.rowCount(), 5);
+        QCOMPARE(m_model.index(4, MessageModel::Location).data().toString(), "b.kicad_pro:7");
+        m_model.setRules({});
+        QCOMPARE(m_model.rowCount(), 4);
+    }
+
     void newMessagesReplaceTheOldOnes() {
         m_model.setMessages(nullptr, {});
         QCOMPARE(m_model.rowCount(), 0);
