@@ -304,10 +304,11 @@ void ClearanceFeature::take() {
     m_requested = m_wanted;
     m_result = std::move(*result);
     if (m_wanted.throughStackup) {
-        m_locations.setThroughStackup(m_searched, m_result.throughStackup, m_result.names);
+        m_locations.setThroughStackup(m_searched, m_result.throughStackup, m_result.names, m_result.isCut);
     } else {
         m_locations.setSpacings(m_searched, spacingsOf(m_result),
-                                m_wanted.isOfRules ? m_wanted.rules : model::RuleTable{}, isComplete(m_result));
+                                m_wanted.isOfRules ? m_wanted.rules : model::RuleTable{}, isComplete(m_result),
+                                m_result.isCut);
     }
     if (m_wanted.isOfRules && m_rules.rules() == m_wanted.rules) {
         m_rules.setResults(resultsOf(m_wanted.rules, m_result));

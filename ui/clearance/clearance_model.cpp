@@ -30,11 +30,12 @@ ClearanceModel::ClearanceModel(QObject* parent)
                  parent) {}
 
 void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> spacings,
-                                 model::RuleTable rules, bool isComplete) {
+                                 model::RuleTable rules, bool isComplete, bool isCut) {
     beginResetModel();
     setBoard(std::move(board));
     m_rules = std::move(rules);
     m_isComplete = isComplete;
+    m_isCut = isCut;
     m_names.assign(m_tree.steps.size(), nullptr);
     for (const StepSpacings& step : spacings) {
         const auto at = std::ranges::find_if(m_tree.steps, [&](const auto& known) { return &*known == step.step; });
@@ -61,11 +62,12 @@ void ClearanceModel::setBoard(std::shared_ptr<const model::Document> board) {
 
 void ClearanceModel::setThroughStackup(std::shared_ptr<const model::Document> board,
                                        std::span<const model::StackupClearance> clearances,
-                                       std::vector<std::shared_ptr<const model::SideNames>> names) {
+                                       std::vector<std::shared_ptr<const model::SideNames>> names, bool isCut) {
     beginResetModel();
     setBoard(std::move(board));
     m_rules = {};
     m_isComplete = true;
+    m_isCut = isCut;
     m_names = std::move(names);
     for (const model::StackupClearance& found : clearances) {
         const model::RuleFinding plain{0, found.layerA, found.a.element, found.b.element, found.spacing};
@@ -99,8 +101,12 @@ QString ClearanceModel::foundOf(std::span<const Location> locations) const {
     const auto smallest =
         std::ranges::min_element(locations, {}, [](const Location& p) { return p.found.spacing.distance; });
     const QString spacing = lengthText(smallest->found.spacing.distance, unit());
-    return locations.size() == 1 ? tr("1 location, spacing %1").arg(spacing)
-                                 : tr("%L1 locations, the smallest spacing %2").arg(locations.size()).arg(spacing);
+    if (locations.size() == 1) {
+        return tr("1 location, spacing %1").arg(spacing);
+    }
+    const QString text =
+        m_isCut ? tr("at least %L1 locations, the smallest spacing %2") : tr("%L1 locations, the smallest spacing %2");
+    return text.arg(locations.size()).arg(spacing);
 }
 
 int ClearanceModel::rowOf(const Location& location) const {

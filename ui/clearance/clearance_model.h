@@ -34,14 +34,14 @@ public:
     explicit ClearanceModel(QObject* parent = nullptr);
 
     /// `rules` say what a finding's rule is; empty for a search without rules. `isComplete`: could they check
-    /// everything? A null board empties the table.
+    /// everything? `isCut`: may there be more locations than these? A null board empties the table.
     void setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> spacings,
-                     model::RuleTable rules, bool isComplete);
+                     model::RuleTable rules, bool isComplete, bool isCut = false);
 
     /// Distances in space, as they are found; `names` by step of StepTree::steps.
     void setThroughStackup(std::shared_ptr<const model::Document> board,
                            std::span<const model::StackupClearance> clearances,
-                           std::vector<std::shared_ptr<const model::SideNames>> names);
+                           std::vector<std::shared_ptr<const model::SideNames>> names, bool isCut = false);
 
     struct Location {
         std::uint32_t step = 0;  ///< row of model::StepTree::steps
@@ -61,7 +61,8 @@ public:
     /// Waived ones are the last rows.
     [[nodiscard]] bool hasWaived() const { return !m_locations.empty() && m_locations.back().waiver; }
     [[nodiscard]] int rankOf(int row) const override { return location(row).waiver ? 0 : 1; }
-    /// "12 locations, the smallest spacing 0.1 mm", of rules with their tolerance, or that no search was made yet.
+    /// "12 locations, the smallest spacing 0.1 mm", "at least 500 locations, …" of those that are cut, of rules with
+    /// their tolerance, or that no search was made yet.
     [[nodiscard]] QString summary() const;
 
 private:
@@ -82,6 +83,7 @@ private:
     model::StepTree m_tree;
     model::RuleTable m_rules;
     bool m_isComplete = true;
+    bool m_isCut = false;
     std::vector<std::shared_ptr<const model::SideNames>> m_names;  ///< by step of the tree
     std::vector<Location> m_locations;
 };

@@ -56,6 +56,7 @@ base::Status measure(const Document& step, const ClearanceRequest& request, base
     }
     ASSIGN_OR_RETURN(std::vector<model::Clearance> clearances,
                      model::smallestClearances(step, request.question, progress));
+    answer.isCut = answer.isCut || clearances.size() == request.question.count;
     answer.clearances.push_back({&step, std::move(clearances)});
     answer.names.push_back(std::make_shared<const model::SideNames>(step));
     return base::Done{};
@@ -65,6 +66,7 @@ Result<ClearanceResult> measureThrough(const Document& board, const model::Stack
                                        base::Progress& progress) {
     ClearanceResult answer;
     ASSIGN_OR_RETURN(answer.throughStackup, model::smallestThroughStackup(board, request, progress));
+    answer.isCut = answer.throughStackup.size() == request.count;
     for (const Document* step : model::unfoldCopies(board).steps) {
         answer.names.push_back(std::make_shared<const model::SideNames>(*step));
     }

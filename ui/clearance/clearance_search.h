@@ -22,6 +22,7 @@ struct ClearanceResult {
     std::vector<model::StepClearances> clearances;
     std::vector<model::StepRules> rules;
     std::size_t leftOut = 0;  ///< as requested; 0 if no rules were checked
+    bool isCut = false;       ///< no more than the request's count was looked for, and there may be more
     std::vector<model::StackupClearance> throughStackup;
     std::vector<std::shared_ptr<const model::SideNames>> names;  ///< of the steps of the one that is not empty; through
                                                                  ///< the stackup those of StepTree::steps

@@ -1,4 +1,4 @@
-// What a search for clearances and a check of rules say of themselves: what nobody checked.
+// What a search for clearances and a check of rules say of themselves: that there may be more, and what nobody checked.
 #include "ui/clearance/clearance_search.h"
 
 #include <QtTest>
@@ -29,7 +29,7 @@ QString summaryOf(const std::shared_ptr<const model::Document>& board, const Cle
     const base::Result<ClearanceResult> found = ui::searchClearances(*board, request, progress);
     ui::ClearanceModel model;
     model.setSpacings(board, spacingsOf(*found), request.isOfRules ? request.rules : model::RuleTable{},
-                      isComplete(*found));
+                      isComplete(*found), found->isCut);
     return model.summary();
 }
 
@@ -39,6 +39,17 @@ class ClearanceSearchTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void aLongListSaysThatThereMayBeMore() {
+        const auto board = threeDiscs();
+        ClearanceRequest request;
+        request.question.count = 500;
+        const QString all = summaryOf(board, request);
+        QVERIFY2(all.contains(" locations, ") && !all.contains("at least"), qPrintable(all));
+        request.question.count = 2;
+        const QString cut = summaryOf(board, request);
+        QVERIFY2(cut.startsWith("at least 2 locations, "), qPrintable(cut));
+    }
+
     /// Rules that pass say nothing of what their file asks for besides.
     void whatIsLeftOutOfTheRulesIsNoPass() {
         const auto board = threeDiscs();
