@@ -530,8 +530,8 @@ std::string versionText() {
 
 /// As in docs/command-line.md, for --help and the man pages.
 constexpr const char* kExitCodes =
-    "Exit codes: 0 done; 1 wrong usage; 2 the input cannot be read; 3 no usable device, not enough memory, or the "
-    "output cannot be written; 4 a limit set by an option is broken.";
+    "Exit codes: 0 done; 1 wrong usage; 2 the input cannot be read; 3 no usable device or module, not enough memory, "
+    "or the output cannot be written; 4 a limit set by an option is broken.";
 
 constexpr void (*kCommands[])(CLI::App&, Command&) = {addInfo,    addRender,  addGenerate, addBench,  addClearance,
                                                       addSection, addMeasure, addExport,   addVerify, addAgree};

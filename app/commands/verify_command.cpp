@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/common/console_progress.h"
+#include "app/verify/step_file.h"
 #include "app/verify/verify_report.h"
 #include "model/export/solids/step_export.h"
 
@@ -80,6 +81,7 @@ Result<VerifyReport> verify(const Document& board, const VerifyArguments& argume
 }  // namespace
 
 Outcome runVerify(const VerifyArguments& arguments) {
+    RETURN_IF_ERROR(StepFile::checkReader());
     ConsoleProgress console;
     ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
     ASSIGN_OR_RETURN(const VerifyReport report, verify(*board, arguments, console.progress()));

@@ -11,19 +11,35 @@ namespace {
 
 using Read = void (*)(const std::filesystem::path&, bool, base::Result<std::unique_ptr<StepFile>>&);
 
-}  // namespace
+/// What the module offers.
+struct Reader {
+    Read read = nullptr;
+};
 
-base::Result<std::unique_ptr<StepFile>> StepFile::read(const std::filesystem::path& path, bool isStrict) {
+/// The module stays loaded until the program ends.
+base::Result<Reader> loadedReader() {
     const std::filesystem::path module = besideProgram(COPPERSCOPE_MODULES "/step_reader.so");
-    void* const loaded = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);  // until the program ends
+    void* const loaded = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
     const auto reads = loaded != nullptr ? reinterpret_cast<Read>(::dlsym(loaded, "readStepFile")) : nullptr;
     if (reads == nullptr) {
-        return base::Error{base::ErrorCode::BadUsage,
+        return base::Error{base::ErrorCode::DeviceFailed,  // as a graphics device that is not there
                            std::string("STEP files cannot be read here: ") + ::dlerror() +
                                " (builds need OpenCASCADE for it; Debian: libocct-data-exchange-dev)"};
     }
+    return Reader{reads};
+}
+
+}  // namespace
+
+base::Status StepFile::checkReader() {
+    const base::Result<Reader> reader = loadedReader();
+    return reader ? base::Status(base::Done{}) : base::Status(reader.error());
+}
+
+base::Result<std::unique_ptr<StepFile>> StepFile::read(const std::filesystem::path& path, bool isStrict) {
+    ASSIGN_OR_RETURN(const Reader reader, loadedReader());
     base::Result<std::unique_ptr<StepFile>> result(nullptr);
-    reads(path, isStrict, result);
+    reader.read(path, isStrict, result);
     return result;
 }
 

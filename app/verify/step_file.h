@@ -23,8 +23,11 @@ class StepFile {
 public:
     virtual ~StepFile() = default;
 
+    /// Can STEP files be read here? To be asked before one is written to be read back. Errors: DeviceFailed where the
+    /// module (app/step_reader) is missing or cannot be loaded.
+    [[nodiscard]] static base::Status checkReader();
     /// `isStrict` reads without the repairs that readers make on their own, which hide wrong loops. Loads the module
-    /// that reads (app/step_reader). Errors: BadInput; BadUsage where the module is missing.
+    /// that reads. Errors: BadInput, those of checkReader.
     [[nodiscard]] static base::Result<std::unique_ptr<StepFile>> read(const std::filesystem::path& path, bool isStrict);
 
     [[nodiscard]] virtual std::size_t size() const = 0;

@@ -115,7 +115,7 @@ private slots:
         const Outcome done = copperscope({"verify", locations::kSample, "--layers", "L01-TOP_LAYER", "--sample", "60",
                                           "--points", "400", "--no-pictures", "--strict", "--json"});
         if (done.err.contains("OpenCASCADE")) {
-            QCOMPARE(done.exitCode, 1);
+            QCOMPARE(done.exitCode, 3);
             QSKIP("this build has no OpenCASCADE");
         }
         QVERIFY2(done.exitCode == 0, done.err.constData());
@@ -124,6 +124,23 @@ private slots:
         QVERIFY(report["solids"].toInt() >= 20);
         QCOMPARE(report["solids"], report["expected"]);
         QVERIFY(report["points"]["share"].toDouble() >= 0.9999);
+    }
+
+    /// A program that was copied without its modules says so before it reads a board or writes a file.
+    void withoutTheReaderNothingIsWritten() {
+        const QTemporaryDir folder;
+        const QString alone = folder.filePath("copperscope");
+        QVERIFY(QFile::copy(locations::kProgram, alone));
+        QVERIFY(QDir(folder.path()).mkdir("written"));
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("TMPDIR", folder.filePath("written"));
+        process.setProcessEnvironment(environment);
+        process.start(alone, {"verify", locations::kSample, "--layers", "top_paste", "--no-pictures"});
+        const Outcome done = program::outcomeOf(process);
+        QCOMPARE(done.exitCode, 3);
+        QVERIFY2(done.err.contains("OpenCASCADE") && !done.err.contains("MB written"), done.err.constData());
+        QVERIFY(done.out.isEmpty() && QDir(folder.filePath("written")).isEmpty());
     }
 
     void wallsWithBendsAreProvedToo() {
@@ -144,8 +161,8 @@ private slots:
             0);
         const Outcome done = copperscope({"verify", locations::kSample, "--layers", "bottom_paste", "--step", path,
                                           "--points", "100", "--no-pictures"});
-        QVERIFY(done.exitCode == 4 || (done.exitCode == 1 && done.err.contains("OpenCASCADE")));
-        QVERIFY2(done.exitCode == 1 || done.out.contains("its volume is "), done.out.constData());
+        QVERIFY(done.exitCode == 4 || (done.exitCode == 3 && done.err.contains("OpenCASCADE")));
+        QVERIFY2(done.exitCode == 3 || done.out.contains("its volume is "), done.out.constData());
     }
 };
 
