@@ -13,6 +13,7 @@
 #include "app/commands/info_command.h"
 #include "app/commands/interaction_command.h"
 #include "app/commands/measure_command.h"
+#include "app/commands/misspelt_command.h"
 #include "app/commands/render_command.h"
 #include "app/commands/section_command.h"
 #include "app/commands/verify_command.h"
@@ -536,6 +537,11 @@ constexpr const char* kExitCodes =
 constexpr void (*kCommands[])(CLI::App&, Command&) = {addInfo,    addRender,  addGenerate, addBench,  addClearance,
                                                       addSection, addMeasure, addExport,   addVerify, addAgree};
 
+/// Says why, and nothing else.
+Command refusal(const std::string& why) {
+    return [why] { return fail({base::ErrorCode::BadUsage, why}); };
+}
+
 }  // namespace
 
 std::shared_ptr<CLI::App> makeCommandLine(int argc, char** argv, Command& chosen) {
@@ -562,10 +568,14 @@ Command parseCommandLine(int argc, char** argv) {
     try {
         parser->parse(argc, argv);
     } catch (const CLI::ParseError& error) {
+        if (const auto misspelt = misspeltCommand(*parser); misspelt && error.get_exit_code() != 0) {
+            return refusal(*misspelt);
+        }
         const int code = parser->exit(error) == 0 ? kDone : kWrongUsage;
         return [code] { return code; };
     }
-    return chosen;
+    const auto misspelt = misspeltCommand(*parser);
+    return misspelt ? refusal(*misspelt) : chosen;
 }
 
 }  // namespace app

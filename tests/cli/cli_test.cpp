@@ -150,6 +150,21 @@ private slots:
         QVERIFY(run.err.isEmpty());
     }
 
+    void aMisspeltCommandIsNamed() {
+        const auto errorOf = [](const QStringList& arguments) {
+            const Outcome run = copperscope(arguments, QDir::tempPath());
+            return run.exitCode == 1 && run.out.isEmpty() ? run.err : QByteArray();
+        };
+        const QByteArray near = errorOf({"clearnce", locations::kSample});
+        QVERIFY2(near.contains("clearnce is neither") && near.contains("did you mean clearance?"), near.constData());
+        QCOMPARE(errorOf({"clearnce", locations::kSample, "--rules", "default"}), near);
+        QCOMPARE(errorOf({"clearnce"}), near);
+        const QByteArray far = errorOf({"frobnicate"});
+        QVERIFY2(far.contains("frobnicate is neither") && !far.contains("did you mean"), far.constData());
+        const QByteArray option = errorOf({"info", "--frobnicate"});
+        QVERIFY2(option.contains("--frobnicate") && !option.contains("neither"), option.constData());
+    }
+
     void wrongUsageAnswersOne_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addRow("unknown option") << QStringList{"info", "--frobnicate"};
