@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "ui/common/paths.h"
@@ -22,6 +23,16 @@ std::size_t warningsOf(const model::Diagnostics& diagnostics) {
     return static_cast<std::size_t>(std::ranges::count_if(diagnostics.entries(), isWarning));
 }
 
+/// Those of the job, without what we add (board body, bodies of components, solder mask).
+std::size_t layersOfJob(const model::Document& board) {
+    return static_cast<std::size_t>(std::ranges::count(board.layers, false, &model::Layer::isSynthetic));
+}
+
+std::size_t elementsOfJob(const model::Document& board) {
+    const auto counts = board.elementCounts();
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
 /// "Opened board.tgz: 24 layers, 141,000 elements, 3 warnings, in 1.2 s"
 QString summaryOf(const LoadedBoard& board) {
     const auto counted = [](std::size_t count, const QString& one, const QString& many) {
@@ -30,8 +41,8 @@ QString summaryOf(const LoadedBoard& board) {
     const std::size_t warnings = warningsOf(board.document->diagnostics) + warningsOf(board.model->diagnostics);
     return Workspace::tr("Opened %1: %2, %3, %4, in %5")
         .arg(displayName(board.request.path),
-             counted(board.document->layers.size(), Workspace::tr("%1 layer"), Workspace::tr("%1 layers")),
-             counted(board.document->elements.size(), Workspace::tr("%1 element"), Workspace::tr("%1 elements")),
+             counted(layersOfJob(*board.document), Workspace::tr("%1 layer"), Workspace::tr("%1 layers")),
+             counted(elementsOfJob(*board.document), Workspace::tr("%1 element"), Workspace::tr("%1 elements")),
              counted(warnings, Workspace::tr("%1 warning"), Workspace::tr("%1 warnings")), timeText(board.seconds));
 }
 

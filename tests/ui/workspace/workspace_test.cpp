@@ -24,6 +24,12 @@ base::Result<LoadedBoard> work(const OpenRequest& request, base::Progress& progr
     }
     model::DocumentBuilder builder;
     builder.job().step = "pcb";
+    for (const bool isSynthetic : {false, true}) {
+        model::Layer layer;
+        layer.isSynthetic = isSynthetic;
+        builder.beginLayer(builder.addLayer(layer));
+        builder.addCircle({{0, 0}, 1'000'000, 0}, {});
+    }
     LoadedBoard board{{request, builder.finish()}, std::make_shared<const render::BoardModel>(), {}};
     board.thicknesses = {{{"TOP", 35'000}}, {{"CORE", 1'000'000}}};
     if (request.path == "noted") {
@@ -51,6 +57,14 @@ private slots:
         connect(&workspace, &Workspace::boardRead, this, [&] { QVERIFY(workspace.board() != nullptr); });
         open(workspace, "board");
         QCOMPARE(steps, QStringList({"read", "shown", "selection", "opened", "restored"}));
+    }
+
+    void layersAndElementsAreThoseOfTheJob() {
+        Workspace workspace(work);
+        const QSignalSpy reports(&workspace, &Workspace::reported);
+        open(workspace, "board");
+        const QString said = reports.last()[0].toString();
+        QVERIFY2(said.startsWith("Opened board: 1 layer, 1 element, "), qPrintable(said));
     }
 
     void whatWasOfTheBoardBeforeGoes() {
