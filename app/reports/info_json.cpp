@@ -144,6 +144,7 @@ ordered_json infoJson(const CountedBoard& board, const std::vector<model::StepCh
                          {"nets", netsJson(document)},
                          {"components", componentsJson(document)},
                          {"drills", drillsJson(document)},
+                         {"holes_with_copies", holesWithCopies(document)},
                          {"board",
                           {{"width_nm", document.board.width()},
                            {"height_nm", document.board.height()},

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
+#include "model/board/copies.h"
 #include "model/board/holes.h"
 #include "model/board/stackup.h"
 #include "model/board/stackup_checks.h"
@@ -177,14 +179,26 @@ ordered_json drillsJson(const model::Document& document) {
     return json;
 }
 
+std::uint64_t holesWithCopies(const model::Document& document) {
+    const model::StepTree tree = model::unfoldCopies(document);
+    std::vector<std::uint64_t> ofStep(tree.steps.size());
+    for (std::size_t step = 0; step < ofStep.size(); ++step) {
+        for (const DrillRow& row : model::drillTable(*tree.steps[step])) {
+            ofStep[step] += row.count;
+        }
+    }
+    return std::accumulate(tree.copies.begin(), tree.copies.end(), std::uint64_t{0},
+                           [&](std::uint64_t sum, const model::StepCopy& copy) { return sum + ofStep[copy.step]; });
+}
+
 void printDrills(const model::Document& document) {
-    const std::vector<DrillRow> rows = model::drillTable(document);
-    if (rows.empty()) {
+    const std::uint64_t all = holesWithCopies(document);
+    if (all == 0) {
         return;
     }
     std::printf("\n%-28s %-9s %-10s %-6s %9s %9s %5s %11s %9s %8s  %s\n", "holes on", "span", "kind", "shape",
                 "hole mm", "inside mm", "tool", "finished mm", "drill mm", "count", "from - to");
-    for (const DrillRow& row : rows) {
+    for (const DrillRow& row : model::drillTable(document)) {
         const model::Layer& layer = document.layer(row.layer);
         const bool hasTool = row.tool != nullptr;
         std::printf("%-28s %-9s %-10s %-6s %9s %9s %5s %11s %9s %8u  %s - %s\n", layer.name.c_str(),
@@ -193,6 +207,9 @@ void printDrills(const model::Document& document) {
                     hasTool ? inMm(row.tool->finishedSize).c_str() : "-",
                     hasTool ? inMm(row.tool->drillSize).c_str() : "-", row.count,
                     nameOf(document, layer.spanTop).c_str(), nameOf(document, layer.spanBottom).c_str());
+    }
+    if (!document.instances.empty()) {
+        std::printf("%-104s %8llu\n", "with the copies of other steps", static_cast<unsigned long long>(all));
     }
 }
 

@@ -23,7 +23,10 @@ void printStackup(const model::Document& document);
 /// job does not say.
 [[nodiscard]] nlohmann::ordered_json drillsJson(const model::Document& document);
 
-/// The same as a table on stdout; nothing for a board without holes.
+/// All holes of the step and of the copies on it, whatever their depth.
+[[nodiscard]] std::uint64_t holesWithCopies(const model::Document& document);
+
+/// `drills` as a table on stdout, on panels with holesWithCopies(); nothing where that is 0.
 void printDrills(const model::Document& document);
 
 }  // namespace app

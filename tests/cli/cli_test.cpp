@@ -150,6 +150,27 @@ private slots:
         QVERIFY(run.err.isEmpty());
     }
 
+    void holesOfCopiesAreCountedToo() {
+        const QString panel = QString(locations::kTestData) + "/odb/panel";
+        const QJsonObject info = QJsonDocument::fromJson(copperscope({"info", panel, "--json"}).out).object();
+        const auto countOf = [](const QJsonObject& board) {
+            int count = 0;
+            for (const QJsonValue& row : board["drills"].toArray()) {
+                count += row["count"].toInt();
+            }
+            return count;
+        };
+        int expected = countOf(info);
+        for (const QJsonValue& placed : info["placed_steps"].toArray()) {
+            const Outcome step = copperscope({"info", panel, "--json", "--step", placed["name"].toString()});
+            expected += placed["copies"].toInt() * countOf(QJsonDocument::fromJson(step.out).object());
+        }
+        QVERIFY(expected > countOf(info));
+        QCOMPARE(info["holes_with_copies"].toInt(), expected);
+        const QByteArray text = copperscope({"info", panel}).out;
+        QVERIFY2(text.contains(" " + QByteArray::number(expected) + "\n"), text.constData());
+    }
+
     void aMisspeltCommandIsNamed() {
         const auto errorOf = [](const QStringList& arguments) {
             const Outcome run = copperscope(arguments, QDir::tempPath());
