@@ -159,7 +159,8 @@ void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
                             layer,
                             own->depthA + (own->depthB - own->depthA) * part,
                             missedBy,
-                            sizeOf(step.boxOf(element))});
+                            sizeOf(step.boxOf(element)),
+                            (step.elements.flags[row] & (kPad | kHole)) != 0});
         });
     }
 }
@@ -168,8 +169,8 @@ namespace {
 
 void sortHits(std::vector<Hit>& hits) {
     std::ranges::sort(hits, {}, [](const Hit& hit) {
-        return std::tuple(hit.missedBy > 0.0, hit.depth, hit.size, hit.missedBy, hit.layer, ~hit.at.element.value,
-                          hit.at.copy);
+        return std::tuple(hit.missedBy > 0.0, hit.depth, !hit.isPad, hit.size, hit.missedBy, hit.layer,
+                          ~hit.at.element.value, hit.at.copy);
     });
 }
 

@@ -39,12 +39,14 @@ struct Hit {
     double depth = 0.0;   ///< steps along the line of sight; in 2D how far its layer is below the nearest one, nm
     double missedBy = 0;  ///< nm; 0 where the element covers the location
     double size = 0.0;    ///< diagonal of its box, nm
+    bool isPad = false;   ///< a pad or a hole
 };
 
 /// Which elements a location of the board shows, from the exact geometry: arcs are arcs, holes are filled as far as the
 /// drill reaches. The result is a list from what is seen first to what lies beneath, so that repeated clicks walk
 /// through it: what covers the location before what only comes near, nearer layers before farther ones, in one plane
-/// the smaller before the larger and then what was drawn later. Equal input gives equal order.
+/// pads and holes before tracks and areas, which may end within them or lie beneath, then the smaller before the larger
+/// and then what was drawn later. Equal input gives equal order.
 ///
 /// Outlines of large areas are kept once they were requested; one thread at a time.
 class Picker {

@@ -92,6 +92,25 @@ private slots:
                  (std::vector{b.hole, b.back, b.body, b.pad, b.line, b.plane}));
     }
 
+    void padsComeBeforeTracksThatEndWithinThem() {
+        DocumentBuilder builder;
+        builder.beginLayer(builder.addLayer({}));
+        DocumentBuilder::Origin ofPad;
+        ofPad.flags = kPad;
+        const ElementId pad = builder.addCircle({{0, 0}, 2 * kMm, 0}, ofPad);
+        const ElementId stub = builder.addLine({{0, 0}, {kMm / 2, 0}, kMm / 10, 0}, {});
+        const ElementId plane = builder.addCircle({{0, 0}, 9 * kMm, 0}, {});
+        const ElementId smallPad = builder.addCircle({{0, 0}, kMm / 5, 0}, ofPad);
+        Picker picker(indexed(builder.finish()));
+        const std::vector<PickLayer> layers = {{true, 0.0, 1e5}};
+        const std::vector order{smallPad, pad, stub, plane};
+        QCOMPARE(elementsOf(picker.at({0.0, 0.0}, 0.0, layers, false)), order);
+        QCOMPARE(elementsOf(picker.along({{0.0, 0.0}, 1e6, {0.0, 0.0}, 1.0}, 0.0, layers)), order);
+        // What covers the location comes before a pad that is only near.
+        const auto beside = picker.at({1.01 * kMm, 0.0}, 0.1 * kMm, layers, false);
+        QCOMPARE(elementsOf(beside), (std::vector{plane, pad}));
+    }
+
     void hiddenLayersAreNotPicked() {
         Board b;
         Picker picker(indexed(b.builder.finish()));
