@@ -254,8 +254,8 @@ void LayerModel::restoreDefaults() {
 
 void LayerModel::toggleSolo(model::LayerId layer) {
     ASSERT(!layer.isValid() || layer.row() < m_styles.size());
-    m_solo = layer == m_solo ? model::LayerId{} : layer;
-    announceAllChanged();
+    const int soloCell = rows() * columnCount();  // behind all that can be edited
+    change(tr("showing a layer alone"), soloCell, [&] { m_solo = layer == m_solo ? model::LayerId{} : layer; });
 }
 
 void LayerModel::announceAllChanged() {

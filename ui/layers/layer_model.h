@@ -32,7 +32,8 @@ struct LayerEdit {
     QString what;  ///< for the undo history
     LayerSettings before;
     LayerSettings after;
-    /// Of colours and opacities that change while the user drags: edits of one cell in a row are one step. None: -1.
+    /// Of colours and opacities that change while the user drags: edits of one cell in a row are one step. The same of
+    /// what is shown alone, layer after layer, which leaves no step once it has ended. None: -1.
     int cell = -1;
 };
 
@@ -101,7 +102,7 @@ public:
 signals:
     /// Once per edit, however many layers it concerns.
     void stylesChanged();
-    /// The user did this; what only shows for a while (solo) or came with a board is none.
+    /// The user did this; what came with a board is none.
     void edited(const ui::LayerEdit& edit);
 
 private:

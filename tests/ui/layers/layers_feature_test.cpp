@@ -32,6 +32,20 @@ private slots:
         QCOMPARE(window().layers().visibility(), before);
     }
 
+    void whatIsShownAloneIsAStepOfItsOwn() {
+        const model::LayerId hidden = clickOn("BOTTOM", ui::LayerModel::Visible);
+        const model::LayerId alone = clickOn("TOP", ui::LayerModel::Solo);
+        QCOMPARE(window().layers().soloLayer(), alone);
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!window().layers().soloLayer().isValid());
+        QVERIFY2(!window().layers().visibility()[hidden.row()], "one step each");
+        clickOn("TOP", ui::LayerModel::Solo);
+        clickOn("TOP", ui::LayerModel::Solo);  // over, and nothing is left of it
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(window().layers().visibility()[hidden.row()]);
+        QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
+    }
+
     void ownSetsAreKeptWithTheBoardAndUndone() {
         window().layers().showOnly({"TOP"});
         sets().save("Mine & yours");
@@ -146,6 +160,15 @@ private:
     TestWindow& window() { return m_fixture->window(); }
     ui::LayerSets& sets() { return window().find<ui::LayerSets>(); }
     QToolButton& button() { return *window().findChild<QToolButton*>("layerSets"); }
+    /// A cell of a layer in the panel.
+    model::LayerId clickOn(const char* layer, ui::LayerModel::Column column) {
+        ui::TableView& table = window().layersPanel().table();
+        const model::LayerId id = window().document()->findLayer(layer);
+        window().layersPanel().select(id);
+        const QModelIndex cell = table.currentIndex().siblingAtColumn(column);
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(cell).center());
+        return id;
+    }
     void trigger(ActionId id) { window().actions()[id].trigger(); }
     /// `part`: 0 = solder mask, 1 = silkscreen, 2 = finish.
     void chooseBoardColour(int part, const QString& text) {
