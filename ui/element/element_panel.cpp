@@ -91,7 +91,7 @@ void ElementPanel::update() {
     }
     const QString& title = m_selection.title();
     m_heading->setText(count == 0         ? tr("Click an element in a view to see its properties")
-                       : !title.isEmpty() ? tr("%1, %L2 elements; of the last one:").arg(title).arg(count)
+                       : !title.isEmpty() ? tr("%1, %L2 elements; one of them:").arg(title).arg(count)
                        : count == 1       ? tr("One element")
                                           : tr("%L1 elements; of the last one:").arg(count));
     const auto current = m_selection.current();

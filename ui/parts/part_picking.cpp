@@ -19,15 +19,18 @@ QString partsTitle(const PartPicking& parts, const std::vector<BoardPart>& chose
     if (chosen.size() != 1) {
         return PartPicking::tr("%L1 components").arg(chosen.size());
     }
-    const model::Document& step = parts.document(chosen.front().step);
-    return PartPicking::tr("Component %1")
-        .arg(QString::fromStdString(step.components[chosen.front().component.row()].refdes));
+    return PartPicking::tr("Component %1").arg(parts.nameOf(chosen.front()));
 }
 
 QString pinsTitle(const PartPicking& parts, const std::vector<BoardPin>& chosen) {
-    return chosen.size() != 1 ? PartPicking::tr("%L1 pins").arg(chosen.size())
-                              : PartPicking::tr("Pin %1").arg(QString::fromStdString(
-                                    model::fullPinName(parts.document(chosen.front().step), chosen.front().pin)));
+    if (chosen.size() != 1) {
+        return PartPicking::tr("%L1 pins").arg(chosen.size());
+    }
+    const auto [step, pin] = chosen.front();
+    const model::Document& document = parts.document(step);
+    const bool isOnBottom = parts.isOnBottom({step, document.pins[pin.row()].component});
+    return (isOnBottom ? PartPicking::tr("Pin %1 (bottom)") : PartPicking::tr("Pin %1"))
+        .arg(QString::fromStdString(model::fullPinName(document, pin)));
 }
 
 void add(std::uint32_t copy, const std::vector<model::ElementId>& elements, std::vector<model::BoardElement>& all) {
@@ -39,7 +42,7 @@ void add(std::uint32_t copy, const std::vector<model::ElementId>& elements, std:
 }  // namespace
 
 PartPicking::PartPicking(const ActionSet& actions, Workspace& workspace, QObject* parent)
-    : QObject(parent), m_workspace(workspace), m_selection(workspace.selection()) {
+    : QObject(parent), m_workspace(workspace), m_selection(workspace.selection()), m_hint(workspace) {
     connect(&m_selection, &SelectionModel::selectionChanged, this, &PartPicking::onSelectionChanged);
     connect(&actions[ActionId::SelectComponent], &QAction::triggered, this, [this] {
         if (const auto at = target()) {
@@ -62,11 +65,23 @@ std::optional<BoardPart> PartPicking::wholePart() const {
                                                                                    : std::nullopt;
 }
 
+bool PartPicking::isOnBottom(const BoardPart& part) const {
+    if (!part.component.isValid()) {
+        return false;
+    }
+    const bool isFlipped = m_selection.tree().copies[m_selection.firstCopyOf(part.step)].isFlipped;
+    const model::LayerSide side = document(part.step).components[part.component.row()].side;
+    return side == (isFlipped ? model::LayerSide::Top : model::LayerSide::Bottom);
+}
+
+QString PartPicking::nameOf(const BoardPart& part) const {
+    const QString name = QString::fromStdString(document(part.step).components[part.component.row()].refdes);
+    return isOnBottom(part) ? tr("%1 (bottom)").arg(name) : name;
+}
+
 std::optional<model::BoardElement> PartPicking::target() {
     const auto at = m_selection.pointedOrCurrent();
-    if (!at) {
-        m_workspace.report(tr("Point at a pad or a body, or select one"));
-    }
+    at ? m_hint.end() : m_hint.show(tr("Point at a pad or a body, or select one"));
     return at;
 }
 
@@ -126,13 +141,32 @@ void PartPicking::select(std::vector<BoardPin> pins) {
         parts.push_back({pin.step, document(pin.step).pins[pin.pin.row()].component});
     }
     sortUnique(parts);
+    endWithCopper(elements);
     if (elements.empty() && !pins.empty()) {
         m_workspace.report(tr("%1: no pads or holes to show").arg(pinsTitle(*this, pins)));
     }
     select({pinsTitle(*this, pins), parts, pins}, elements);
 }
 
+/// The last one is what the element panel shows: of pads on copper, solder mask and paste it is the copper.
+void PartPicking::endWithCopper(std::vector<model::BoardElement>& elements) const {
+    const auto isCopper = [&](const model::BoardElement& at) {
+        const model::Document& step = m_selection.stepOf(at);
+        return step.layer(step.elements.layer[at.element.row()]).isCopper();
+    };
+    if (const auto found = std::ranges::find_if(elements, isCopper); found != elements.end()) {
+        std::rotate(found, found + 1, elements.end());
+    }
+}
+
 void PartPicking::showSelected() {
+    if (m_parts.size() == 1 && isOnBottom(m_parts.front())) {
+        m_hint.show(tr("%1 is on the bottom of the board")
+                        .arg(QString::fromStdString(
+                            document(m_parts.front().step).components[m_parts.front().component.row()].refdes)));
+    } else {
+        m_hint.end();
+    }
     if (!m_selection.selected().empty()) {
         m_workspace.showElements(m_selection.selected());
         return;
@@ -150,6 +184,7 @@ void PartPicking::showSelected() {
 }
 
 void PartPicking::onSelectionChanged() {
+    m_hint.end();
     if (!m_isChoosing) {
         m_parts.clear();
         m_pins.clear();

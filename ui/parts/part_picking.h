@@ -5,6 +5,7 @@
 
 #include "model/index/pin_finder.h"
 #include "ui/workspace/actions.h"
+#include "ui/workspace/hint.h"
 #include "ui/workspace/workspace.h"
 
 namespace ui {
@@ -38,7 +39,7 @@ public:
     void select(std::vector<BoardPart> parts);
     void select(std::vector<BoardPin> pins);
     /// Brings what is selected to the middle of the views, or where the first chosen one is placed if that has no
-    /// elements.
+    /// elements, and reports that it is on the bottom: a view from the top shows it through the board.
     void showSelected();
 
     /// Of what is selected, in rising order; both empty while more elements are selected than kMostElements.
@@ -47,6 +48,9 @@ public:
     [[nodiscard]] const std::vector<BoardPin>& pins() const { return m_pins; }
     /// The one component that was chosen as a whole.
     [[nodiscard]] std::optional<BoardPart> wholePart() const;
+    /// "R100", or "R100 (bottom)", as its first copy lies.
+    [[nodiscard]] QString nameOf(const BoardPart& part) const;
+    [[nodiscard]] bool isOnBottom(const BoardPart& part) const;
     static constexpr std::size_t kMostElements = 100'000;
 
     /// Of a row of model::StepTree::steps, of a board that has elements.
@@ -66,10 +70,12 @@ private:
     void select(const Chosen& chosen, const std::vector<model::BoardElement>& elements);
     void onSelectionChanged();
     void findParts(const model::BoardElement& at);
+    void endWithCopper(std::vector<model::BoardElement>& elements) const;
     [[nodiscard]] std::optional<model::BoardElement> target();
 
     Workspace& m_workspace;
     SelectionModel& m_selection;
+    Hint m_hint;  ///< what a command lacks, or where the selected part is
     std::vector<BoardPart> m_parts;
     std::vector<BoardPin> m_pins;
     bool m_isChoosing = false;  ///< the selection becomes what was chosen here

@@ -51,10 +51,7 @@ QString pinsOfPartsText(const PartPicking& parts) {
         }
     }
     const BoardPart& first = parts.parts().front();
-    const QString whose =
-        parts.parts().size() == 1
-            ? QString::fromStdString(parts.document(first.step).components[first.component.row()].refdes)
-            : componentsText(parts.parts().size());
+    const QString whose = parts.parts().size() == 1 ? parts.nameOf(first) : componentsText(parts.parts().size());
     return pins == 0 ? PinText::tr("%1: no pins").arg(whose)
                      : PinText::tr("%1: %2 on %3").arg(whose, pinsText(pins), netsText(nets.size()));
 }

@@ -150,6 +150,11 @@ QPointF PlanPainter::screenOf(double x, double y) const {
     return m_view.screenOf({x, y}).value_or(QPointF());
 }
 
+QRectF PlanPainter::screenBoxOf(model::ElementId element) const {
+    const model::Box box = m_index->board->boxOf(element);
+    return QRectF(screenOf(box.min.x, box.min.y), screenOf(box.max.x, box.max.y)).normalized();
+}
+
 void PlanPainter::paint(QPainter& painter) const {
     if (!m_index) {
         return;
@@ -306,30 +311,72 @@ std::vector<QStringList> PlanPainter::textsFor(model::ElementId element) const {
     return texts;
 }
 
-std::vector<PlanPainter::Label> PlanPainter::labels() const {
-    std::vector<Label> labels;
+std::optional<PlanPainter::Label> PlanPainter::labelFor(model::ElementId element) const {
     const double perPixel = m_view.controller().nmPerPixel();
-    for (const model::ElementId element : namedElements()) {
-        const std::optional<Stretch> stretch = stretchOf(*m_index->board, element);
-        if (!stretch || stretch->width / perPixel * kFilled < kSmallestName || labels.size() >= kMostNames) {
-            continue;
-        }
-        const QPointF a = screenOf(stretch->a.x, stretch->a.y);
-        const QPointF b = screenOf(stretch->b.x, stretch->b.y);
-        const double room = std::max(QLineF(a, b).length(), stretch->width / perPixel);
-        Label label;
-        label.middle = (a + b) / 2.0;
-        label.angleDeg = std::atan2(b.y() - a.y(), b.x() - a.x()) * 180.0 / M_PI;
-        label.angleDeg += label.angleDeg > 90.0 ? -180.0 : label.angleDeg <= -90.0 ? 180.0 : 0.0;
-        for (const QStringList& lines : textsFor(element)) {
-            label.height = heightOf(lines, stretch->width / perPixel, room);
-            if (label.height >= kSmallestName) {
-                label.text = lines.join('\n');
-                labels.push_back(label);
-                break;
-            }
+    const std::optional<Stretch> stretch = stretchOf(*m_index->board, element);
+    if (!stretch || stretch->width / perPixel * kFilled < kSmallestName) {
+        return std::nullopt;
+    }
+    const QPointF a = screenOf(stretch->a.x, stretch->a.y);
+    const QPointF b = screenOf(stretch->b.x, stretch->b.y);
+    const double room = std::max(QLineF(a, b).length(), stretch->width / perPixel);
+    Label label;
+    label.middle = (a + b) / 2.0;
+    label.angleDeg = std::atan2(b.y() - a.y(), b.x() - a.x()) * 180.0 / M_PI;
+    label.angleDeg += label.angleDeg > 90.0 ? -180.0 : label.angleDeg <= -90.0 ? 180.0 : 0.0;
+    for (const QStringList& lines : textsFor(element)) {
+        label.height = heightOf(lines, stretch->width / perPixel, room);
+        if (label.height >= kSmallestName) {
+            label.text = lines.join('\n');
+            return label;
         }
     }
+    return std::nullopt;
+}
+
+/// Copper that is selected on layers that the named one hides.
+std::vector<model::ElementId> PlanPainter::selectedBeneath() const {
+    const model::ElementTable& elements = m_index->board->elements;
+    const std::vector<model::BoardElement>& selected = m_workspace.selection().selected();
+    const model::Box box = shownBox();
+    const model::LayerId named = namedLayer();
+    std::vector<model::ElementId> beneath;
+    for (const model::BoardElement& at : selected) {
+        const model::LayerId layer = at.copy == 0 ? elements.layer[at.element.row()] : model::LayerId{};
+        const bool isBeneath = layer.isValid() && layer != named && m_index->board->layer(layer).isCopper() &&
+                               m_view.styles()[layer.row()].isVisible;
+        if (isBeneath && m_index->board->boxOf(at.element).meets(box) && beneath.size() < kMostNames) {
+            beneath.push_back(at.element);
+        }
+    }
+    return beneath;
+}
+
+std::vector<PlanPainter::Label> PlanPainter::labels() const {
+    std::vector<Label> labels;
+    std::vector<QRectF> taken;  // by pads that are selected
+    const auto add = [&](model::ElementId element) {
+        const std::optional<Label> label = labelFor(element);
+        const auto isOn = [&](const QRectF& pad) { return pad.contains(label->middle); };
+        if (label && labels.size() < kMostNames && std::ranges::none_of(taken, isOn)) {
+            labels.push_back(*label);
+        }
+    };
+    const auto addSelected = [&](model::ElementId element) {
+        add(element);
+        if ((m_index->board->elements.flags[element.row()] & model::kPad) != 0) {
+            taken.push_back(screenBoxOf(element));
+        }
+    };
+    std::vector<model::ElementId> others = namedElements();
+    const auto isOther = [&](model::ElementId element) {
+        return !std::ranges::binary_search(m_workspace.selection().selected(), model::BoardElement{0, element});
+    };
+    const auto selected = std::ranges::stable_partition(others, isOther);
+    std::ranges::for_each(selected, addSelected);
+    std::ranges::for_each(selectedBeneath(), addSelected);
+    others.erase(selected.begin(), selected.end());
+    std::ranges::for_each(others, add);
     return labels;
 }
 

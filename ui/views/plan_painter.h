@@ -39,7 +39,8 @@ public:
         double height = 0.0;  ///< of the letters, in pixels
         QString text;         ///< one line, or a pin and below it its net
     };
-    /// Of the copper layer nearest to the viewer: names of what it hides would only confuse.
+    /// Of the copper layer nearest to the viewer: names of what it hides would only confuse. But what is selected is
+    /// seen through it: there its names are written, and no others.
     [[nodiscard]] std::vector<Label> labels() const;
 
 private:
@@ -62,9 +63,12 @@ private:
     void paintLeftRuler(QPainter& painter, const RulerKey& key) const;
     void paintNames(QPainter& painter) const;
     [[nodiscard]] std::vector<model::ElementId> namedElements() const;
+    [[nodiscard]] std::vector<model::ElementId> selectedBeneath() const;
+    [[nodiscard]] std::optional<Label> labelFor(model::ElementId element) const;
     [[nodiscard]] QStringList pinNames(model::ElementId element) const;
     [[nodiscard]] std::vector<QStringList> textsFor(model::ElementId element) const;
     [[nodiscard]] QPointF screenOf(double x, double y) const;
+    [[nodiscard]] QRectF screenBoxOf(model::ElementId element) const;
 
     BoardView& m_view;
     Workspace& m_workspace;

@@ -1,13 +1,16 @@
 // One box finds nets, parts, pins, layers, places and commands; keys alone suffice.
 
+#include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QStatusBar>
 #include <QtTest>
 
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/search/search_box.h"
+#include "ui/views/plan_painter.h"
 
 using ui::ActionId;
 
@@ -118,6 +121,31 @@ private slots:
         QVERIFY(window().actions()[ActionId::Orthographic].isChecked());
     }
 
+    /// R2 lies on the bottom right below R1.
+    void aPartOfTheBottomIsSeenAsSuch() {
+        QVERIFY(m_fixture->openAndWait(boardWithPartsBelowEachOther()));
+        type("r2.1");
+        take();
+        QCOMPARE(window().selection().title(), "Pin R2.1 (bottom)");
+        QCOMPARE(window().fact("Layer"), "B.Cu");
+        QCOMPARE(window().statusBar()->currentMessage(), "R2 is on the bottom of the board");
+        window().views().flat().controller().zoomAtCentre(0.6F);
+        QCOMPARE(names().filter("R2.1").size(), 1);
+        QVERIFY2(names().filter("R1.1").isEmpty(), qPrintable(names().join(' ')));
+        QVERIFY2(!names().filter("R1.2").isEmpty(), "beside what is selected names are those of the top");
+        window().selection().select({});
+        QVERIFY2(window().statusBar()->currentMessage().isEmpty(), "gone with the selection");
+        type("r1.1");
+        take();
+        QCOMPARE(window().selection().title(), "Pin R1.1");
+        QVERIFY(window().statusBar()->currentMessage().isEmpty());
+        QCOMPARE(names().filter("R1.1").size(), 1);
+        type("r2");
+        take();
+        QVERIFY2(window().label("elementHeading").startsWith("Component R2 (bottom): 2 pins"),
+                 qPrintable(window().label("elementHeading")));
+    }
+
     void aNetOfAPlacedStepIsHighlighted() {
         QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/panel"));
         type("b");
@@ -131,6 +159,40 @@ private slots:
 private:
     TestWindow& window() { return m_fixture->window(); }
     ui::SearchBox& box() { return window().searchBox(); }
+
+    /// On copper in the 2D view.
+    QStringList names() {
+        QStringList texts;
+        for (const ui::PlanPainter::Label& label : window().find<ui::PlanPainter>().labels()) {
+            texts += label.text;
+        }
+        return texts;
+    }
+
+    QString boardWithPartsBelowEachOther() {
+        const auto part = [](const QString& name, const QString& side, const QString& net) {
+            const QString pad = QStringLiteral(
+                "(pad \"%1\" smd rect (at %2 0) (size 1 1) (layers \"%3.Cu\" \"%3.Mask\" "
+                "\"%3.Paste\") (net %4))");
+            return QStringLiteral(
+                       "(footprint \"R\" (layer \"%1.Cu\") (at 10 10) (property \"Reference\" \"%2\") "
+                       "(attr smd) %3 %4)")
+                .arg(side, name, pad.arg("1", "-1", side, net), pad.arg("2", "1", side, net));
+        };
+        const QString path = m_fixture->folder() + "/two_sides.kicad_pcb";
+        QFile file(path);
+        if (file.open(QFile::WriteOnly)) {
+            file.write(
+                QStringLiteral("(kicad_pcb (version 20241229) (generator \"pcbnew\") (layers (0 \"F.Cu\" signal) "
+                               "(2 \"B.Cu\" signal) (13 \"F.Paste\" user) (15 \"B.Paste\" user) (1 \"F.Mask\" "
+                               "user) (3 \"B.Mask\" user) (25 \"Edge.Cuts\" user)) (net 0 \"\") (net 1 \"A\") "
+                               "(net 2 \"B\") %1 %2 (gr_rect (start 0 0) (end 20 20) (stroke (width 0.1) (type "
+                               "default)) (fill no) (layer \"Edge.Cuts\")))")
+                    .arg(part("R1", "F", "1 \"A\""), part("R2", "B", "2 \"B\""))
+                    .toUtf8());
+        }
+        return path;
+    }
 
     void type(const QString& text) {
         m_fixture->key(Qt::Key_F, Qt::ControlModifier);
