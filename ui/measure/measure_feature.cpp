@@ -33,7 +33,7 @@ constexpr ToolFacts kTools[] = {
     {Catch::Points,
      2,
      {QT_TRANSLATE_NOOP("ui::Measuring", "Click the first point; Alt snaps to nothing, Tab to what lies beneath"),
-      QT_TRANSLATE_NOOP("ui::Measuring", "Click the second point; Shift straight, Ctrl in steps of 45°")},
+      QT_TRANSLATE_NOOP("ui::Measuring", "Second point; Shift straight, Ctrl 45°")},
      QT_TRANSLATE_NOOP("ui::Measuring", "Click on the board")},
     {Catch::Elements,
      2,
@@ -278,6 +278,7 @@ void MeasureFeature::hover(BoardView& view, QPointF position, Qt::KeyboardModifi
 
 void MeasureFeature::updatePreview() {
     m_coming = preview();
+    m_readout.snapTo(m_under ? std::optional(m_under->at) : std::nullopt);
     m_pathAhead.cancel();
     m_restBeforePath.start();
     m_views.requestOverlay();

@@ -40,6 +40,7 @@ StatusLine::StatusLine(QStatusBar& bar)
     m_stepLabel->setBuddy(m_steps);
     m_frame->setObjectName(QStringLiteral("frame"));
     m_position->setObjectName(QStringLiteral("position"));
+    m_position->setContentsMargins(m_position->fontMetrics().horizontalAdvance('0'), 0, 0, 0);  // apart from messages
     m_position->setToolTip(tr("Position of the pointer in the coordinates of the job (Q changes the unit)"));
     for (QWidget* widget : std::initializer_list<QWidget*>{m_position, m_work, m_stepLabel, m_steps, m_frame}) {
         bar.addPermanentWidget(widget);

@@ -22,19 +22,25 @@ void PositionReadout::measureFrom(std::optional<base::PointD> location) {
     update();
 }
 
+void PositionReadout::snapTo(std::optional<base::PointD> location) {
+    m_snapped = location;
+    update();
+}
+
 void PositionReadout::update() {
     if (!m_pointer) {
         emit changed({});
         return;
     }
     const LengthUnit unit = m_workspace.unit();
-    QString text = positionText(m_pointer->x, m_pointer->y, unit);
+    const base::PointD at = m_snapped.value_or(*m_pointer);
+    QString text = positionText(at.x, at.y, unit);
     if (m_from) {
-        const double dx = m_pointer->x - m_from->x;
-        const double dy = m_pointer->y - m_from->y;
+        const double dx = at.x - m_from->x;
+        const double dy = at.y - m_from->y;
         text += QStringLiteral("   Δ %1   %2").arg(positionText(dx, dy, unit), lengthText(std::hypot(dx, dy), unit));
     }
-    const QString note = m_note ? m_note(*m_pointer) : QString();
+    const QString note = m_note ? m_note(at) : QString();
     emit changed(note.isEmpty() ? text : text + QStringLiteral("   ") + note);
 }
 

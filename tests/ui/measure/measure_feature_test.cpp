@@ -69,6 +69,18 @@ private slots:
         QCOMPARE(list().size(), std::size_t{2});
     }
 
+    void theStatusBarSaysWhatAClickWouldMeasure() {
+        m_fixture->key(Qt::Key_M);
+        click(flat(), screenOf(flat(), m_a) + QPointF(3, 2));
+        move(flat(), screenOf(flat(), m_b) + QPointF(-2, 3));
+        const QString said = window().label("position").section("Δ", 1).trimmed();
+        click(flat(), screenOf(flat(), m_b) + QPointF(-2, 3));
+        const Measurement& m = list().back();
+        const QString measured = ui::positionText(m.dx(), m.dy(), ui::LengthUnit::Millimetre) + "   " +
+                                 ui::lengthText(m.distance(), ui::LengthUnit::Millimetre);
+        QCOMPARE(said, measured);
+    }
+
     void heldKeysLockDirectionsAndLetGo() {
         m_fixture->key(Qt::Key_M);
         const auto measure = [&](Qt::KeyboardModifiers modifiers, QPointF offset) {
