@@ -9,6 +9,7 @@ NetsFeature::NetsFeature(FeatureContext& context)
     : QObject(&context.window),
       m_workspace(context.workspace),
       m_selection(context.workspace.selection()),
+      m_hint(context.workspace),
       m_styles(context.netStyles),
       m_editing(context.netStyles, context.workspace),
       m_highlights(context.workspace),
@@ -69,9 +70,7 @@ std::vector<model::BoardNet> NetsFeature::netsToChoose() {
     const auto pointed = m_selection.pointed();
     const auto net = pointed ? m_selection.netOf(*pointed) : std::nullopt;
     const std::vector<model::BoardNet> nets = net ? std::vector{*net} : m_selection.selectionNets();
-    if (nets.empty()) {
-        m_workspace.report(tr("Point at an element of a net, or select one, to highlight its net"));
-    }
+    nets.empty() ? m_hint.show(tr("Point at an element of a net, or select one, to highlight its net")) : m_hint.end();
     return nets;
 }
 
@@ -96,8 +95,10 @@ std::vector<model::BoardNet> NetsFeature::targets() {
         nets.push_back(*net);
     }
     if (nets.empty()) {
-        m_workspace.report(m_selection.isEmpty() ? tr("Select an element of a net or highlight a net, or point at one")
-                                                 : tr("What is selected has no net"));
+        m_hint.show(m_selection.isEmpty() ? tr("Select an element of a net or highlight a net, or point at one")
+                                          : tr("What is selected has no net"));
+    } else {
+        m_hint.end();
     }
     return nets;
 }

@@ -4,6 +4,7 @@
 #include "ui/nets/net_style_editing.h"
 #include "ui/nets/nets_panel.h"
 #include "ui/workspace/feature.h"
+#include "ui/workspace/hint.h"
 
 namespace ui {
 
@@ -33,6 +34,7 @@ private:
 
     Workspace& m_workspace;
     SelectionModel& m_selection;
+    Hint m_hint;  ///< what a command lacks
     NetStyles& m_styles;
     NetStyleEditing m_editing;
     HighlightHistory m_highlights;

@@ -1,6 +1,7 @@
 #include "ui/views/probing.h"
 
 #include <QApplication>
+#include <QCursor>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -85,8 +86,9 @@ void Probing::watch(BoardView& view) {
 
 bool Probing::eventFilter(QObject* object, QEvent* event) {
     const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
-    if (isKey && m_rest.isActive()) {
+    if (isKey && (m_rest.isActive() || m_hoverView == nullptr)) {
         m_rest.stop();
+        findPointer();
         hover();
     }
     if (event->type() == QEvent::KeyPress && isCanvas(object)) {
@@ -175,6 +177,18 @@ std::vector<model::Hit> Probing::hitsAt(const BoardView& view, QPointF position)
         });
     }
     return hits;
+}
+
+/// After a drag, or over a board that has just come, the pointer has said nothing of where it is.
+void Probing::findPointer() {
+    for (BoardView* view : m_views.both()) {
+        const QPoint at = view->mapFromGlobal(QCursor::pos());
+        const bool isOn = view->underMouse() && view->rect().contains(at) && !view->controller().isDragging();
+        if (m_hoverView == nullptr && isOn) {
+            m_hoverView = view;
+            m_hoverAt = at;
+        }
+    }
 }
 
 void Probing::hover() {

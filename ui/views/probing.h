@@ -63,11 +63,12 @@ signals:
     void componentRequested(const model::BoardElement& at);
 
 private:
-    /// Keys are about what lies under the pointer when they are pressed, whether or not it has rested there.
+    /// Keys are about what lies under the pointer when they are pressed, whether or not it has moved or rested there.
     bool eventFilter(QObject* object, QEvent* event) override;
     void setBoard(const LoadedBoard& board);
     void watch(BoardView& view);
     void hideNets();
+    void findPointer();
     void hover();
     void endStaleHover(BoardView& view);
     void endHiddenHover();

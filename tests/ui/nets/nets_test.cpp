@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QSlider>
+#include <QStatusBar>
 #include <QTimer>
 #include <QtTest>
 
@@ -154,6 +155,16 @@ private slots:
         window().selection().setNets({{0, model::NetId{std::size_t{2}}}});
         undo.trigger();
         QCOMPARE(window().selection().nets(), std::vector{gnd()});
+    }
+
+    void whatNLackedIsNoLongerSaidOnceItHasIt() {
+        open(m_fixture->copyOfSample());
+        m_fixture->key(Qt::Key_N);
+        QVERIFY(window().statusBar()->currentMessage().startsWith("Point at an element"));
+        window().selection().select({{0, aPadOf(gnd())}});
+        m_fixture->key(Qt::Key_N);
+        QCOMPARE(window().selection().nets(), std::vector{gnd()});
+        QVERIFY(window().statusBar()->currentMessage().isEmpty());
     }
 
     void nReplacesAndCtrlNAdds() {

@@ -302,6 +302,22 @@ private slots:
         window().actions()[ActionId::FollowInSolid].trigger();
     }
 
+    void nFindsWhatLiesUnderAPointerThatHasNotMovedSinceADrag() {
+        const model::ElementId pad = aPad();
+        BoardView& view = views().flat();
+        view.controller().show(boxMin(pad), boxMax(pad));
+        const QPointF at = centreOf(view, pad);
+        QCursor::setPos(view.mapToGlobal(at).toPoint());
+        QTRY_VERIFY(view.underMouse());
+        mouse(view, QEvent::MouseButtonPress, Qt::RightButton, at + QPointF(30, 0));
+        mouse(view, QEvent::MouseMove, Qt::RightButton, at + QPointF(50, 0));
+        mouse(view, QEvent::MouseMove, Qt::RightButton, at + QPointF(30, 0));
+        mouse(view, QEvent::MouseButtonRelease, Qt::RightButton, at + QPointF(30, 0));
+        QVERIFY(!window().selection().hovered());
+        m_fixture->key(Qt::Key_N);
+        QCOMPARE(window().selection().nets(), std::vector{boardNet(board().elements.net[pad.row()])});
+    }
+
     void unitKeyChangesWhatIsRead() {
         window().selection().select({{0, aPad()}});
         const QString before = window().fact("Extent");
