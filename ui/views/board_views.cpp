@@ -1,5 +1,9 @@
 #include "ui/views/board_views.h"
 
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QLineEdit>
 #include <QPainter>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -15,6 +19,22 @@ namespace {
 constexpr int kExplodeMs = 250;
 constexpr int kEdge = 2;  // pixels: the edge that marks the view in use
 constexpr int kLoadLatestMs = 500;
+
+/// Text is typed into it: a field, or what a cell of a table is edited with.
+bool isTypedIn(const QWidget& widget) {
+    const QWidget* parent = widget.parentWidget();
+    const auto* table = parent != nullptr ? qobject_cast<const QAbstractItemView*>(parent->parentWidget()) : nullptr;
+    const bool isEditor = table != nullptr && table->viewport() == parent;
+    return isEditor || qobject_cast<const QLineEdit*>(&widget) != nullptr ||
+           qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr;
+}
+
+/// A menu or a dialog is open, or somebody types.
+bool isKeyboardNeeded() {
+    const QWidget* focus = QApplication::focusWidget();
+    return QApplication::activePopupWidget() != nullptr || QApplication::activeModalWidget() != nullptr ||
+           (focus != nullptr && isTypedIn(*focus));
+}
 
 }  // namespace
 
@@ -60,15 +80,15 @@ void BoardViews::watch(BoardView& view) {
     connect(&controller, &CameraController::left, this, [this] { m_pointed = nullptr; });
 }
 
-/// The keyboard comes along from the other view, but not from a panel.
+/// The keyboard comes along from the other view or from a panel, but not from a field that is typed in.
 void BoardViews::onPointed(BoardView& view) {
     if (std::exchange(m_pointed, &view) == &view) {
         return;
     }
-    const bool hasKeyboard =
-        std::ranges::any_of(m_views, [&](BoardView* other) { return other != &view && other->hasKeyboard(); });
+    const bool isHere =
+        QApplication::activeWindow() == window() || std::ranges::any_of(m_views, &BoardView::hasKeyboard);
     setActive(view);
-    if (hasKeyboard) {
+    if (isHere && !view.hasKeyboard() && !isKeyboardNeeded()) {
         view.takeKeyboard();
     }
 }

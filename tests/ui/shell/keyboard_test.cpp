@@ -5,6 +5,8 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMouseEvent>
+#include <QSpinBox>
 #include <QtTest>
 
 #include "tests/locations.h"
@@ -88,6 +90,42 @@ private slots:
         QCOMPARE(window().views().active().controller().camera().direction(), direction);
     }
 
+    void theViewUnderThePointerTakesTheKeyboard() {
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        ui::BoardView& flat = window().views().flat();
+        window().showPanel("layers");
+        ui::TableView& layers = window().layersPanel().table();
+        QTest::mouseClick(layers.viewport(), Qt::LeftButton, {}, {40, 30});
+        layers.setFocus();
+        QTRY_VERIFY(layers.hasFocus());
+        pointAt(flat);
+        QTRY_VERIFY(flat.hasKeyboard());
+        const std::vector<bool> visible = window().layers().visibility();
+        const float before = flat.controller().camera().direction().z;
+        m_fixture->key(Qt::Key_Space);
+        QCOMPARE(flat.controller().camera().direction().z, -before);
+        QCOMPARE(window().layers().visibility(), visible);
+    }
+
+    void whoTypesGoesOnTyping() {
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        window().showPanel("nets");
+        QLineEdit& filter = window().netsPanel().filterEdit();
+        filter.setFocus();
+        QTRY_VERIFY(filter.hasFocus());
+        pointAt(window().views().flat());
+        QVERIFY(filter.hasFocus());
+        window().showPanel("layers");
+        ui::TableView& layers = window().layersPanel().table();
+        layers.setFocus();
+        layers.edit(layers.model()->index(1, ui::LayerModel::Opacity));  // row 0 is a heading
+        QTRY_VERIFY(qobject_cast<QSpinBox*>(QApplication::focusWidget()) != nullptr);
+        pointAt(window().views().solid());
+        QVERIFY(qobject_cast<QSpinBox*>(QApplication::focusWidget()) != nullptr);
+    }
+
     void presetsAreKeptAndWork() {
         window().actions()[ActionId::KeysKLayout].trigger();
         m_fixture->restart();
@@ -120,6 +158,15 @@ private slots:
 
 private:
     TestWindow& window() { return m_fixture->window(); }
+
+    /// As the pointer comes from elsewhere.
+    static void pointAt(ui::BoardView& view) {
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&view.canvas(), &leave);
+        const QPointF at(view.width() / 2.0, view.height() / 2.0);
+        QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view.canvas(), &move);
+    }
 
     void openByKeys() {
         QVERIFY(QTest::qWaitForWindowActive(&window()));
