@@ -225,7 +225,7 @@ private:
         }
     }
 
-    /// Names and thicknesses of the stackup's rows, each pointing to where the row ends.
+    /// Names and thicknesses of the stackup's rows, in its order, each pointing to where the row ends.
     void addStackup() {
         struct Label {
             std::size_t row;
@@ -239,7 +239,6 @@ private:
             const std::optional<RowMark> mark = markOf(m_board, m_drawn, i, window);
             rows.push_back({i, mark, y(mark ? mark->z : double{1} * row.z + row.thickness / 2.0) - kTop});
         }
-        std::ranges::stable_sort(rows, {}, &Label::height);
         StackupDrawing labels;
         for (const Label& row : rows) {
             labels.bands.push_back({row.height, row.height, row.height});

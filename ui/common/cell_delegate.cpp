@@ -93,7 +93,7 @@ QWidget* percentBox(QWidget* parent) {
 
 void CellDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     QStyledItemDelegate::initStyleOption(option, index);
-    if (option->font.bold()) {
+    if (option->font.bold() || (traitsOf(index) & kNumber) != 0) {
         option->textElideMode = Qt::ElideRight;
     }
 }

@@ -6,7 +6,8 @@ namespace ui {
 
 /// Paints and edits the cells of a TableModel by the traits of their columns: a box that a click toggles, a swatch of a
 /// colour (what a click on it does is the panel's), a bar of percents that is dragged or typed, a choice of names.
-/// Everything else is text. Bold text, that of headings, loses its end where there is no room, whatever the table has.
+/// Everything else is text. Where there is no room, bold text, that of headings, and numbers lose their end, whatever
+/// the table has: the end of a number would read as another number.
 class CellDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

@@ -84,6 +84,17 @@ private:
     std::optional<QRegularExpression> m_expression;
 };
 
+double keyOf(const model::Document& document, const model::NetStatistics& statistics, int column, std::uint32_t net) {
+    switch (column) {
+        case NetModel::Pins: return statistics.pins[net];
+        case NetModel::Vias: return statistics.vias[net];
+        case NetModel::Elements: return document.netStart[net + 1] - document.netStart[net];
+        case NetModel::Length: return statistics.lengthNm[net];
+        case NetModel::Area: return statistics.areaNm2[net];
+        default: return statistics.nameRank[net];
+    }
+}
+
 }  // namespace
 
 /// What is worked out in the background, from frozen tables alone.
@@ -97,16 +108,7 @@ struct NetModel::Task {
     Qt::SortOrder order = Qt::AscendingOrder;
 
     /// What rows are ordered by; equal ones by name.
-    [[nodiscard]] double keyOf(std::uint32_t net) const {
-        switch (column) {
-            case Pins: return statistics->pins[net];
-            case Vias: return statistics->vias[net];
-            case Elements: return document->netStart[net + 1] - document->netStart[net];
-            case Length: return statistics->lengthNm[net];
-            case Area: return statistics->areaNm2[net];
-            default: return statistics->nameRank[net];
-        }
-    }
+    [[nodiscard]] double keyOf(std::uint32_t net) const { return ui::keyOf(*document, *statistics, column, net); }
 
     [[nodiscard]] Arranged run(const base::Progress& progress) const {
         std::vector<std::uint32_t> nets;
@@ -317,9 +319,10 @@ Cell NetModel::cell(int row, int column) const {
         const std::optional<QRgb> colour = ownColour(row);
         return colour ? Cell{QColor(*colour).name(), QColor(*colour)} : Cell{};
     }
-    if (!m_statistics) {
-        return {.value = 0};
-    }
+    return m_statistics ? numberCell(net, column) : Cell{.value = 0};
+}
+
+Cell NetModel::numberCell(std::size_t net, int column) const {
     switch (column) {
         case Pins: return count(m_statistics->pins[net]);
         case Vias: return count(m_statistics->vias[net]);
@@ -327,6 +330,16 @@ Cell NetModel::cell(int row, int column) const {
         case Length: return length(m_statistics->lengthNm[net]);
         default: return area(m_statistics->areaNm2[net]);
     }
+}
+
+QString NetModel::widestNumber(Column column) const {
+    const auto count = m_document && m_statistics ? static_cast<std::uint32_t>(m_document->nets.size()) : 0;
+    std::uint32_t largest = 0;
+    for (std::uint32_t net = 1; net < count; ++net) {
+        const auto key = [&](std::uint32_t of) { return keyOf(*m_document, *m_statistics, column, of); };
+        largest = key(net) > key(largest) ? net : largest;
+    }
+    return count > 0 ? numberCell(largest, column).text.toString() : QString();
 }
 
 QString NetModel::tip(int row, int column) const {

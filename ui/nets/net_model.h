@@ -60,6 +60,9 @@ public:
     [[nodiscard]] std::optional<int> rowOf(model::NetId net) const { return m_rows.rowOf(net); }
     [[nodiscard]] int total() const { return m_document ? static_cast<int>(m_document->nets.size()) : 0; }
 
+    /// The text of the largest number in this column, of all nets; empty where there are none.
+    [[nodiscard]] QString widestNumber(Column column) const;
+
     void sort(int column, Qt::SortOrder order) override;
 
 signals:
@@ -82,6 +85,7 @@ private:
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] Cell headingCell(int row, int column) const;
     [[nodiscard]] Cell nameCell(int row) const;
+    [[nodiscard]] Cell numberCell(std::size_t net, int column) const;
     [[nodiscard]] bool isAnyHidden(int row) const;
     [[nodiscard]] std::optional<QRgb> ownColour(int row) const;
     [[nodiscard]] std::optional<QRgb> highlightOf(int row) const;

@@ -260,6 +260,7 @@ void NetsPanel::groupBySheet() {
 void NetsPanel::setUnit(LengthUnit unit) {
     m_unit = unit;
     m_model.setUnit(unit);
+    fitNumbers();
     m_detailsDue.start();
 }
 
@@ -271,8 +272,18 @@ void NetsPanel::applyStep() {
     if (m_board) {
         const std::shared_ptr<const model::Document> listed(m_board, m_selection.tree().steps[step()]);
         m_model.setNets(listed, step() < m_statistics.size() ? m_statistics[step()] : nullptr, step());
+        fitNumbers();
     }
     m_detailsDue.start();
+}
+
+/// No column is too narrow for the largest of its numbers.
+void NetsPanel::fitNumbers() {
+    for (const NetModel::Column column :
+         {NetModel::Pins, NetModel::Vias, NetModel::Elements, NetModel::Length, NetModel::Area}) {
+        const int needed = fontMetrics().horizontalAdvance(m_model.widestNumber(column) + QStringLiteral("MM"));
+        m_table->setColumnWidth(column, std::max(m_table->columnWidth(column), needed));
+    }
 }
 
 void NetsPanel::applyFilter() {

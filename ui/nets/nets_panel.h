@@ -61,6 +61,7 @@ private:
     bool foldAt(const QPoint& at);
     void fold(int heading, bool isFolded);
     void groupBySheet();
+    void fitNumbers();
     void onClicked(const QModelIndex& index);
     void toggleSelected();
     void applyFilter();

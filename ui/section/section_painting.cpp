@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "model/base/thickness_units.h"
 #include "model/export/stackup_drawing.h"
@@ -15,11 +16,18 @@ namespace {
 using model::SectionPiece;
 
 constexpr double kTickPixels = 90.0;  // between the numbers of the ruler, about
+constexpr double kApart = 6.0;        // between the texts of a label
 
 /// The next smaller of 1, 2, 5, 10, 20, …
 double roundNumber(double value) {
     const double ten = std::pow(10.0, std::floor(std::log10(value)));
     return value >= 5 * ten ? 5 * ten : value >= 2 * ten ? 2 * ten : ten;
+}
+
+/// Of a thickness that is only assumed it slants.
+QFont fontOf(QFont font, const model::StackupRow& row) {
+    font.setItalic(row.source == model::Source::Assumed);
+    return font;
 }
 
 }  // namespace
@@ -108,8 +116,8 @@ std::optional<QPointF> SectionView::markOf(std::size_t row) const {
     return mark ? std::optional(positionOf(mark->along, mark->z)) : std::nullopt;
 }
 
-/// Rows of the stackup that are in sight, from above: all that there is room to name, or else the copper, or as much of
-/// it.
+/// Rows of the stackup that are in sight, in its order, wherever each is seen: all that there is room to name, or else
+/// the copper, or as much of it.
 std::vector<SectionView::NamedRow> SectionView::namedRows() const {
     std::vector<NamedRow> rows;
     for (std::size_t i = 0; i < board().stackup.rows.size(); ++i) {
@@ -123,7 +131,6 @@ std::vector<SectionView::NamedRow> SectionView::namedRows() const {
             rows.push_back({&row, mark, (std::max(top, plot().top()) + std::min(bottom, plot().bottom())) / 2});
         }
     }
-    std::ranges::stable_sort(rows, {}, &NamedRow::y);
     const auto room = static_cast<std::size_t>(std::max(1.0, plot().height() / lineHeight()));
     if (rows.size() > room) {
         std::erase_if(rows, [this](const NamedRow& named) {
@@ -138,9 +145,42 @@ std::vector<SectionView::NamedRow> SectionView::namedRows() const {
     return named;
 }
 
+QString SectionView::heightText(const NamedRow& named) const {
+    return tr("at %1").arg(lengthText(double(named.mark ? named.mark->bottom : named.row->z), m_unit));
+}
+
+/// Numbers are never cut: where there is no room, names are.
+SectionView::LabelColumns SectionView::labelColumns(const std::vector<NamedRow>& rows) const {
+    double thickness = 0.0;
+    double height = 0.0;
+    for (const NamedRow& named : rows) {
+        const QString text = QString::fromStdString(model::thicknessText(named.row->thickness));
+        const QFontMetrics letters(fontOf(font(), *named.row));
+        thickness = std::max(thickness, letters.horizontalAdvance(text) + kApart);
+        height = std::max(height, fontMetrics().horizontalAdvance(heightText(named)) + 2.0);
+    }
+    const double left = plot().right() + 34.0;
+    const double heightLeft = std::min(left + (width() - left) * 0.64, width() - height);
+    return {left, std::min(left + (width() - left) * 0.33, heightLeft - thickness), heightLeft};
+}
+
+SectionView::LabelTexts SectionView::textsOf(const NamedRow& named, const LabelColumns& columns) const {
+    const int room = static_cast<int>(columns.thickness - kApart - columns.name);
+    return {fontMetrics().elidedText(QString::fromStdString(named.row->name), Qt::ElideMiddle, room),
+            QString::fromStdString(model::thicknessText(named.row->thickness)), heightText(named)};
+}
+
+std::vector<SectionView::LabelTexts> SectionView::labels() const {
+    const std::vector<NamedRow> rows = m_section ? namedRows() : std::vector<NamedRow>();
+    const LabelColumns columns = labelColumns(rows);
+    std::vector<LabelTexts> labels;
+    std::ranges::transform(rows, std::back_inserter(labels),
+                           [&](const NamedRow& named) { return textsOf(named, columns); });
+    return labels;
+}
+
 /// Names, thicknesses, and how high above the bottom they lie. A line leads from the name to where the row ends.
 void SectionView::paintLayers(QPainter& painter) const {
-    constexpr double kDot = 1.5;
     const std::vector<NamedRow> rows = namedRows();
     const QRectF area = plot();
     model::StackupDrawing labels;
@@ -150,33 +190,32 @@ void SectionView::paintLayers(QPainter& painter) const {
     }
     labels.height = std::max(area.height(), lineHeight() * static_cast<double>(rows.size()));
     model::spreadLabels(lineHeight(), labels);
-    const double left = area.right() + 34.0;
-    const double thicknessLeft = left + (width() - left) * 0.33;
-    const double heightLeft = left + (width() - left) * 0.64;
+    const LabelColumns columns = labelColumns(rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const model::StackupRow& row = *rows[i].row;
-        const double y = area.top() + labels.bands[i].label;
-        if (const auto& mark = rows[i].mark) {
-            const QPointF from(positionOf(mark->along, 0.0).x(), rows[i].y);
-            painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 0.7));
-            painter.drawPolyline(QPolygonF{from, {area.right() + 8.0, from.y()}, {left - 9.0, y}, {left - 3.0, y}});
-            painter.setBrush(palette().color(QPalette::Text));
-            painter.drawEllipse(from, kDot, kDot);
-        }
-        painter.setPen(palette().color(QPalette::Text));
-        const auto write = [&](double from, double to, const QString& text) {
-            painter.drawText(QRectF(from, y - lineHeight() / 2, to - from, lineHeight()), Qt::AlignVCenter,
-                             fontMetrics().elidedText(text, Qt::ElideMiddle, static_cast<int>(to - from)));
-        };
-        write(left, thicknessLeft - 6.0, QString::fromStdString(row.name));
-        QFont slanted = font();
-        slanted.setItalic(row.source == model::Source::Assumed);
-        painter.setFont(slanted);
-        write(thicknessLeft, heightLeft - 6.0, QString::fromStdString(model::thicknessText(row.thickness)));
-        painter.setFont(font());
-        const auto bottom = static_cast<double>(rows[i].mark ? rows[i].mark->bottom : row.z);
-        write(heightLeft, width(), tr("at %1").arg(lengthText(bottom, m_unit)));
+        paintLabel(painter, rows[i], area.top() + labels.bands[i].label, columns);
     }
+}
+
+void SectionView::paintLabel(QPainter& painter, const NamedRow& named, double y, const LabelColumns& columns) const {
+    constexpr double kDot = 1.5;
+    if (const auto& mark = named.mark) {
+        const QPointF from(positionOf(mark->along, 0.0).x(), named.y);
+        painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 0.7));
+        painter.drawPolyline(
+            QPolygonF{from, {plot().right() + 8.0, from.y()}, {columns.name - 9.0, y}, {columns.name - 3.0, y}});
+        painter.setBrush(palette().color(QPalette::Text));
+        painter.drawEllipse(from, kDot, kDot);
+    }
+    painter.setPen(palette().color(QPalette::Text));
+    const auto write = [&](double from, double to, const QString& text) {
+        painter.drawText(QRectF(from, y - lineHeight() / 2, to - from, lineHeight()), Qt::AlignVCenter, text);
+    };
+    const auto [name, thickness, height] = textsOf(named, columns);
+    write(columns.name, columns.thickness, name);
+    painter.setFont(fontOf(font(), *named.row));
+    write(columns.thickness, columns.height, thickness);
+    painter.setFont(font());
+    write(columns.height, width(), height);
 }
 
 void SectionView::paintRuler(QPainter& painter) const {

@@ -2,6 +2,7 @@
 
 #include <QPolygonF>
 #include <QWidget>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -63,6 +64,10 @@ public:
     [[nodiscard]] bool isShownStale(const model::SectionDimension& dimension) const;
     /// Where the name of a row of the stackup points to; none: the row is not in sight.
     [[nodiscard]] std::optional<QPointF> markOf(std::size_t row) const;
+    /// What is written beside the section of each row of the stackup that is named: name, thickness and height above
+    /// the bottom. Only names are cut.
+    using LabelTexts = std::array<QString, 3>;
+    [[nodiscard]] std::vector<LabelTexts> labels() const;
     /// Parts that are too high to be shown whole beside the board while all of the line is: they end in a break line.
     [[nodiscard]] std::vector<QRectF> brokenParts() const;
     /// What is drawn there: what is solid before what was drilled out of it, small before large. Null: nothing.
@@ -112,8 +117,18 @@ private:
         std::optional<model::RowMark> mark;
         double y = 0.0;  ///< of what is named
     };
+    /// Where the three texts of a row begin.
+    struct LabelColumns {
+        double name = 0.0;
+        double thickness = 0.0;
+        double height = 0.0;
+    };
     [[nodiscard]] model::SectionWindow window() const;
     [[nodiscard]] std::vector<NamedRow> namedRows() const;
+    [[nodiscard]] QString heightText(const NamedRow& named) const;
+    [[nodiscard]] LabelColumns labelColumns(const std::vector<NamedRow>& rows) const;
+    [[nodiscard]] LabelTexts textsOf(const NamedRow& named, const LabelColumns& columns) const;
+    void paintLabel(QPainter& painter, const NamedRow& named, double y, const LabelColumns& columns) const;
     [[nodiscard]] std::vector<std::uint32_t> layerColours() const;
     void paintLayers(QPainter& painter) const;
     void paintRuler(QPainter& painter) const;

@@ -167,6 +167,26 @@ private slots:
         QVERIFY(window().statusBar()->currentMessage().isEmpty());
     }
 
+    void lengthsAreShownWhole() {
+        openCopy();
+        const int column = NetModel::Length;
+        ui::NetModel& model = nets();
+        const auto needed = [&] {
+            int widest = 0;
+            for (int row = 0; row < model.rowCount(); ++row) {
+                const QString text = model.index(row, column).data().toString();
+                widest = std::max(widest, table().fontMetrics().horizontalAdvance(text) + 6);
+            }
+            return widest;
+        };
+        table().setColumnWidth(column, 20);
+        m_fixture->key(Qt::Key_Q);
+        QVERIFY2(table().columnWidth(column) >= needed(), "in another unit");
+        m_fixture->key(Qt::Key_Q);
+        m_fixture->key(Qt::Key_Q);
+        QVERIFY(table().columnWidth(column) >= needed());
+    }
+
     void nReplacesAndCtrlNAdds() {
         open(m_fixture->copyOfSample());
         const BoardNet other{0, model::NetId{gnd().net.row() == 0 ? std::size_t{1} : std::size_t{0}}};

@@ -10,6 +10,7 @@
 #include <QWheelEvent>
 #include <QtTest>
 
+#include "model/base/thickness_units.h"
 #include "model/export/section_export.h"
 #include "model/section/intervals.h"
 #include "tests/locations.h"
@@ -367,6 +368,28 @@ private slots:
             }
         }
         QVERIFY(marked > 3);
+    }
+
+    void numbersBesideASectionAreWholeAndItsRowsInTheirOrder() {
+        drawLine();
+        QTRY_VERIFY(view().section().has_value());
+        view().resize(300, 260);
+        const auto& rows = window().document()->stackup.rows;
+        const auto isOf = [](const ui::SectionView::LabelTexts& label, const model::StackupRow& row) {
+            const QString name = QString::fromStdString(row.name);
+            return label[1] == QString::fromStdString(model::thicknessText(row.thickness)) &&
+                   name.startsWith(label[0].section(QChar(0x2026), 0, 0)) &&
+                   name.endsWith(label[0].section(QChar(0x2026), -1));
+        };
+        const auto labels = view().labels();
+        QVERIFY(labels.size() > 2);
+        auto row = rows.begin();
+        for (const auto& label : labels) {
+            row = std::find_if(row, rows.end(), [&](const model::StackupRow& of) { return isOf(label, of); });
+            QVERIFY2(row != rows.end(), qPrintable(label[0] + ' ' + label[1]));
+            QVERIFY(label[2].startsWith("at ") && label[2].endsWith(" mm") && !label[2].contains(QChar(0x2026)));
+            ++row;
+        }
     }
 
     /// Its films are of no element: they are described and highlighted by nothing.

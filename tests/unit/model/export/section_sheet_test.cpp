@@ -103,6 +103,18 @@ private slots:
         QCOMPARE(leadsFrom(25.0), 4);
     }
 
+    /// As of solder mask that is seen beside the copper that it covers, below the copper's upper face.
+    void namesAreInTheOrderOfTheStackupWhereverRowsAreSeen() {
+        Document other = *board();
+        std::swap(other.stackup.rows[0], other.stackup.rows[1]);
+        const SectionSheet sheet = sectionSheet(other, cut({{-5e6, 5e6}, {25e6, 5e6}}), picture());
+        const auto heightOf = [&](const std::string& name) {
+            return std::ranges::find(sheet.texts, name, &SheetText::text)->y;
+        };
+        QVERIFY(heightOf("PREPREG") < heightOf("top"));
+        QVERIFY(heightOf("top") < heightOf("CORE"));
+    }
+
     void theTitleNamesTheNet() {
         SectionPicture how = picture();
         QVERIFY(holdsText(sheetOf({{0, 5e6}, {20e6, 5e6}}, how), ": section from (0, 5) to (20, 5) mm, 20 mm long"));
