@@ -174,7 +174,7 @@ std::string whyNothing(const BoardIndex& index, const MeasureItem& a, const std:
     std::ranges::set_intersection(inA, inB, std::back_inserter(both));
     const bool areEdges = std::holds_alternative<BoardEdge>(a) && std::holds_alternative<BoardEdge>(b);
     if ((!both.empty() && both.size() == inA.size() && both.size() == inB.size()) || areEdges) {
-        return "both are the same: " + nameOf(index, a);
+        return "both are the same";
     }
     if (!both.empty() && (both.size() == inA.size() || both.size() == inB.size())) {
         const bool isAPart = both.size() == inA.size();
@@ -197,7 +197,7 @@ void noteOnEmpty(const BoardIndex& index, const MeasureItem& item, const Pieces&
 }
 
 /// One net, no common layer, no heights, assumed thicknesses.
-void noteOnStackup(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b, Separation& separation) {
+void noteOnStackup(const BoardIndex& index, Separation& separation) {
     const NetId netA = netOf(index, separation.inPlane->from.at);
     const NetId netB = netOf(index, separation.inPlane->to.at);
     const bool isOneStep = separation.inPlane->from.at.copy == separation.inPlane->to.at.copy;
@@ -206,7 +206,7 @@ void noteOnStackup(const BoardIndex& index, const MeasureItem& a, const MeasureI
         separation.notes.push_back("both are of " + nameOf(index, net));
     }
     if (!separation.onLayer) {
-        separation.notes.push_back(nameOf(index, a) + " and " + nameOf(index, b) + " have no common layer");
+        separation.notes.push_back("no common layer");
     }
     if (!separation.throughStackup) {
         separation.notes.push_back("one of them is not in the stackup, so the distance is in the plane only");
@@ -283,7 +283,7 @@ base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
-    noteOnStackup(index, a, b, separation);
+    noteOnStackup(index, separation);
     noteOnEdge(index, a, *separation.inPlane, true, separation.notes);
     noteOnEdge(index, b, *separation.inPlane, false, separation.notes);
     return separation;

@@ -325,9 +325,15 @@ void MeasureFeature::click(BoardView& view, QPointF position, Qt::KeyboardModifi
 
 void MeasureFeature::reportWhyNothing(const BoardView& view, QPointF position) {
     const auto empty = m_tool == Tool::Objects ? m_cursor.emptyAt(view, position) : std::nullopt;
-    m_hint.show(empty ? tr("%1 covers nothing, so it has no distance")
-                            .arg(QString::fromStdString(model::nameOf(*m_index, *empty)))
+    m_hint.show(empty ? tr("This element on %1 covers nothing, so it has no distance").arg(layerNameOf(*empty))
                       : tr(factsOf(m_tool).nothing));
+}
+
+QString MeasureFeature::layerNameOf(const model::BoardElement& at) const {
+    const model::Document& step = m_index->stepOf(at.copy);
+    const model::LayerId own = step.elements.layer[at.element.row()];
+    const bool isFlipped = m_index->tree.copies[at.copy].isFlipped;
+    return QString::fromStdString(m_index->board->layer(step.layerOfCopy(own, isFlipped)).name);
 }
 
 QString MeasureFeature::refusalOf(const Caught& caught) const {

@@ -55,6 +55,7 @@ private:
     void click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
     [[nodiscard]] std::optional<Caught> catchAt(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
     void reportWhyNothing(const BoardView& view, QPointF position);
+    [[nodiscard]] QString layerNameOf(const model::BoardElement& at) const;
     /// Why a click cannot go with the ones before; empty if it can.
     [[nodiscard]] QString refusalOf(const Caught& caught) const;
     void reportNextClick();

@@ -273,6 +273,7 @@ private slots:
             QVERIFY2(said().contains(note), qPrintable(said()));
             QVERIFY(details(0).contains(note));
         }
+        QVERIFY2(!said().contains("element "), qPrintable(said()));
         QVERIFY(std::abs(list()[0].dz - 1e6) < 1.0 && std::abs(list()[0].dy() - 3e6) < 1.0);
         // Point to point through the same laminate.
         m_fixture->key(Qt::Key_M);
@@ -316,7 +317,7 @@ private slots:
     void copperThatCoversNothingIsNamed() {
         m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
         click(flat(), {9.5, 5});
-        QVERIFY2(said().contains("covers nothing") && said().contains("(top)"), qPrintable(said()));
+        QVERIFY2(said().contains("covers nothing") && said().contains("on top "), qPrintable(said()));
         click(flat(), {3, -0.9});
         QVERIFY2(said().contains("no element"), qPrintable(said()));
         QVERIFY(list().empty());
