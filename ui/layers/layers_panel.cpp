@@ -10,6 +10,7 @@
 
 #include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
+#include "ui/layers/layer_name_delegate.h"
 #include "ui/layers/layer_sets.h"
 #include "ui/workspace/actions.h"
 
@@ -38,6 +39,7 @@ LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* p
       m_actions(actions),
       m_rows(new GroupedLayers(model, this)),
       m_table(new TableView(model)),
+      m_names(new LayerNameDelegate(m_table)),
       m_sets(menuButton("layerSets", tr("Layer set"),
                         tr("Show a set of layers; save the visible ones as a set of your own"))),
       m_boardColours(menuButton("boardColours", tr("Colours"),
@@ -58,7 +60,8 @@ LayersPanel::LayersPanel(LayerModel& model, const ActionSet& actions, QWidget* p
 void LayersPanel::setUpTable() {
     m_table->setModel(m_rows);
     m_table->setButtonColumns({LayerModel::Visible, LayerModel::Colour, LayerModel::Solo});
-    m_table->setTextElideMode(Qt::ElideMiddle);  // long names differ at their ends
+    m_table->setTextElideMode(Qt::ElideMiddle);
+    m_table->setItemDelegateForColumn(LayerModel::Name, m_names);
     m_table->setContextMenuPolicy(Qt::CustomContextMenu);
     m_table->installEventFilter(this);
     m_table->viewport()->installEventFilter(this);
@@ -95,13 +98,16 @@ void LayersPanel::fitColumns() {
     m_table->resizeColumnsToContents();
     m_nameWidth = letters.horizontalAdvance('0') * kLeastName;
     m_typeWidth = 0;
+    QStringList names;
     for (int row = 0; row < m_model.rowCount(); ++row) {
+        names += m_model.index(row, LayerModel::Name).data().toString();
         const auto widthOf = [&](int column) {
             return letters.horizontalAdvance(m_model.index(row, column).data().toString() + QStringLiteral("MM"));
         };
         m_nameWidth = std::max(m_nameWidth, widthOf(LayerModel::Name));
         m_typeWidth = std::max(m_typeWidth, widthOf(LayerModel::Type));
     }
+    m_names->setNames(std::move(names));
     // Names take what is left: they are what is looked for. Types are also in the headings and tips.
     header.setSectionResizeMode(LayerModel::Name, QHeaderView::Stretch);
     m_table->setColumnWidth(LayerModel::Type, m_typeWidth);

@@ -10,6 +10,7 @@ class QToolButton;
 namespace ui {
 
 class ActionSet;
+class LayerNameDelegate;
 class LayerSets;
 class TableView;
 
@@ -60,6 +61,7 @@ private:
     const ActionSet& m_actions;
     GroupedLayers* m_rows;
     TableView* m_table;
+    LayerNameDelegate* m_names;
     QToolButton* m_sets;
     QToolButton* m_boardColours;
     int m_typeWidth = 0;  ///< pixels
