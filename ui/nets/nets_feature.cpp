@@ -70,7 +70,11 @@ std::vector<model::BoardNet> NetsFeature::netsToChoose() {
     const auto pointed = m_selection.pointed();
     const auto net = pointed ? m_selection.netOf(*pointed) : std::nullopt;
     const std::vector<model::BoardNet> nets = net ? std::vector{*net} : m_selection.selectionNets();
-    nets.empty() ? m_hint.show(tr("Point at an element of a net, or select one, to highlight its net")) : m_hint.end();
+    if (nets.empty()) {
+        m_hint.show(tr("Point at an element of a net, or select one, to highlight its net"));
+    } else {
+        m_hint.end();
+    }
     return nets;
 }
 

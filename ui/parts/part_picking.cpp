@@ -81,7 +81,11 @@ QString PartPicking::nameOf(const BoardPart& part) const {
 
 std::optional<model::BoardElement> PartPicking::target() {
     const auto at = m_selection.pointedOrCurrent();
-    at ? m_hint.end() : m_hint.show(tr("Point at a pad or a body, or select one"));
+    if (at) {
+        m_hint.end();
+    } else {
+        m_hint.show(tr("Point at a pad or a body, or select one"));
+    }
     return at;
 }
 

@@ -334,18 +334,21 @@ std::optional<PlanPainter::Label> PlanPainter::labelFor(model::ElementId element
     return std::nullopt;
 }
 
-/// Copper that is selected on layers that the named one hides.
+/// Copper that is selected on layers that the named one hides; none of what is more than can be named.
 std::vector<model::ElementId> PlanPainter::selectedBeneath() const {
     const model::ElementTable& elements = m_index->board->elements;
     const std::vector<model::BoardElement>& selected = m_workspace.selection().selected();
     const model::Box box = shownBox();
     const model::LayerId named = namedLayer();
     std::vector<model::ElementId> beneath;
+    if (selected.size() > kMostNames) {
+        return beneath;
+    }
     for (const model::BoardElement& at : selected) {
         const model::LayerId layer = at.copy == 0 ? elements.layer[at.element.row()] : model::LayerId{};
         const bool isBeneath = layer.isValid() && layer != named && m_index->board->layer(layer).isCopper() &&
                                m_view.styles()[layer.row()].isVisible;
-        if (isBeneath && m_index->board->boxOf(at.element).meets(box) && beneath.size() < kMostNames) {
+        if (isBeneath && m_index->board->boxOf(at.element).meets(box)) {
             beneath.push_back(at.element);
         }
     }
