@@ -128,7 +128,7 @@ ExportDialog::ExportDialog(const ExportSource& source, Settings& settings, QWidg
       m_window(source.window),
       m_nmPerUnit(nmPer(source.unit)),
       m_format(formatBox()),
-      m_path(new ExportPath(settings.lastFolder(), source.name)),
+      m_path(new ExportPath(settings.lastFolder(source.folder), source.name)),
       m_layers(new ExportLayers(source.layers)),
       m_nets(new ExportNets(source.nets, source.selectedNets)),
       m_area(new QComboBox),

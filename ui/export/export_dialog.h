@@ -22,7 +22,8 @@ class LayerModel;
 
 /// What the window shows when something is to be exported.
 struct ExportSource {
-    QString name;  ///< of the board, without an ending
+    QString name;    ///< of the board, without an ending
+    QString folder;  ///< that is proposed before the first export
     const LayerModel& layers;
     std::vector<std::string> nets;          ///< names of all
     std::vector<std::string> selectedNets;  ///< names of those of the selection

@@ -104,6 +104,7 @@ ExportSource ExportFeature::source() const {
         window = flat.boxBetween({}, {size.width(), size.height()});
     }
     return {QFileInfo(displayName(m_workspace.board()->request.path)).completeBaseName(),
+            m_workspace.boardFolder(),
             m_context.layers,
             allNames(selection.tree()),
             namesOf(selection.tree(), selection.selectionNets()),

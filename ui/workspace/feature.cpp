@@ -32,7 +32,7 @@ void FeatureContext::raise(QWidget& panel) {
 
 void FeatureContext::nameFile(const QString& title, const QString& what, const QStringList& filters,
                               const std::function<void(const QString&)>& take) const {
-    auto* dialog = new QFileDialog(&window, title, settings.lastFolder());
+    auto* dialog = new QFileDialog(&window, title, settings.lastFolder(workspace.boardFolder()));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters(filters);
@@ -55,7 +55,7 @@ void FeatureContext::saveFile(const QString& title, const QString& what, const Q
 
 void FeatureContext::openFile(const QString& title, const QString& filters,
                               const std::function<void(const QString&)>& open) const {
-    auto* dialog = new QFileDialog(&window, title, settings.lastFolder(), filters);
+    auto* dialog = new QFileDialog(&window, title, settings.lastFolder(workspace.boardFolder()), filters);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(filters.isEmpty() ? QFileDialog::Directory : QFileDialog::ExistingFile);
     QObject::connect(dialog, &QFileDialog::fileSelected, &workspace, open);

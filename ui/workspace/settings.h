@@ -49,8 +49,10 @@ public:
     /// Paths, newest first.
     [[nodiscard]] QStringList recentBoards() const { return m_store.value("files/recent").toStringList(); }
     void setRecentBoards(const QStringList& paths) { m_store.setValue("files/recent", paths); }
-    /// Where the last dialog was, or the home folder.
-    [[nodiscard]] QString lastFolder() const { return m_store.value("files/folder", QDir::homePath()).toString(); }
+    /// Where the last dialog was; `other` before the first one.
+    [[nodiscard]] QString lastFolder(const QString& other = QDir::homePath()) const {
+        return m_store.value("files/folder", other).toString();
+    }
     void setLastFolder(const QString& folder) { m_store.setValue("files/folder", folder); }
 
     /// Whom waivers of design rules name.

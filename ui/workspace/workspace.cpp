@@ -69,6 +69,13 @@ void Workspace::open(model::OpenRequest request) {
     m_loader.open(std::move(request));
 }
 
+QString Workspace::boardFolder() const {
+    const QString board =
+        m_board ? QDir::cleanPath(QFileInfo(fromPath(m_board->request.path)).absoluteFilePath()) : QString();
+    const QFileInfo folder(QFileInfo(board).absolutePath());
+    return m_board && folder.isWritable() ? folder.filePath() : QDir::homePath();
+}
+
 void Workspace::reload(const std::function<void(model::OpenRequest&)>& change) {
     model::OpenRequest request = model::reloadRequest(*m_board);
     if (change) {

@@ -28,6 +28,8 @@ public:
 
     /// Null before the first board. The one on the screen stays until the next one is read, and if that fails.
     [[nodiscard]] const LoadedBoard* board() const { return m_board ? &*m_board : nullptr; }
+    /// Where the board lies, to put files beside it; the home folder without a board, or where nothing can be written.
+    [[nodiscard]] QString boardFolder() const;
     /// Is this the step on the screen?
     [[nodiscard]] bool isOpen(const std::string& step) const { return m_board && m_board->document->job.step == step; }
     /// Stops all work and reads a board in the background.

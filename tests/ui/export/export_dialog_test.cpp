@@ -76,6 +76,19 @@ private slots:
         QCOMPARE(dialog().path(), folder() + "/rev1.2.pdf");
     }
 
+    void beforeTheFirstExportFilesAreProposedBesideTheBoard() {
+        m_fixture = std::make_unique<WindowFixture>();
+        const QString board = m_fixture->copyOfSample();
+        QVERIFY(m_fixture->openAndWait(board));
+        open();
+        QCOMPARE(QFileInfo(dialog().path()).path(), QFileInfo(board).path());
+        dialog().reject();
+        window().actions()[ActionId::ExportStackup].trigger();
+        auto* named = window().findChild<QFileDialog*>();
+        QVERIFY(named != nullptr);
+        QCOMPARE(named->directory().path(), QFileInfo(board).path());
+    }
+
     void buttonsSetTheLayers() {
         open();
         const model::Document& board = *window().document();

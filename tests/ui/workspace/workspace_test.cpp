@@ -67,6 +67,16 @@ private slots:
         QVERIFY2(said.startsWith("Opened board: 1 layer, 1 element, "), qPrintable(said));
     }
 
+    void filesAreProposedBesideTheBoard() {
+        Workspace workspace(work);
+        QCOMPARE(workspace.boardFolder(), QDir::homePath());
+        const QTemporaryDir folder;
+        open(workspace, folder.filePath("job/").toUtf8());
+        QCOMPARE(workspace.boardFolder(), folder.path());
+        open(workspace, "/nowhere/board.tgz");  // nothing can be written there
+        QCOMPARE(workspace.boardFolder(), QDir::homePath());
+    }
+
     void whatWasOfTheBoardBeforeGoes() {
         Workspace workspace(work);
         open(workspace, "board");
