@@ -22,13 +22,22 @@ QString partsTitle(const PartPicking& parts, const std::vector<BoardPart>& chose
     return PartPicking::tr("Component %1").arg(parts.nameOf(chosen.front()));
 }
 
+/// A pin in a hole is on both sides, whichever its component is on.
+bool isThroughBoard(const PartPicking& parts, const BoardPin& pin) {
+    const model::ElementTable& elements = parts.document(pin.step).elements;
+    return std::ranges::any_of(parts.finderOf(pin.step).elementsOf(pin.pin), [&](model::ElementId element) {
+        return (elements.flags[element.row()] & model::kHole) != 0;
+    });
+}
+
 QString pinsTitle(const PartPicking& parts, const std::vector<BoardPin>& chosen) {
     if (chosen.size() != 1) {
         return PartPicking::tr("%L1 pins").arg(chosen.size());
     }
     const auto [step, pin] = chosen.front();
     const model::Document& document = parts.document(step);
-    const bool isOnBottom = parts.isOnBottom({step, document.pins[pin.row()].component});
+    const bool isOnBottom =
+        parts.isOnBottom({step, document.pins[pin.row()].component}) && !isThroughBoard(parts, chosen.front());
     return (isOnBottom ? PartPicking::tr("Pin %1 (bottom)") : PartPicking::tr("Pin %1"))
         .arg(QString::fromStdString(model::fullPinName(document, pin)));
 }

@@ -39,7 +39,7 @@ private slots:
         QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
         QVERIFY(selectedIds().size() > 2);
         QCOMPARE(window().selection().current(), std::optional(BoardElement{0, m_pad}));
-        QVERIFY(window().label("elementHeading").startsWith("Component " + refdes() + ": "));
+        QVERIFY(window().label("elementHeading").startsWith("Component " + refdes() + " (bottom): "));
         QVERIFY(differingPixels(before[0], picture(flat())) > 20);
         QVERIFY(differingPixels(before[1], picture(solid())) > 20);
         m_fixture->key(Qt::Key_Escape);
@@ -52,6 +52,7 @@ private slots:
         m_fixture->key(Qt::Key_P, Qt::ShiftModifier);
         QCOMPARE(selectedIds(), m_finder->elementsOf(m_finder->pinsOf(m_pad).front()));
         QVERIFY(window().label("elementHeading").startsWith("Pin " + refdes() + "."));
+        QVERIFY2(!window().label("elementHeading").contains("bottom"), "a pin in a hole is on both sides");
     }
 
     void ctrlShiftAndAClickSelectTheComponent() {
