@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <numbers>
 
+#include "model/geometry/loops/edge_faults.h"
 #include "model/geometry/region.h"
 
 using model::EdgeLoops;
@@ -84,6 +85,20 @@ private slots:
         const std::vector<EdgeLoops> back = model::regionsOf(polygons);
         QCOMPARE(back.size(), std::size_t{1});
         QCOMPARE(back[0].edges.size(), loop.size());
+    }
+
+    void polygonsAreRegions() {
+        PolygonSet set;
+        set.beginPolygon();
+        set.addLoop(std::vector<model::Point>{{0, 0}, {90, 0}, {90, 90}, {0, 90}});
+        set.addLoop(std::vector<model::Point>{{10, 10}, {20, 10}, {20, 20}, {10, 20}});
+        set.beginPolygon();
+        set.addLoop(std::vector<model::Point>{{200, 0}, {290, 0}, {290, 90}});
+        const std::vector<EdgeLoops> regions = model::regionsOf(set);
+        QCOMPARE(regions.size(), std::size_t{2});
+        QVERIFY(!model::findFault(regions[0]) && !model::findFault(regions[1]));
+        QCOMPARE(model::areaOf(regions[0]), 8000.0);
+        QCOMPARE(model::areaOf(regions[1]), 4050.0);
     }
 
     void nothingIsNothing() {

@@ -58,20 +58,6 @@ private slots:
         QCOMPARE(outlinesOf(sketch).size(), 1U);
         QCOMPARE(outlinesOf(sketch).front().loopCount(), 1U);
     }
-
-    void polygonsToo() {
-        model::PolygonSet set;
-        set.beginPolygon();
-        set.addLoop(std::vector<Point>{{0, 0}, {90, 0}, {90, 90}, {0, 90}});
-        set.addLoop(std::vector<Point>{{10, 10}, {20, 10}, {20, 20}, {10, 20}});
-        set.beginPolygon();
-        set.addLoop(std::vector<Point>{{200, 0}, {290, 0}, {290, 90}});
-        const std::vector<EdgeLoops> regions = model::areaOutlines(set);
-        QCOMPARE(regions.size(), 2U);
-        QVERIFY(areSound(regions[0]) && areSound(regions[1]));
-        QCOMPARE(model::areaOf(regions[0]), 8000.0);
-        QCOMPARE(model::areaOf(regions[1]), 4050.0);
-    }
 };
 
 QTEST_APPLESS_MAIN(AreaShellTest)
