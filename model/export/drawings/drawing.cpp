@@ -5,8 +5,8 @@
 
 #include "model/base/parallel.h"
 #include "model/board/layers.h"
-#include "model/solids/shells/drawn_outlines.h"
 #include "model/solids/shells/area_shell.h"
+#include "model/solids/shells/drawn_outlines.h"
 
 namespace model {
 
