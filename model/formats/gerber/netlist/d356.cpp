@@ -93,12 +93,12 @@ private:
         }
     }
 
-    /// "mils):  80.400000", which is left alone in any other unit.
+    /// "mils):  80.400000", which is left alone in any other unit, and from a metre on.
     void thickness(std::string_view text) {
         constexpr std::string_view kMils = "mils):";
         const std::optional<double> mils =
             text.starts_with(kMils) ? parseReal(trimmed(text.substr(kMils.size()))) : std::nullopt;
-        if (mils && *mils > 0) {
+        if (mils && *mils > 0 && *mils < 40'000) {
             m_result.boardNm = *mils * base::kNmPerInch / 1'000;
             m_result.boardLine = m_line;
         }

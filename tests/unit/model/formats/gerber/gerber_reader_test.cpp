@@ -519,6 +519,19 @@ private slots:
         }));
     }
 
+    void aThicknessThatNoBoardHasIsLeftAlone() {
+        for (const char* thickness : {"1e30", "40000", "-1", "thick"}) {
+            const std::string netlist =
+                std::string("C  Board Thickness(mils):  ") + thickness + "\nP  UNITS CUST 1\n" +
+                "317A                J1    -1     D0800PA00X+002000Y+002000X1500Y0000R000 S0\n999\n";
+            const Job job(
+                {{"b.GTL", image(kCopper)}, {"b.GBL", image(kCopper)}, {"b.drl", kDrills}, {"b.ipc", netlist}});
+            const Board board = job.open();
+            QVERIFY(board.ok());
+            QVERIFY(!(*board)->stackup.facts.boardNm);
+        }
+    }
+
     void whatIsWrongInAnImageIsReported() {
         const Job job({{"top.gtl", image(kCopper + "Q7*\n")}, {"bottom.gbl", image(kCopper)}});
         const Board board = job.open();
