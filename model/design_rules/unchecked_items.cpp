@@ -178,9 +178,12 @@ private:
             reach = std::max(reach, m_choice.reachOf(kind));
         }
         const std::size_t pairs = reach > 0 ? pairsOfCopies(static_cast<Nm>(reach)) : 0;
-        const std::vector<HoleClass> holes = pairs > 0 ? holesOfAllSteps() : std::vector<HoleClass>{};
+        if (pairs == 0) {
+            return;
+        }
+        const std::vector<HoleClass> holes = holesOfAllSteps();
         for (const RuleKind kind : kKinds) {
-            for (const std::size_t rule : pairs > 0 ? m_choice.rowsOf(kind) : std::vector<std::size_t>{}) {
+            for (const std::size_t rule : m_choice.rowsOf(kind)) {
                 if (m_choice.whyUnused(rule, holes).empty()) {
                     m_items.push_back({rule, pairs, pairs == 1 ? "pair" : "pairs",
                                        "copies of steps, or a copy and an element, may come closer than the limit"});

@@ -1,6 +1,5 @@
 #include "model/opening/open_board.h"
 
-#include <optional>
 #include <utility>
 
 #include "model/base/thickness_units.h"
@@ -26,28 +25,23 @@ base::Result<Thicknesses> parseThicknesses(const std::vector<std::string>& texts
     return all;
 }
 
-/// Where the user has set none, a board of KiCad has the rules of its project.
-void takeProjectRules(const OpenRequest& request, const Document& board, session::LoadedSession& found) {
-    if (found.session.designRules) {
-        return;
-    }
-    if (std::optional<RuleFile> project = kicadRulesFor(request.path, board)) {
-        found.session.designRules = std::move(project->table);
-    }
-}
-
 /// The board as its session and the request stack it.
 base::Result<OpenedBoard> withSession(const OpenRequest& request, ReadBoard read) {
     session::LoadedSession found;
+    std::optional<RuleFile> projectRules;
     if (!request.noSession) {
         found = session::loadSession(request.path, *read.document);
-        takeProjectRules(request, *read.document, found);
+        projectRules = kicadRulesFor(request.path, *read.document);
+    }
+    if (projectRules && !found.session.designRules) {  // the user has set none
+        found.session.designRules = projectRules->table;
     }
     ASSIGN_OR_RETURN(Thicknesses once, parseThicknesses(request.thicknesses, read.document->stackup));
     OpenedBoard board{request, {}, {found.session.thicknesses, std::move(once)}};
     board.document = session::applyThicknesses(std::move(read.document), board.thicknesses.all());
     board.format = read.format->key;
     board.session = std::move(found.session);
+    board.projectRules = std::move(projectRules);
     board.forms = std::move(read.forms);
     board.notes = std::move(found.ignored);
     return board;

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/base/progress.h"
+#include "model/clearance/rule_file.h"
 #include "model/formats/registry.h"
 #include "model/session/session.h"
 
@@ -40,11 +42,12 @@ struct OpenedBoard {
     OpenRequest request;                       ///< of several forms it names the one that was read
     std::shared_ptr<const Document> document;  ///< with the thicknesses in it; null if one of `forms` is to be chosen
     SetThicknesses thicknesses{};
-    bool areThicknessesSaved = true;   ///< those of `thicknesses.saved` are in the session file
-    session::Session session{};        ///< as the file holds it, of other steps too
-    std::string format{};              ///< BoardFormat::key of what was read
-    std::vector<BoardForm> forms{};    ///< where there are several: the one that was read or is proposed first
-    std::vector<std::string> notes{};  ///< what of the session file is not used, a sentence each
+    bool areThicknessesSaved = true;         ///< those of `thicknesses.saved` are in the session file
+    session::Session session{};              ///< as the file holds it, of other steps too
+    std::optional<RuleFile> projectRules{};  ///< those of a KiCad board's project (kicadRulesFor), unless noSession
+    std::string format{};                    ///< BoardFormat::key of what was read
+    std::vector<BoardForm> forms{};          ///< where there are several: the one that was read or is proposed first
+    std::vector<std::string> notes{};        ///< what of the session file is not used, a sentence each
 };
 
 /// Reads the board, infers its nets if that is requested, and stacks it as its session and the request say. Cancelled

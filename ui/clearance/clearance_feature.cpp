@@ -38,10 +38,7 @@ base::Status saveRulesOf(const std::filesystem::path& board, const model::Docume
 
 /// What a board begins with. What is left out of its project is so under rules that were edited, too.
 model::RuleFile rulesOf(const LoadedBoard& board) {
-    model::RuleFile rules;
-    if (!board.request.noSession) {
-        rules = model::kicadRulesFor(board.request.path, *board.document).value_or(model::RuleFile{});
-    }
+    model::RuleFile rules = board.projectRules.value_or(model::RuleFile{});
     rules.table = board.session.designRules.value_or(model::defaultRules());
     return rules;
 }

@@ -1,13 +1,11 @@
 #include "model/formats/common/board_outline.h"
 
-#include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <string>
 
+#include "model/formats/common/element_regions.h"
 #include "model/geometry/outlines.h"
 #include "model/solids/shells/area_shell.h"
-#include "model/solids/shells/drawn_outlines.h"
 
 namespace model::formats {
 
@@ -42,31 +40,32 @@ void forEachCopper(const Document& document, Visit visit) {
 }
 
 /// What copies of one step take away, in that step's coordinates.
-std::vector<EdgeLoops> takenBy(const Document& step) {
+RegionBoolean takenBy(const Document& step) {
     if (step.profile.isValid()) {
-        return areaOutlines(step.shapes, step.profile);
+        return {areaOutlines(step.shapes, step.profile), true};
     }
-    std::vector<EdgeLoops> taken;
+    RegionBoolean taken;
     for (std::size_t row = 0; row < step.elements.size(); ++row) {
         if ((step.elements.flags[row] & kHole) != 0) {
-            std::ranges::move(drawnOutlinesOf(step, ElementId{row}).regions, std::back_inserter(taken));
+            taken.append(regionsOf(step, ElementId{row}));
         }
     }
     return taken;
 }
 
-std::vector<EdgeLoops> takenByCopies(const Document& document) {
-    std::vector<std::vector<EdgeLoops>> ofStep;
+RegionBoolean takenByCopies(const Document& document) {
+    std::vector<RegionBoolean> ofStep;
     for (const auto& step : document.steps) {
         ofStep.push_back(takenBy(*step));
         if (!step->profile.isValid()) {
-            std::ranges::move(takenByCopies(*step), std::back_inserter(ofStep.back()));
+            ofStep.back().append(takenByCopies(*step));
         }
     }
-    std::vector<EdgeLoops> taken;
+    RegionBoolean taken;
     for (const StepInstance& instance : document.instances) {
-        for (const EdgeLoops& region : ofStep[instance.step]) {
-            taken.push_back(placed(region, instance.placement));
+        taken.isExact = taken.isExact && ofStep[instance.step].isExact;
+        for (const EdgeLoops& region : ofStep[instance.step].regions) {
+            taken.regions.push_back(placed(region, instance.placement));
         }
     }
     return taken;
@@ -111,8 +110,13 @@ void setOutline(DocumentBuilder& builder, std::optional<ShapeSketch> sketch, std
 }
 
 RegionBoolean withoutCopies(const Document& document, std::vector<EdgeLoops> region) {
-    return document.instances.empty() ? RegionBoolean{std::move(region), true}
-                                      : differenceOf(region, takenByCopies(document));
+    if (document.instances.empty()) {
+        return {std::move(region), true};
+    }
+    const RegionBoolean taken = takenByCopies(document);
+    RegionBoolean left = differenceOf(region, taken.regions);
+    left.isExact = left.isExact && taken.isExact;
+    return left;
 }
 
 }  // namespace model::formats

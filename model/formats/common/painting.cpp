@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -10,17 +9,17 @@
 
 #include "model/base/parallel.h"
 #include "model/board/element_copy.h"
-#include "model/figures/element_polygons.h"
+#include "model/formats/common/element_regions.h"
 #include "model/geometry/box_index.h"
 #include "model/geometry/edges.h"
 #include "model/geometry/loops/region_booleans.h"
 #include "model/geometry/outlines.h"
-#include "model/geometry/region.h"
-#include "model/solids/shells/drawn_outlines.h"
 
 namespace model::formats {
 
 namespace {
+
+constexpr const char* kChords = "arcs are straight edges within 1 µm, as they could not be kept";
 
 /// The negative elements, so that an element is compared with those near it only.
 class NegativeIndex {
@@ -54,18 +53,6 @@ private:
     std::optional<BoxIndex> m_index;
 };
 
-using Regions = std::vector<EdgeLoops>;
-
-/// What an element covers: of a hole what is drilled. Chords where tracks could not be joined.
-Regions regionsOf(const Document& document, std::size_t row) {
-    Regions regions = drawnOutlinesOf(document, ElementId{row}).regions;
-    return regions.empty() ? model::regionsOf(discretise(document, ElementId{row}, kBooleanChords)) : regions;
-}
-
-void append(Regions& regions, Regions more) {
-    regions.insert(regions.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
 /// What is left of a positive element that negative ones lie over.
 struct Remainder {
     RegionBoolean left;
@@ -80,13 +67,15 @@ std::optional<Remainder> remainder(const Document& document, std::size_t element
     }
     Remainder result;
     result.features.push_back(document.elements.firstFeature[element]);
-    Regions cut;
+    RegionBoolean cut;
     for (const std::size_t row : above) {
-        append(cut, regionsOf(document, row));
+        cut.append(regionsOf(document, ElementId{row}));
         result.features.push_back(document.elements.firstFeature[row]);
     }
     result.features.erase(std::unique(result.features.begin(), result.features.end()), result.features.end());
-    result.left = differenceOf(regionsOf(document, element), cut);
+    const RegionBoolean own = regionsOf(document, ElementId{element});
+    result.left = differenceOf(own.regions, cut.regions);
+    result.left.isExact = result.left.isExact && own.isExact && cut.isExact;
     return result;
 }
 
@@ -107,10 +96,9 @@ RegionBoolean visible(const Document& document, std::span<const std::uint8_t> ne
     RegionBoolean all;
     for (std::size_t i = 0; i < left.size(); ++i) {
         if (left[i]) {
-            all.isExact = all.isExact && left[i]->left.isExact;
-            append(all.regions, std::move(left[i]->left.regions));
+            all.append(std::move(left[i]->left));
         } else if (negatives[i] == 0) {
-            append(all.regions, regionsOf(document, i));
+            all.append(regionsOf(document, ElementId{i}));
         }
     }
     return all;
@@ -135,7 +123,7 @@ DocumentBuilder::Origin originOf(DocumentBuilder& builder, const Document& docum
 constexpr std::size_t kMostPairwise = 64;
 
 /// Is it certain that no two of them meet?
-bool keepApart(const Regions& regions) {
+bool keepApart(std::span<const EdgeLoops> regions) {
     if (regions.size() > kMostPairwise) {
         return false;
     }
@@ -157,7 +145,7 @@ public:
     explicit OutlineSources(const Document& painted) {
         std::vector<Box> boxes;
         for (std::size_t row = 0; row < painted.elements.size(); ++row) {
-            for (const EdgeLoops& region : regionsOf(painted, row)) {
+            for (const EdgeLoops& region : regionsOf(painted, ElementId{row}).regions) {
                 for (const Edge& edge : region.edges) {
                     m_edges.push_back(edge);
                     m_features.push_back(painted.elements.firstFeature[row]);
@@ -304,9 +292,7 @@ void addPainted(DocumentBuilder& builder, const Document& painted, std::span<con
     }
     if (inexact > 0) {
         builder.diagnostics().report(Severity::Info, file, 0,
-                                     "of " + std::to_string(inexact) +
-                                         " features that negative ones cut, arcs are straight edges within 1 µm, as "
-                                         "they could not be kept");
+                                     "of " + std::to_string(inexact) + " features that negative ones cut, " + kChords);
     }
 }
 
@@ -370,9 +356,18 @@ void addInverse(DocumentBuilder& builder, const Inverse& inverse) {
     }
 }
 
-ShapeSketch regionOf(const Document& painted, std::span<const std::uint8_t> negatives) {
-    const Regions shown = visible(painted, negatives).regions;
-    return sketchOf(keepApart(shown) ? shown : unionOf(shown).regions);
+ShapeSketch regionOf(const Document& painted, std::span<const std::uint8_t> negatives, Diagnostics& diagnostics,
+                     std::string_view file) {
+    RegionBoolean shown = visible(painted, negatives);
+    if (!keepApart(shown.regions)) {
+        const bool areExact = shown.isExact;
+        shown = unionOf(shown.regions);
+        shown.isExact = shown.isExact && areExact;
+    }
+    if (!shown.isExact) {
+        diagnostics.report(Severity::Info, file, 0, std::string("in what it draws, ") + kChords);
+    }
+    return sketchOf(shown.regions);
 }
 
 }  // namespace model::formats

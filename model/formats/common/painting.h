@@ -68,7 +68,8 @@ struct Inverse {
 /// Adds the pieces to the builder's current layer, a painted Area each.
 void addInverse(DocumentBuilder& builder, const Inverse& inverse);
 
-/// The region that all elements together leave visible.
-[[nodiscard]] ShapeSketch regionOf(const Document& painted, std::span<const std::uint8_t> negatives);
+/// The region that all elements together leave visible. Reports with `file` if it is not exact.
+[[nodiscard]] ShapeSketch regionOf(const Document& painted, std::span<const std::uint8_t> negatives,
+                                   Diagnostics& diagnostics, std::string_view file);
 
 }  // namespace model::formats

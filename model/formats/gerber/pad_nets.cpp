@@ -293,7 +293,10 @@ bool PadNets::isUseOfHolesTold() const {
 /// open.
 void PadNets::assumeVias() {
     for (std::size_t layer = 0; layer < m_layers.layers.size(); ++layer) {
-        const std::set<std::int32_t> tools = holdsHoles(layer) ? viaTools(layer) : std::set<std::int32_t>();
+        if (!holdsHoles(layer)) {
+            continue;
+        }
+        const std::set<std::int32_t> tools = viaTools(layer);
         for (DrawnFeature& hole : m_step.features[layer]) {
             if (tools.contains(hole.symbol) && mayBeVia(hole)) {
                 hole.subnet = SubnetKind::Via;
@@ -323,7 +326,7 @@ std::set<std::int32_t> PadNets::viaTools(std::size_t layer) const {
 
 /// Round, not said to be non-plated, of a size that is known and fits a via.
 bool PadNets::mayBeVia(const DrawnFeature& hole) const {
-    if (hole.kind != DrawnKind::Pad || hole.plating == Plating::NonPlated) {
+    if (hole.kind != DrawnKind::Pad || hole.symbol < 0 || hole.plating == Plating::NonPlated) {
         return false;
     }
     const formats::PadShape& shape = m_step.symbols[static_cast<std::size_t>(hole.symbol)].shape;

@@ -1,5 +1,8 @@
 #include "model/geometry/loops/region_booleans.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "model/geometry/boolean.h"
 #include "model/geometry/loops/edge_union.h"
 #include "model/geometry/outlines.h"
@@ -17,6 +20,11 @@ PathNode nodeOf(const Edge& edge) {
 }
 
 }  // namespace
+
+void RegionBoolean::append(RegionBoolean other) {
+    isExact = isExact && other.isExact;
+    std::ranges::move(other.regions, std::back_inserter(regions));
+}
 
 RegionBoolean unionOf(std::span<const EdgeLoops> regions) {
     std::optional<std::vector<EdgeLoops>> exact = unite(regions);

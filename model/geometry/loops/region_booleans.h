@@ -12,6 +12,9 @@ namespace model {
 struct RegionBoolean {
     std::vector<EdgeLoops> regions;
     bool isExact = true;  ///< as edge_union.h; else straight-edged within 1 µm
+
+    /// Takes another one's beside them; exact as long as both are.
+    void append(RegionBoolean other);
 };
 [[nodiscard]] RegionBoolean unionOf(std::span<const EdgeLoops> regions);
 [[nodiscard]] RegionBoolean differenceOf(std::span<const EdgeLoops> from, std::span<const EdgeLoops> what);

@@ -29,7 +29,7 @@ PadShape SymbolLibrary::userSymbol(const SymbolRef& symbol) {
     scratch.beginLayer(scratch.addLayer({}));
     const std::vector<std::uint8_t> negatives =
         addFeatures(scratch, *this, m_diagnostics, {&features, file->path, {}, nullptr}, nullptr);
-    shape.region = formats::regionOf(scratch.soFar(), negatives);
+    shape.region = formats::regionOf(scratch.soFar(), negatives, m_diagnostics, file->path);
     if (shape.region.isEmpty()) {
         shape.problem = "draws nothing";
         return shape;
