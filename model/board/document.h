@@ -175,15 +175,15 @@ enum class Plating : std::uint8_t { NotSaid, Plated, NonPlated, Via };
     return plating == Plating::Plated || plating == Plating::Via;
 }
 
-/// What a hole is for. A plated one that is neither via nor pin hole is there for mounting.
-enum class HoleKind : std::uint8_t { Via, Component, Mounting, NonPlated };
+/// What a hole is for. `Plated` is one that has a barrel and of which the job does not say whether a pin or a via is in it.
+enum class HoleKind : std::uint8_t { Via, Component, Plated, NonPlated };
 
 /// Of an element with kHole.
 [[nodiscard]] constexpr HoleKind holeKind(std::uint8_t flags) {
     return (flags & kPlated) == 0    ? HoleKind::NonPlated
            : (flags & kVia) != 0     ? HoleKind::Via
            : (flags & kPinHole) != 0 ? HoleKind::Component
-                                     : HoleKind::Mounting;
+                                     : HoleKind::Plated;
 }
 
 /// Is the element the barrel of a plated hole?
@@ -534,7 +534,7 @@ struct Document {
 [[nodiscard]] const char* toString(LayerSide side);    ///< "top", "inner", …
 [[nodiscard]] const char* toString(MountType mount);   ///< "unknown", "other", "smt", "through_hole", "press_fit"
 [[nodiscard]] const char* toString(LayerUse use);      ///< "plain", "flex", …
-[[nodiscard]] const char* toString(HoleKind kind);     ///< "via", "component", "mounting", "non_plated"
+[[nodiscard]] const char* toString(HoleKind kind);     ///< "via", "component", "plated", "non_plated"
 [[nodiscard]] const char* toString(Source source);     ///< "job", "derived", "assumed", "session"
 
 }  // namespace model

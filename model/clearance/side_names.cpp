@@ -63,7 +63,7 @@ std::string SideNames::kindOfHole(ElementId hole) const {
     switch (holeKind(m_document.elements.flags[hole.row()])) {
         case HoleKind::Via: return "via";
         case HoleKind::Component: return isRound ? "component hole" : "plated slot";
-        case HoleKind::Mounting: return isRound ? "plated hole" : "plated slot";
+        case HoleKind::Plated: return isRound ? "plated hole" : "plated slot";
         case HoleKind::NonPlated: return isRound ? "NPTH" : "NPTH slot";
     }
     return {};

@@ -189,7 +189,7 @@ private slots:
         QCOMPARE(d->circles[0].innerDiameter, 200'000);
         QVERIFY(d->tools[0].layer == d->findLayer("BLIND"));
         QCOMPARE(model::holeKind(d->elements.flags[elementOf(*d, "DRILL", 0).row()]), model::HoleKind::NonPlated);
-        QCOMPARE(model::holeKind(d->elements.flags[elementOf(*d, "DRILL", 1).row()]), model::HoleKind::Mounting);
+        QCOMPARE(model::holeKind(d->elements.flags[elementOf(*d, "DRILL", 1).row()]), model::HoleKind::Plated);
     }
 
     void layersTheBoardIsMadeOfComeFirstAndHaveOpposites() {

@@ -74,7 +74,7 @@ private slots:
         QCOMPARE(kindOf(holeOf({}, 500'000, kVia)), HoleKind::Via);
         QCOMPARE(kindOf(holeOf({}, 500'000, kNonPlated, true, true)), HoleKind::NonPlated);
         QCOMPARE(kindOf(holeOf({}, 500'000, kPlated, true, true)), HoleKind::Component);
-        QCOMPARE(kindOf(holeOf({}, 500'000, kPlated, true, false)), HoleKind::Mounting);
+        QCOMPARE(kindOf(holeOf({}, 500'000, kPlated, true, false)), HoleKind::Plated);
         QCOMPARE(kindOf(holeOf({}, 500'000, kVia, true, true)), HoleKind::Via);  // a via in a pad
     }
 
@@ -83,7 +83,7 @@ private slots:
                                               tool(kNonPlated, 3'000'000, 3'000'000)};
         QCOMPARE(kindOf(holeOf(tools, 300'900)), HoleKind::Via);
         QCOMPARE(kindOf(holeOf(tools, 900'000, kNotSaid, true, true)), HoleKind::Component);
-        QCOMPARE(kindOf(holeOf(tools, 900'000)), HoleKind::Mounting);
+        QCOMPARE(kindOf(holeOf(tools, 900'000)), HoleKind::Plated);
         QCOMPARE(kindOf(holeOf(tools, 3'000'000, kNotSaid, true)), HoleKind::NonPlated);
     }
 
@@ -107,7 +107,7 @@ private slots:
     void whereNothingIsSaidNetsAndPinsTell() {
         QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, true, false)), HoleKind::Via);
         QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, true, true)), HoleKind::Component);
-        QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, false, false)), HoleKind::Mounting);
+        QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, false, false)), HoleKind::Plated);
         QVERIFY(holeOf({}, 300'000).isPlatingAssumed);
         QCOMPARE(kindOf(holeOf({}, 300'000, kNotSaid, true, true, model::LayerUse::Plain, LayerType::Rout)),
                  HoleKind::NonPlated);
