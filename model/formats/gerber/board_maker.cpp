@@ -371,8 +371,19 @@ private:
         }
         all.append(job.diagnostics);
         job.diagnostics = std::move(all);
-        job.info.units = "MM";
+        job.info.units = isMostInInches() ? "INCH" : "MM";
         job.steps.push_back(std::move(m_step));
+    }
+
+    /// Drawings only: programs write drills in a unit of their own.
+    [[nodiscard]] bool isMostInInches() const {
+        int more = 0;
+        for (const std::size_t row : m_board.files) {
+            const ReadFile& file = m_files[row];
+            const bool isDrawing = file.kind == ReadFile::Kind::Gerber && !file.isIgnored();
+            more += !isDrawing ? 0 : file.image.isInInches ? 1 : -1;
+        }
+        return more > 0;
     }
 
     std::vector<ReadFile>& m_files;

@@ -32,6 +32,7 @@ struct Image {
     std::vector<std::string> comments;       ///< the first ones, and names of layers and images (LN, IN)
     bool isNegative = false;                 ///< IPNEG: what is drawn is what is left out
     bool hasEnd = false;                     ///< M02
+    bool isInInches = false;                 ///< MOIN, or nothing is said; of drill files false
     std::vector<DrillTool> tools;            ///< of drill files
     std::size_t flashes = 0;
     std::size_t draws = 0;

@@ -73,6 +73,7 @@ Image ImageParser::run() {
         }
     }
     finish();
+    m_image.isInInches = m_format.nmPerUnit == base::kNmPerInch;
     return std::move(m_image);
 }
 

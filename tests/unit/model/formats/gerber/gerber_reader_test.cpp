@@ -48,6 +48,21 @@ class GerberReaderTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void theJobsUnitIsThatOfMostDrawings() {
+        const auto unitOf = [](const std::string& top, const std::string& bottom) {
+            const auto drawing = [](const std::string& unit) {
+                return "%MO" + unit + "*%%FSLAX26Y26*%%ADD10C,0.02*%D10*X1000000Y1000000D03*X2000000Y2000000D03*M02*";
+            };
+            const Job job({{"b.gtl", drawing(top)}, {"b.gbl", drawing(bottom)}, {"b.gto", drawing("IN")},
+                           {"b.drl", kDrills}});
+            const Board board = job.open();
+            return board.ok() ? (*board)->job.units : std::string("not read");
+        };
+        QCOMPARE(unitOf("IN", "IN"), std::string("INCH"));
+        QCOMPARE(unitOf("IN", "MM"), std::string("INCH"));
+        QCOMPARE(unitOf("MM", "MM"), std::string("MM"));
+    }
+
     void aFolderIsABoard() {
         const Job job({{"b-F_Cu.gtl", image(kNamedCopper, "Copper,L1,Top")},
                        {"b-B_Cu.gbl", image(kNamedCopper, "Copper,L2,Bot")},
@@ -470,8 +485,8 @@ private slots:
             const Board board = job.open();
             QVERIFY(board.ok());
             QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Via), 3U);
-            QCOMPARE(holesOf(**board, 300'000, model::HoleKind::Mounting), 1U);
-            QCOMPARE(holesOf(**board, 3'000'000, model::HoleKind::Mounting), 1U);
+            QCOMPARE(holesOf(**board, 300'000, model::HoleKind::Plated), 1U);
+            QCOMPARE(holesOf(**board, 3'000'000, model::HoleKind::Plated), 1U);
             QCOMPARE(viasOfNets(**board), 3U);
             QVERIFY(std::ranges::any_of((*board)->diagnostics.entries(), [name](const auto& entry) {
                 return entry.text.find("are taken to make vias") != std::string::npos && entry.file == name &&
@@ -498,7 +513,7 @@ private slots:
         const Board board = job.open();
         QVERIFY(board.ok());
         QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Component), 1U);
-        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Mounting), 2U);
+        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Plated), 2U);
         QVERIFY(!isReported(**board, "are taken to make vias"));
     }
 
