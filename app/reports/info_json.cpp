@@ -4,6 +4,7 @@
 
 #include "app/reports/stackup_report.h"
 #include "model/board/copies.h"
+#include "model/board/holes.h"
 #include "render/standard/standard_triangles.h"
 
 namespace app {
@@ -143,8 +144,8 @@ ordered_json infoJson(const CountedBoard& board, const std::vector<model::StepCh
                          {"placed_steps", placedStepsJson(document)},
                          {"nets", netsJson(document)},
                          {"components", componentsJson(document)},
-                         {"drills", drillsJson(document)},
-                         {"holes_with_copies", holesWithCopies(document)},
+                         {"drills", drillsJson(document, model::drillTable(document))},
+                         {"drills_with_copies", drillsJson(document, model::drillTableWithCopies(document))},
                          {"board",
                           {{"width_nm", document.board.width()},
                            {"height_nm", document.board.height()},

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <numeric>
 
-#include "model/board/copies.h"
 #include "model/board/holes.h"
 #include "model/board/stackup.h"
 #include "model/board/stackup_checks.h"
@@ -171,34 +170,22 @@ void printStackup(const model::Document& document) {
     }
 }
 
-ordered_json drillsJson(const model::Document& document) {
+ordered_json drillsJson(const model::Document& document, const std::vector<model::DrillRow>& rows) {
     ordered_json json = ordered_json::array();
-    for (const DrillRow& row : model::drillTable(document)) {
+    for (const DrillRow& row : rows) {
         json.push_back(drillJson(document, row));
     }
     return json;
 }
 
-std::uint64_t holesWithCopies(const model::Document& document) {
-    const model::StepTree tree = model::unfoldCopies(document);
-    std::vector<std::uint64_t> ofStep(tree.steps.size());
-    for (std::size_t step = 0; step < ofStep.size(); ++step) {
-        for (const DrillRow& row : model::drillTable(*tree.steps[step])) {
-            ofStep[step] += row.count;
-        }
-    }
-    return std::accumulate(tree.copies.begin(), tree.copies.end(), std::uint64_t{0},
-                           [&](std::uint64_t sum, const model::StepCopy& copy) { return sum + ofStep[copy.step]; });
-}
-
 void printDrills(const model::Document& document) {
-    const std::uint64_t all = holesWithCopies(document);
-    if (all == 0) {
+    const std::vector<DrillRow> rows = model::drillTableWithCopies(document);
+    if (rows.empty()) {
         return;
     }
     std::printf("\n%-28s %-9s %-10s %-6s %9s %9s %5s %11s %9s %8s  %s\n", "holes on", "span", "kind", "shape",
                 "hole mm", "inside mm", "tool", "finished mm", "drill mm", "count", "from - to");
-    for (const DrillRow& row : model::drillTable(document)) {
+    for (const DrillRow& row : rows) {
         const model::Layer& layer = document.layer(row.layer);
         const bool hasTool = row.tool != nullptr;
         std::printf("%-28s %-9s %-10s %-6s %9s %9s %5s %11s %9s %8u  %s - %s\n", layer.name.c_str(),
@@ -209,7 +196,9 @@ void printDrills(const model::Document& document) {
                     nameOf(document, layer.spanTop).c_str(), nameOf(document, layer.spanBottom).c_str());
     }
     if (!document.instances.empty()) {
-        std::printf("%-104s %8llu\n", "with the copies of other steps", static_cast<unsigned long long>(all));
+        const auto all = std::accumulate(rows.begin(), rows.end(), std::uint64_t{0},
+                                         [](std::uint64_t sum, const DrillRow& row) { return sum + row.count; });
+        std::printf("%-104s %8llu\n", "in all, with the copies of other steps", static_cast<unsigned long long>(all));
     }
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/board/document.h"
+#include "model/board/holes.h"
 
 namespace app {
 
@@ -21,12 +22,10 @@ void printStackup(const model::Document& document);
 /// "plated", "shape", "diameter_nm", "inside_nm" (also "open_nm", its old name), "tool", "process", "bit",
 /// "finished_nm", "drill_nm", "count"}. `tool` and what comes from it are null where no tool of the layer fits or the
 /// job does not say.
-[[nodiscard]] nlohmann::ordered_json drillsJson(const model::Document& document);
+[[nodiscard]] nlohmann::ordered_json drillsJson(const model::Document& document,
+                                                const std::vector<model::DrillRow>& rows);
 
-/// All holes of the step and of the copies on it, whatever their depth.
-[[nodiscard]] std::uint64_t holesWithCopies(const model::Document& document);
-
-/// `drills` as a table on stdout, on panels with holesWithCopies(); nothing where that is 0.
+/// The holes of the board with those of all copies on it as a table on stdout; nothing where there are none.
 void printDrills(const model::Document& document);
 
 }  // namespace app

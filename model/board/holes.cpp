@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace model {
 
@@ -116,6 +117,47 @@ const DrillTool* toolFor(const std::vector<const DrillTool*>& tools, const Drill
     return best;
 }
 
+int toolNumberOf(const DrillRow& row) {
+    return row.tool != nullptr ? row.tool->number : -1;
+}
+
+/// Are rows of two steps, or of one, the same to a fabricator?
+bool areAlike(const DrillRow& a, const DrillRow& b) {
+    return keyOf(a) == keyOf(b) && a.span == b.span && toolNumberOf(a) == toolNumberOf(b);
+}
+
+/// A row of a step's own table, as a copy of it is drilled.
+DrillRow ofCopy(const Document& step, DrillRow row, bool isFlipped) {
+    row.layer = step.layerOfCopy(row.layer, isFlipped);
+    return row;
+}
+
+/// Those that a row of the step's own table counts, as elements of a copy.
+void addHoles(const Document& step, const DrillRow& row, std::uint32_t copy, std::vector<BoardElement>& holes) {
+    const Range elements = step.layer(row.layer).elements;
+    for (std::uint32_t e = elements.first; e < elements.first + elements.count; ++e) {
+        if ((step.elements.flags[e] & kHole) != 0 && keyOf(measured(step, e)) == keyOf(row)) {
+            holes.push_back({copy, ElementId{e}});
+        }
+    }
+}
+
+/// How often a step is on the board.
+struct Placed {
+    std::uint32_t upright = 0;
+    std::uint32_t flipped = 0;
+};
+
+void addRow(std::vector<DrillRow>& rows, DrillRow row, std::uint32_t times) {
+    row.count *= times;
+    const auto same = std::ranges::find_if(rows, [&](const DrillRow& other) { return areAlike(other, row); });
+    if (same != rows.end()) {
+        same->count += row.count;
+    } else if (times > 0) {
+        rows.push_back(row);
+    }
+}
+
 /// Of holes like this one, whose tool is set.
 HoleSpan spanOf(const Document& document, const Layer& layer, const DrillRow& hole) {
     const HoleSpan span = layerSpan(document, layer);
@@ -170,6 +212,23 @@ std::vector<DrillRow> drillTable(const Document& document) {
     return rows;
 }
 
+std::vector<DrillRow> drillTableWithCopies(const Document& board) {
+    const StepTree tree = unfoldCopies(board);
+    std::vector<Placed> placed(tree.steps.size());
+    for (const StepCopy& copy : tree.copies) {
+        ++(copy.isFlipped ? placed[copy.step].flipped : placed[copy.step].upright);
+    }
+    std::vector<DrillRow> rows;
+    for (std::size_t step = 0; step < placed.size(); ++step) {
+        for (const DrillRow& row : drillTable(*tree.steps[step])) {
+            addRow(rows, row, placed[step].upright);
+            addRow(rows, ofCopy(*tree.steps[step], row, true), placed[step].flipped);
+        }
+    }
+    std::ranges::stable_sort(rows, {}, [](const DrillRow& row) { return std::pair(keyOf(row), toolNumberOf(row)); });
+    return rows;
+}
+
 HoleSpan spanOf(const Document& document, ElementId hole) {
     DrillRow row = measured(document, hole.row());
     const LayerId layer = document.elements.layer[hole.row()];
@@ -193,14 +252,23 @@ std::vector<bool> microviasOf(const Document& document) {
     return isMicrovia;
 }
 
-std::vector<ElementId> holesOf(const Document& document, const DrillRow& row) {
-    std::vector<ElementId> holes;
-    const Range elements = document.layer(row.layer).elements;
-    for (std::uint32_t e = elements.first; e < elements.first + elements.count; ++e) {
-        if ((document.elements.flags[e] & kHole) != 0 && keyOf(measured(document, e)) == keyOf(row)) {
-            holes.emplace_back(e);
+std::vector<BoardElement> holesOf(const Document& board, const DrillRow& row) {
+    const StepTree tree = unfoldCopies(board);
+    std::vector<std::vector<DrillRow>> tables;
+    for (const Document* step : tree.steps) {
+        tables.push_back(drillTable(*step));
+    }
+    std::vector<BoardElement> holes;
+    for (std::uint32_t i = 0; i < tree.copies.size(); ++i) {
+        const StepCopy& copy = tree.copies[i];
+        const Document& step = *tree.steps[copy.step];
+        for (const DrillRow& own : tables[copy.step]) {
+            if (areAlike(ofCopy(step, own, copy.isFlipped), row)) {
+                addHoles(step, own, i, holes);
+            }
         }
     }
+    std::ranges::sort(holes);
     return holes;
 }
 

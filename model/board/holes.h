@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/board/copies.h"
 #include "model/board/document.h"
 
 /// What the holes of a board are: spans, tools, counts.
@@ -48,11 +49,14 @@ struct DrillRow {
 /// All holes of the document's own drill and rout layers, by layer, span, kind, shape and size. Copies of other steps
 /// are not counted.
 [[nodiscard]] std::vector<DrillRow> drillTable(const Document& document);
+/// The same of a board with all copies of steps on it, each hole as often as it is drilled. Steps of a job have tool
+/// lists of their own: holes that are alike but for the number of their tool are two rows.
+[[nodiscard]] std::vector<DrillRow> drillTableWithCopies(const Document& board);
 /// Of one hole.
 [[nodiscard]] HoleSpan spanOf(const Document& document, ElementId hole);
 /// Which elements are plated holes with HoleSpan::Micro, by element.
 [[nodiscard]] std::vector<bool> microviasOf(const Document& document);
-/// The holes that a row of the table counts, in rising order.
-[[nodiscard]] std::vector<ElementId> holesOf(const Document& document, const DrillRow& row);
+/// The holes that a row of `drillTableWithCopies` counts, in rising order.
+[[nodiscard]] std::vector<BoardElement> holesOf(const Document& board, const DrillRow& row);
 
 }  // namespace model

@@ -58,7 +58,7 @@ void addHoles(const DrillRow& row, StackupBarrel& bore) {
 }
 
 void placeBores(const Document& document, StackupDrawing& out) {
-    for (const DrillRow& row : drillTable(document)) {
+    for (const DrillRow& row : drillTableWithCopies(document)) {
         const bool isPlated = row.kind != HoleKind::NonPlated;
         const auto same = std::ranges::find_if(out.bores, [&](const StackupBarrel& bore) {
             return bore.layer == row.layer && bore.span == row.span && bore.isPlated == isPlated;

@@ -18,14 +18,14 @@ DrillModel::DrillModel(QObject* parent)
 void DrillModel::setDocument(std::shared_ptr<const model::Document> document) {
     beginResetModel();
     m_document = std::move(document);
-    m_rows = m_document ? model::drillTable(*m_document) : std::vector<model::DrillRow>();
+    m_rows = m_document ? model::drillTableWithCopies(*m_document) : std::vector<model::DrillRow>();
     endResetModel();
 }
 
-std::vector<model::ElementId> DrillModel::holesIn(const std::vector<int>& rows) const {
-    std::vector<model::ElementId> holes;
+std::vector<model::BoardElement> DrillModel::holesIn(const std::vector<int>& rows) const {
+    std::vector<model::BoardElement> holes;
     for (const int row : rows) {
-        const std::vector<model::ElementId> ofRow = model::holesOf(*m_document, m_rows[static_cast<std::size_t>(row)]);
+        const auto ofRow = model::holesOf(*m_document, m_rows[static_cast<std::size_t>(row)]);
         holes.insert(holes.end(), ofRow.begin(), ofRow.end());
     }
     std::ranges::sort(holes);

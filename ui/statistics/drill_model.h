@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// The drill table of a board: holes that are the same to a fabricator, a row each (model/board/holes.h). Copies of
-/// other steps are not counted.
+/// The drill table of a board with the copies of steps on it: holes that are the same to a fabricator, a row each
+/// (model/board/holes.h).
 class DrillModel : public TableModel {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ public:
 
     void setDocument(std::shared_ptr<const model::Document> document);
     /// The holes that these rows count, in rising order.
-    [[nodiscard]] std::vector<model::ElementId> holesIn(const std::vector<int>& rows) const;
+    [[nodiscard]] std::vector<model::BoardElement> holesIn(const std::vector<int>& rows) const;
 
 private:
     [[nodiscard]] int rows() const override { return static_cast<int>(m_rows.size()); }

@@ -70,8 +70,15 @@ private slots:
     }
 
     void rowsNameTheirHoles() {
-        QCOMPARE(m_model.holesIn({0}), (std::vector{ElementId{1}, ElementId{3}, ElementId{4}}));
-        QCOMPARE(m_model.holesIn({1, 0}), (std::vector{ElementId{1}, ElementId{2}, ElementId{3}, ElementId{4}}));
+        const auto own = [](std::initializer_list<std::uint32_t> rows) {
+            std::vector<model::BoardElement> elements;
+            for (const std::uint32_t row : rows) {
+                elements.push_back({0, ElementId{row}});
+            }
+            return elements;
+        };
+        QCOMPARE(m_model.holesIn({0}), own({1, 3, 4}));
+        QCOMPARE(m_model.holesIn({1, 0}), own({1, 2, 3, 4}));
         QVERIFY(m_model.holesIn({}).empty());
     }
 

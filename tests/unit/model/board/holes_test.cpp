@@ -1,0 +1,168 @@
+// Drill tables of panels. What readers make of holes stands in formats/odb/holes_test.cpp.
+
+#include "model/board/holes.h"
+
+#include <QtTest>
+#include <set>
+
+#include "model/board/document_builder.h"
+
+using model::BoardElement;
+using model::Document;
+using model::DocumentBuilder;
+using model::DrillRow;
+using model::HoleKind;
+using model::LayerId;
+using model::Nm;
+
+namespace {
+
+constexpr std::uint8_t kViaFlags = model::kHole | model::kPlated | model::kVia;
+
+/// Copper on both sides, a drill layer through the board and two of laser drills, each the other's opposite.
+struct Step {
+    DocumentBuilder builder;
+    LayerId through;
+    LayerId above;
+    LayerId below;
+
+    Step() {
+        const LayerId top = copper("top", model::LayerSide::Top);
+        const LayerId inner1 = copper("inner1", model::LayerSide::Inner);
+        const LayerId inner2 = copper("inner2", model::LayerSide::Inner);
+        const LayerId bottom = copper("bottom", model::LayerSide::Bottom);
+        through = drill("through", top, bottom, {});
+        above = drill("above", top, inner1, LayerId{std::size_t{6}});
+        below = drill("below", inner2, bottom, above);
+    }
+
+    LayerId copper(const char* name, model::LayerSide side) {
+        model::Layer layer;
+        layer.name = name;
+        layer.type = model::LayerType::Signal;
+        layer.side = side;
+        return builder.addLayer(layer);
+    }
+    LayerId drill(const char* name, LayerId top, LayerId bottom, LayerId opposite) {
+        model::Layer layer;
+        layer.name = name;
+        layer.type = model::LayerType::Drill;
+        layer.spanTop = top;
+        layer.spanBottom = bottom;
+        layer.opposite = opposite;
+        return builder.addLayer(layer);
+    }
+    Step& tool(int number, Nm size) {
+        model::DrillTool tool;
+        tool.layer = through;
+        tool.number = number;
+        tool.plating = model::Plating::Via;
+        tool.drillSize = tool.finishedSize = size;
+        builder.addTool(tool);
+        return *this;
+    }
+    Step& holes(LayerId layer, Nm size, int count, std::uint8_t flags = kViaFlags) {
+        builder.beginLayer(layer);
+        DocumentBuilder::Origin origin;
+        origin.flags = flags;
+        for (int i = 0; i < count; ++i) {
+            builder.addCircle({{i * 1'000'000, 0}, size, size}, origin);
+        }
+        return *this;
+    }
+    Step& place(const std::shared_ptr<const Document>& step, int upright, int flipped = 0) {
+        const std::uint32_t row = builder.addStep(step);
+        for (int i = 0; i < upright + flipped; ++i) {
+            builder.addInstance({row, {{0, (i + 1) * 10'000'000}, 0.0, i >= upright}, i >= upright});
+        }
+        return *this;
+    }
+};
+
+/// "through via 300 #1 x 12" of each row, sizes in µm.
+std::vector<std::string> textOf(const Document& board, const std::vector<DrillRow>& rows) {
+    std::vector<std::string> texts;
+    for (const DrillRow& row : rows) {
+        const std::string tool = row.tool != nullptr ? " #" + std::to_string(row.tool->number) : "";
+        texts.push_back(board.layer(row.layer).name + " " + toString(row.kind) + " " +
+                        std::to_string(row.diameter / 1000) + tool + " x " + std::to_string(row.count));
+    }
+    return texts;
+}
+
+using Texts = std::vector<std::string>;
+
+}  // namespace
+
+class HolesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void ofABoardWithoutCopiesBothTablesAreTheSame() {
+        Step step;
+        step.tool(1, 300'000).holes(step.through, 300'000, 3);
+        const auto board = step.builder.finish();
+        QCOMPARE(textOf(*board, model::drillTable(*board)), Texts{"through via 300 #1 x 3"});
+        QCOMPARE(textOf(*board, model::drillTableWithCopies(*board)), Texts{"through via 300 #1 x 3"});
+    }
+
+    void holesOfCopiesOfCopiesAreCounted() {
+        Step card;
+        card.tool(1, 300'000).holes(card.through, 300'000, 3);
+        Step row;
+        row.place(card.builder.finish(), 2);
+        Step panel;
+        panel.holes(panel.through, 3'000'000, 4, model::kHole).place(row.builder.finish(), 5);
+        const auto board = panel.builder.finish();
+        QCOMPARE(textOf(*board, model::drillTable(*board)), Texts{"through non_plated 3000 x 4"});
+        QCOMPARE(textOf(*board, model::drillTableWithCopies(*board)),
+                 (Texts{"through via 300 #1 x 30", "through non_plated 3000 x 4"}));
+    }
+
+    void flippedCopiesAreDrilledFromTheOtherSide() {
+        Step card;
+        card.holes(card.above, 100'000, 2).holes(card.below, 100'000, 1);
+        Step panel;
+        panel.place(card.builder.finish(), 10, 1);
+        const auto board = panel.builder.finish();
+        const std::vector<DrillRow> rows = model::drillTableWithCopies(*board);
+        QCOMPARE(textOf(*board, rows), (Texts{"above via 100 x 21", "below via 100 x 12"}));
+        QVERIFY(rows[0].span == model::HoleSpan::Micro);
+    }
+
+    void stepsThatNumberToolsDifferentlyAreToldApart() {
+        Step one;
+        one.tool(1, 300'000).holes(one.through, 300'000, 1);
+        Step other;
+        other.tool(2, 300'000).holes(other.through, 300'000, 1);
+        Step panel;
+        panel.place(one.builder.finish(), 2).place(other.builder.finish(), 3);
+        const auto board = panel.builder.finish();
+        QCOMPARE(textOf(*board, model::drillTableWithCopies(*board)),
+                 (Texts{"through via 300 #1 x 2", "through via 300 #2 x 3"}));
+    }
+
+    void everyRowNamesAsManyHolesAsItCounts() {
+        Step card;
+        card.tool(1, 300'000).holes(card.through, 300'000, 3).holes(card.above, 100'000, 2);
+        Step other;
+        other.tool(2, 300'000).holes(other.through, 300'000, 4).holes(other.below, 100'000, 1);
+        Step panel;
+        panel.holes(panel.through, 300'000, 1).place(card.builder.finish(), 2, 2).place(other.builder.finish(), 1, 3);
+        const auto board = panel.builder.finish();
+        std::set<BoardElement> all;
+        std::size_t counted = 0;
+        for (const DrillRow& row : model::drillTableWithCopies(*board)) {
+            const std::vector<BoardElement> holes = model::holesOf(*board, row);
+            QCOMPARE(holes.size(), std::size_t{row.count});
+            QVERIFY(std::ranges::is_sorted(holes));
+            all.insert(holes.begin(), holes.end());
+            counted += row.count;
+        }
+        QCOMPARE(all.size(), counted);  // none twice
+        QCOMPARE(counted, std::size_t{1 + 4 * 5 + 4 * 5});
+    }
+};
+
+QTEST_APPLESS_MAIN(HolesTest)
+#include "holes_test.moc"
