@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "ui/common/elided_label.h"
 #include "ui/common/panel_parts.h"
 #include "ui/common/sorted_rows.h"
 #include "ui/common/table_view.h"
@@ -55,7 +56,7 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
       m_locations(locations),
       m_what(new QComboBox),
       m_where(new QComboBox),
-      m_summary(new QLabel),
+      m_summary(new ElidedLabel),
       m_table(new TableView(locations)),
       m_ruleTable(new TableView(rules)),
       m_lens(sliderTo(1, kLensSteps, "lensReach", tr("How near copper must come for the lens to highlight it"))),
@@ -118,7 +119,6 @@ QBoxLayout* ClearancePanel::searchRow(const ActionSet& actions) {
     m_saveRules = tools->addAction(tr("Save rules…"), this, &ClearancePanel::rulesSaved);
     m_waivers = tools->addWidget(waiverButton());
     m_summary->setObjectName(QStringLiteral("summary"));
-    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* choices = new QHBoxLayout;
     choices->addWidget(m_what);
     choices->addWidget(m_where, 1);

@@ -7,6 +7,7 @@
 #include <QSplitter>
 
 #include "model/text/formatting.h"
+#include "ui/common/elided_label.h"
 #include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
 #include "ui/stackup/stackup_view.h"
@@ -29,7 +30,7 @@ StackupPanel::StackupPanel(StackupModel& model, const ActionSet& actions, QWidge
       m_findingTable(new TableView(m_findings)),
       m_halves(new QSplitter),
       m_total(new QLabel),
-      m_summary(new QLabel) {
+      m_summary(new ElidedLabel) {
     m_table->setEditTriggers(m_table->editTriggers() | QAbstractItemView::AnyKeyPressed);
     m_table->fitColumns();
     m_table->horizontalHeader()->setStretchLastSection(true);
@@ -106,7 +107,6 @@ QWidget* StackupPanel::tableHalf() {
                            [this] { m_model.resetAll(); });
     auto* row = buttonRow({selected, all});
     m_summary->setObjectName(QStringLiteral("stackupSummary"));
-    m_summary->setMinimumWidth(1);  // the panel is not made wider for it
     row->addWidget(m_summary, 1);
     return panelOf(row, tables(), 0);
 }
