@@ -35,6 +35,13 @@ SearchBox::SearchBox(const ActionSet& actions, QWidget& window)
     layout->addWidget(m_list);
 }
 
+void SearchBox::setBoard(std::shared_ptr<const model::Document> board) {
+    m_search.setBoard(std::move(board));
+    if (isVisible()) {
+        update();
+    }
+}
+
 void SearchBox::open(const QString& text) {
     const int width = fontMetrics().averageCharWidth() * 80;
     resize(std::min(width, m_window.width()), fontMetrics().height() * 20);

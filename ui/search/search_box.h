@@ -20,7 +20,9 @@ class SearchBox : public QFrame {
 public:
     SearchBox(const ActionSet& actions, QWidget& window);
 
-    [[nodiscard]] BoardSearch& search() { return m_search; }
+    /// What is listed is looked for again.
+    void setBoard(std::shared_ptr<const model::Document> board);
+    [[nodiscard]] const BoardSearch& search() const { return m_search; }
     void setUnit(LengthUnit unit) { m_unit = unit; }
     /// Appears over the window with `text` in its line.
     void open(const QString& text);

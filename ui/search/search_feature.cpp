@@ -1,6 +1,7 @@
 #include "ui/search/search_feature.h"
 
 #include "ui/parts/part_picking.h"
+#include "ui/search/location_mark.h"
 #include "ui/search/search_box.h"
 
 namespace ui {
@@ -59,13 +60,19 @@ void show(const Found& found, const BoardSearch& search, Workspace& workspace, P
 void addSearch(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     auto* box = new SearchBox(context.actions, context.window);
+    auto* mark = new LocationMark(context.views, workspace, &context.window);
+    context.escapes.emplace_back([mark] { return mark->clear(); });
     context.on(ActionId::Find, box, [box] { box->open({}); });
     context.on(ActionId::Commands, box, [box] { box->open(QStringLiteral(">")); });
-    QObject::connect(box, &SearchBox::chosen, &workspace, [&context, box](const Found& found) {
+    QObject::connect(box, &SearchBox::chosen, &workspace, [&context, box, mark](const Found& found) {
+        mark->clear();
+        if (found.kind == FoundKind::Location) {
+            mark->set(found.location);
+        }
         show(found, box->search(), context.workspace, context.parts);
     });
     QObject::connect(&workspace, &Workspace::boardRead, box,
-                     [box](const LoadedBoard& board) { box->search().setBoard(board.document); });
+                     [box](const LoadedBoard& board) { box->setBoard(board.document); });
     QObject::connect(&workspace, &Workspace::unitChanged, box, &SearchBox::setUnit);
 }
 

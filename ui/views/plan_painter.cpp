@@ -243,12 +243,16 @@ model::LayerId PlanPainter::namedLayer() const {
         return {};
     }
     const std::vector<model::Layer>& layers = m_index->board->layers;
+    const std::vector<render::LayerStyle>& styles = m_view.styles();
     const bool isFromBelow = m_view.controller().camera().direction().z > 0.0F;
     model::LayerId nearest;
     for (std::size_t row = 0; row < layers.size(); ++row) {
-        const render::LayerStyle& style = m_view.styles()[row];
-        if (layers[row].isCopper() && style.isVisible && style.opacity > kReadableOpacity &&
-            (isFromBelow || !nearest.isValid())) {
+        const render::LayerStyle& style = styles[row];
+        if (!layers[row].isCopper() || !style.isVisible || style.opacity <= kReadableOpacity) {
+            continue;
+        }
+        const int nearer = nearest.isValid() ? style.raised - styles[nearest.row()].raised : 1;
+        if (nearer > 0 || (nearer == 0 && isFromBelow)) {
             nearest = model::LayerId{row};
         }
     }

@@ -28,7 +28,8 @@ public:
 
     /// The part of the board the view shows, in nm.
     [[nodiscard]] model::Box shownBox() const;
-    /// The copper layer nearest to the viewer that can be made out; none if there is none.
+    /// The copper layer that can be made out and is drawn over the others: the current one, else the one nearest to the
+    /// viewer; none if there is none.
     [[nodiscard]] model::LayerId namedLayer() const;
     /// Distance of grid lines in nm: 1, 2 or 5 times a power of ten of the unit, at least `pixels` apart.
     [[nodiscard]] static double gridStep(double nmPerPixel, LengthUnit unit, double pixels = 24.0);
@@ -39,8 +40,8 @@ public:
         double height = 0.0;  ///< of the letters, in pixels
         QString text;         ///< one line, or a pin and below it its net
     };
-    /// Of the copper layer nearest to the viewer: names of what it hides would only confuse. But what is selected is
-    /// seen through it: there its names are written, and no others.
+    /// Of `namedLayer`: names of what it hides would only confuse. But what is selected is seen through it: there its
+    /// names are written, and no others.
     [[nodiscard]] std::vector<Label> labels() const;
 
 private:

@@ -9,6 +9,7 @@
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers/layers_panel.h"
+#include "ui/search/location_mark.h"
 #include "ui/search/search_box.h"
 #include "ui/views/plan_painter.h"
 
@@ -95,6 +96,46 @@ private slots:
         QVERIFY(QLineF(*flat.screenOf({10e6, 20e6}), middle).length() < 1.0);
     }
 
+    void aPlaceIsMarkedInBothViews() {
+        for (const ActionId view : {ActionId::ShowFlat, ActionId::ShowSolid}) {
+            window().actions()[view].trigger();
+            type("10, 20 mm");
+            take();
+            const base::Result<QImage> marked = window().views().active().grabPicture();
+            m_fixture->key(Qt::Key_Escape);
+            const base::Result<QImage> bare = window().views().active().grabPicture();
+            QVERIFY(marked && bare);
+            const int ofTheMark = differingPixels(*marked, *bare);
+            QVERIFY2(ofTheMark > 50 && ofTheMark < 1'000, qPrintable(QString::number(ofTheMark)));
+        }
+    }
+
+    void theMarkGoesWhenSomethingElseIsDone() {
+        const ui::LocationMark& mark = window().find<ui::LocationMark>();
+        type("1pps_out");
+        take();
+        const auto nets = window().selection().nets();
+        const auto markPlace = [&] {
+            type("10, 20 mm");
+            take();
+            QVERIFY(mark.location().has_value());
+        };
+        markPlace();
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!mark.location());
+        QCOMPARE(window().selection().nets(), nets);  // the next Esc ends the highlight
+        markPlace();
+        type("gnd");
+        take();
+        QVERIFY(!mark.location());
+        markPlace();
+        emit window().views().solid().controller().clicked({200.0, 200.0}, Qt::NoModifier);
+        QVERIFY(!mark.location());
+        markPlace();
+        QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/panel"));
+        QVERIFY(!mark.location());
+    }
+
     void arrowsChooseAndEscapeCloses() {
         type("1pps");
         QCOMPARE(box().list().currentRow(), 0);
@@ -144,6 +185,17 @@ private slots:
         take();
         QVERIFY2(window().label("elementHeading").startsWith("Component R2 (bottom): 2 pins"),
                  qPrintable(window().label("elementHeading")));
+    }
+
+    void namesAreThoseOfTheCurrentLayer() {
+        QVERIFY(m_fixture->openAndWait(boardWithPartsBelowEachOther()));
+        type("10, -10 mm");
+        take();
+        QVERIFY2(!names().filter("R1.1").isEmpty() && names().filter("R2.1").isEmpty(), qPrintable(names().join(' ')));
+        window().workspace().setCurrentLayer(window().document()->findLayer("B.Cu"));
+        QVERIFY2(names().filter("R1.1").isEmpty() && !names().filter("R2.1").isEmpty(), qPrintable(names().join(' ')));
+        window().layers().showOnly({"F.Cu"});
+        QVERIFY2(!names().filter("R1.1").isEmpty(), "a layer that is hidden names nothing");
     }
 
     void aNetOfAPlacedStepIsHighlighted() {
