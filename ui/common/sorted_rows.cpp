@@ -6,6 +6,13 @@
 namespace ui {
 
 SortedRows::SortedRows(TableModel& model, QObject* parent) : QSortFilterProxyModel(parent), m_model(model) {
+    const auto forget = [this] { m_texts.clear(); };  // before this model hears of it
+    connect(&model, &QAbstractItemModel::modelAboutToBeReset, this, forget);
+    connect(&model, &QAbstractItemModel::dataChanged, this, forget);
+    connect(&model, &QAbstractItemModel::layoutAboutToBeChanged, this, forget);
+    connect(&model, &QAbstractItemModel::rowsInserted, this, forget);
+    connect(&model, &QAbstractItemModel::rowsRemoved, this, forget);
+    connect(&model, &QAbstractItemModel::rowsMoved, this, forget);
     setSourceModel(&model);
     setSortRole(TableModel::kSortRole);
     setSortCaseSensitivity(Qt::CaseInsensitive);
@@ -30,8 +37,17 @@ bool SortedRows::filterAcceptsRow(int row, const QModelIndex&) const {
     if (m_words.isEmpty() || m_model.rankOf(row) < m_leastRank) {
         return m_model.rankOf(row) >= m_leastRank;
     }
-    const QString text = m_model.searchText(row);
+    const QString& text = textOf(row);
     return std::ranges::all_of(m_words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+
+const QString& SortedRows::textOf(int row) const {
+    m_texts.resize(static_cast<std::size_t>(m_model.rowCount()));
+    QString& text = m_texts[static_cast<std::size_t>(row)];
+    if (text.isNull()) {
+        text = m_model.searchText(row);
+    }
+    return text;
 }
 
 bool SortedRows::lessThan(const QModelIndex& left, const QModelIndex& right) const {

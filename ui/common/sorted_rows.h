@@ -2,6 +2,7 @@
 
 #include <QSortFilterProxyModel>
 #include <QStringList>
+#include <vector>
 
 #include "ui/common/table_model.h"
 
@@ -27,9 +28,11 @@ protected:
 
 private:
     void filterAnew();
+    [[nodiscard]] const QString& textOf(int row) const;
 
     TableModel& m_model;
     QStringList m_words;
+    mutable std::vector<QString> m_texts;  ///< by row, what is searched: made when it is wanted, until it changes
     int m_leastRank = 0;
     bool m_isFiltering = false;
 };

@@ -20,7 +20,7 @@ PartsFeature::PartsFeature(FeatureContext& context)
     connectExports(context);
     connect(&context.workspace, &Workspace::boardOpened, this, [this](const LoadedBoard& board) {
         m_partsPanel->setBoard(board.document);
-        m_pinsPanel->setBoard(board.index);
+        m_pinsPanel->setBoard(board);
     });
     connect(&context.workspace, &Workspace::unitChanged, &m_parts, &PartModel::setUnit);
     connect(&context.workspace, &Workspace::unitChanged, &m_pins, &PinModel::setUnit);

@@ -31,32 +31,54 @@ std::span<const model::Document* const> PinModel::steps() const {
                    : std::span<const model::Document* const>();
 }
 
-void PinModel::setBoard(std::shared_ptr<const model::BoardIndex> board) {
+void PinModel::setBoard(const LoadedBoard& board) {
     beginResetModel();
+    m_board = board.index;
+    m_pinRanks = board.pinRanks;
+    m_nets = board.nets;
     m_rows.clear();
-    m_board = std::move(board);
-    m_ranks.clear();
-    for (const model::Document* step : steps()) {
-        std::vector<std::string> pins;
-        for (std::size_t row = 0; row < step->pins.size(); ++row) {
-            pins.push_back(model::fullPinName(*step, model::PinId{row}));
-        }
-        std::vector<std::string> nets;
-        std::ranges::transform(step->nets, std::back_inserter(nets), &model::Net::name);
-        m_ranks.push_back({model::ranksOf(pins), model::ranksOf(nets)});
-    }
+    m_all.reset();
+    m_areAllListed = false;
     endResetModel();
 }
 
 void PinModel::setPins(std::vector<BoardPin> pins) {
-    std::ranges::sort(pins, {},
-                      [&](const BoardPin& pin) { return std::pair(pin.step, m_ranks[pin.step].pins[pin.pin.row()]); });
-    beginResetModel();
-    m_rows.clear();
-    for (const BoardPin& pin : pins) {
-        m_rows.push_back(rowFor(pin));
+    setRows(rowsFor(std::move(pins)), false);
+}
+
+void PinModel::setAllPins() {
+    if (m_areAllListed) {
+        return;
     }
+    if (!m_all) {
+        std::vector<BoardPin> pins;
+        for (std::uint32_t step = 0; step < steps().size(); ++step) {
+            for (std::size_t row = 0; row < steps()[step]->pins.size(); ++row) {
+                pins.push_back({step, model::PinId{row}});
+            }
+        }
+        m_all = rowsFor(std::move(pins));
+    }
+    setRows(*m_all, true);
+}
+
+void PinModel::setRows(std::vector<Row> rows, bool areAll) {
+    beginResetModel();
+    m_rows = std::move(rows);
+    m_areAllListed = areAll;
     endResetModel();
+}
+
+std::vector<PinModel::Row> PinModel::rowsFor(std::vector<BoardPin> pins) const {
+    const auto rank = [&](const BoardPin& pin) {
+        return pin.step < m_pinRanks.size() ? m_pinRanks[pin.step][pin.pin.row()]
+                                            : static_cast<std::uint32_t>(pin.pin.row());
+    };
+    std::ranges::sort(pins, {}, [&](const BoardPin& pin) { return std::pair(pin.step, rank(pin)); });
+    std::vector<Row> rows;
+    rows.reserve(pins.size());
+    std::ranges::transform(pins, std::back_inserter(rows), [&](const BoardPin& pin) { return rowFor(pin); });
+    return rows;
 }
 
 PinModel::Row PinModel::rowFor(const BoardPin& pin) const {
@@ -87,6 +109,11 @@ const model::Pin& PinModel::recordOf(int row) const {
     return stepOf(pin).pins[pin.pin.row()];
 }
 
+std::size_t PinModel::netRank(const BoardPin& pin) const {
+    const std::size_t row = stepOf(pin).pins[pin.pin.row()].net.row();
+    return pin.step < m_nets.size() ? m_nets[pin.step]->nameRank[row] : row;
+}
+
 Cell PinModel::layerCell(const Row& row) const {
     if (!row.top.isValid()) {
         return {.text = tr("no copper"), .order = place({})};
@@ -105,8 +132,7 @@ Cell PinModel::cell(int row, int column) const {
     switch (column) {
         case Pin: return {.text = QString::fromStdString(model::fullPinName(step, pin.pin)), .order = row};
         case Net:
-            return record.net.isValid() ? Cell{.text = netName(step, record.net),
-                                               .order = place(m_ranks[pin.step].nets[record.net.row()])}
+            return record.net.isValid() ? Cell{.text = netName(step, record.net), .order = place(netRank(pin))}
                                         : Cell{.text = QString(), .order = place({})};
         case Layer: return layerCell(m_rows[static_cast<std::size_t>(row)]);
         case X: return length(record.position.x);

@@ -8,6 +8,7 @@
 #include "model/index/board_index.h"
 #include "ui/common/table_model.h"
 #include "ui/parts/part_picking.h"
+#include "ui/workspace/loader.h"
 
 namespace ui {
 
@@ -21,9 +22,11 @@ public:
 
     explicit PinModel(QObject* parent = nullptr);
 
-    /// May be null: a board without pins. None are listed until `setPins`.
-    void setBoard(std::shared_ptr<const model::BoardIndex> board);
+    /// Without an index it is a board without pins. None are listed until `setPins` or `setAllPins`.
+    void setBoard(const LoadedBoard& board);
     void setPins(std::vector<BoardPin> pins);
+    /// Takes no time where they are listed.
+    void setAllPins();
 
     [[nodiscard]] BoardPin pinAt(int row) const { return m_rows[static_cast<std::size_t>(row)].pin; }
     [[nodiscard]] std::optional<int> rowOf(const BoardPin& pin) const;
@@ -38,22 +41,23 @@ private:
         model::LayerId top;  ///< copper that its pads and hole are on; none if there is none
         model::LayerId bottom;
     };
-    struct Ranks {
-        std::vector<std::uint32_t> pins;  ///< places of the names "U5.3" of all pins of a step
-        std::vector<std::uint32_t> nets;
-    };
-
     [[nodiscard]] int rows() const override { return static_cast<int>(m_rows.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] QString tip(int row, int column) const override;
     [[nodiscard]] const model::Document& stepOf(const BoardPin& pin) const { return *m_board->tree.steps[pin.step]; }
     [[nodiscard]] const model::Pin& recordOf(int row) const;
+    [[nodiscard]] std::size_t netRank(const BoardPin& pin) const;
     [[nodiscard]] Row rowFor(const BoardPin& pin) const;
+    [[nodiscard]] std::vector<Row> rowsFor(std::vector<BoardPin> pins) const;
+    void setRows(std::vector<Row> rows, bool areAll);
     [[nodiscard]] Cell layerCell(const Row& row) const;
 
     std::shared_ptr<const model::BoardIndex> m_board;
-    std::vector<Ranks> m_ranks;  ///< per row of model::StepTree::steps
+    std::vector<std::vector<std::uint32_t>> m_pinRanks;                ///< LoadedBoard::pinRanks
+    std::vector<std::shared_ptr<const model::NetStatistics>> m_nets;  ///< LoadedBoard::nets
     std::vector<Row> m_rows;
+    std::optional<std::vector<Row>> m_all;  ///< once they were listed
+    bool m_areAllListed = false;
 };
 
 }  // namespace ui

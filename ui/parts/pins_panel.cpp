@@ -60,8 +60,8 @@ void PinsPanel::layOut() {
     column->addWidget(m_table);
 }
 
-void PinsPanel::setBoard(std::shared_ptr<const model::BoardIndex> board) {
-    m_model.setBoard(std::move(board));
+void PinsPanel::setBoard(const LoadedBoard& board) {
+    m_model.setBoard(board);
     m_table->setColumnHidden(PinModel::Step, !m_model.hasSeveralSteps());
     follow(Due::Parts);
 }
@@ -133,16 +133,9 @@ void PinsPanel::listPinsOfNets(const std::vector<model::BoardNet>& nets) {
 }
 
 void PinsPanel::listAllPins() {
-    std::vector<BoardPin> pins;
-    const auto steps = m_model.steps();
-    for (std::uint32_t step = 0; step < steps.size(); ++step) {
-        for (std::size_t row = 0; row < steps[step]->pins.size(); ++row) {
-            pins.push_back({step, model::PinId{row}});
-        }
-    }
-    m_whose->setText(pins.empty() ? tr("The job has no pins of components")
-                                  : tr("All %L1 pins of the board").arg(pins.size()));
-    m_model.setPins(std::move(pins));
+    m_model.setAllPins();
+    m_whose->setText(m_model.rowCount() == 0 ? tr("The job has no pins of components")
+                                             : tr("All %L1 pins of the board").arg(m_model.rowCount()));
 }
 
 void PinsPanel::takeRows(const std::vector<int>& rows) {

@@ -20,7 +20,7 @@ public:
     PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& selection, QWidget* parent = nullptr);
 
     /// The selection must be of this board already; null as in PinModel.
-    void setBoard(std::shared_ptr<const model::BoardIndex> board);
+    void setBoard(const LoadedBoard& board);
     /// Whether choosing a row also shows the pin in the views.
     void setShowsChosen(bool isOn) { m_showsChosen = isOn; }
     /// While it is not seen, behind another panel for one, the list stays as it is: listing thousands of pins takes

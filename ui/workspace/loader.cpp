@@ -3,9 +3,22 @@
 #include <QElapsedTimer>
 #include <utility>
 
+#include "model/index/pin_names.h"
 #include "model/statistics/element_sizes.h"
 
 namespace ui {
+
+namespace {
+
+std::vector<std::uint32_t> pinRanksOf(const model::Document& step) {
+    std::vector<std::string> names(step.pins.size());
+    for (std::size_t row = 0; row < names.size(); ++row) {
+        names[row] = model::fullPinName(step, model::PinId{row});
+    }
+    return model::ranksOf(names);
+}
+
+}  // namespace
 
 base::Result<LoadedBoard> loadBoard(const model::OpenRequest& request, base::Progress& progress) {
     QElapsedTimer clock;
@@ -21,6 +34,7 @@ base::Result<LoadedBoard> loadBoard(const model::OpenRequest& request, base::Pro
     for (const model::Document* step : board.index->tree.steps) {
         ASSIGN_OR_RETURN(model::NetStatistics nets, model::measureNets(*step, progress));
         board.nets.push_back(std::make_shared<const model::NetStatistics>(std::move(nets)));
+        board.pinRanks.push_back(pinRanksOf(*step));
     }
     board.copperNm2 = model::copperAreas(*board.document);
     board.seconds = static_cast<double>(clock.elapsed()) / 1000.0;

@@ -20,6 +20,8 @@ struct LoadedBoard : model::OpenedBoard {
     std::shared_ptr<const model::BoardIndex> index{};  ///< may be null: then nothing can be picked
     /// Per row of model::StepTree::steps, or empty.
     std::vector<std::shared_ptr<const model::NetStatistics>> nets{};
+    /// Likewise: by PinId the place of the name "U5.3" among all of the step, in the order people count.
+    std::vector<std::vector<std::uint32_t>> pinRanks{};
     std::vector<double> copperNm2{};  ///< per layer (model::copperAreas), or empty
     double seconds = 0.0;
 };
