@@ -117,6 +117,7 @@ bool SectionLine::lay(QEvent& event) {
         case QEvent::MouseButtonPress: return layPress(static_cast<const QMouseEvent&>(event));
         case QEvent::MouseButtonDblClick: endLaying(); return true;
         case QEvent::MouseMove: moveCorner(m_line.size() - 1, static_cast<const QMouseEvent&>(event)); return false;
+        case QEvent::ShortcutOverride: return keepKey(static_cast<QKeyEvent&>(event));
         case QEvent::KeyPress: return layKey(static_cast<const QKeyEvent&>(event));
         default: return false;
     }
@@ -131,6 +132,14 @@ bool SectionLine::layPress(const QMouseEvent& event) {
         m_line.push_back(m_line.back());
     }
     return true;
+}
+
+/// Keys of the line are no commands meanwhile, whatever the user's keys are.
+bool SectionLine::keepKey(QKeyEvent& event) {
+    const bool isOwn =
+        event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter || event.key() == Qt::Key_Backspace;
+    event.setAccepted(isOwn || event.isAccepted());
+    return isOwn;
 }
 
 bool SectionLine::layKey(const QKeyEvent& event) {

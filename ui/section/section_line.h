@@ -41,6 +41,7 @@ private:
     void release();
     bool lay(QEvent& event);
     bool layPress(const QMouseEvent& event);
+    static bool keepKey(QKeyEvent& event);
     bool layKey(const QKeyEvent& event);
     void endLaying();
     [[nodiscard]] bool isClick(base::PointD from, base::PointD to) const;

@@ -1,7 +1,10 @@
 #include "ui/shell/keyboard.h"
 
+#include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAbstractSlider>
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QWindow>
@@ -20,6 +23,12 @@ constexpr Qt::Key kPanelKeys[] = {Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter, 
 bool isPanelKey(const QKeyEvent& event) {
     const bool isPlain = (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) == 0;
     return isPlain && std::ranges::find(kPanelKeys, event.key()) != std::end(kPanelKeys);
+}
+
+/// Outside panels: what is pressed, chosen from or moved with such keys.
+bool isControl(const QWidget* widget) {
+    return qobject_cast<const QAbstractButton*>(widget) != nullptr || qobject_cast<const QComboBox*>(widget) != nullptr ||
+           qobject_cast<const QAbstractSlider*>(widget) != nullptr;
 }
 
 bool canTakeKeys(const QWidget& widget) {
@@ -51,6 +60,7 @@ Keyboard::Keyboard(QMainWindow& window, ActionSet& actions, BoardViews& views)
     for (QDockWidget* dock : m_docks) {
         dock->installEventFilter(this);
     }
+    window.installEventFilter(this);
 }
 
 void Keyboard::setPreset(KeyPreset preset) {
@@ -123,7 +133,8 @@ bool Keyboard::returnToView() {
 }
 
 bool Keyboard::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && isPanelKey(static_cast<QKeyEvent&>(*event))) {
+    const bool isTaken = qobject_cast<QDockWidget*>(watched) != nullptr || isControl(QApplication::focusWidget());
+    if (isTaken && event->type() == QEvent::ShortcutOverride && isPanelKey(static_cast<QKeyEvent&>(*event))) {
         event->accept();
         return true;
     }

@@ -22,7 +22,7 @@ public:
     bool returnToView();
 
 protected:
-    /// Leaves keys that move within panels, or press their buttons, to them, whatever command has them.
+    /// Leaves keys that move within panels and bars, or press their buttons, to them, whatever command has them.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

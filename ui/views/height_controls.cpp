@@ -73,6 +73,7 @@ HeightControls::HeightControls(BoardViews& views, Workspace& workspace, const Ac
 QSlider* HeightControls::addSlider(const char* name, int least, int most, const QString& tip) {
     auto* slider = new QSlider(Qt::Horizontal);
     slider->setObjectName(QLatin1String(name));
+    slider->setAccessibleName(tip);
     slider->setRange(least, most);
     slider->setFixedWidth(kSliderWidth);
     slider->setFocusPolicy(Qt::TabFocus);  // keys stay with the view that is looked at

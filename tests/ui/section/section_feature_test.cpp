@@ -112,6 +112,29 @@ private slots:
         QVERIFY(window().selection().selected().empty());
     }
 
+    /// Enter zooms in KLayout.
+    void keysOfALineAreNoCommandsMeanwhile() {
+        window().actions()[ActionId::KeysKLayout].trigger();
+        window().actions()[ActionId::DrawSection].trigger();
+        const auto [from, to] = acrossBoard();
+        clickOn(from);
+        clickOn(to);
+        const float before = flat().controller().mmPerPixel();
+        const auto typeEnter = [this] {
+            if (auto* native = qobject_cast<QWindow*>(&flat().canvas())) {
+                QTest::keyClick(native, Qt::Key_Return);
+            } else {
+                QTest::keyClick(qobject_cast<QWidget*>(&flat().canvas()), Qt::Key_Return);
+            }
+        };
+        typeEnter();
+        QVERIFY(!window().find<ui::SectionLine>().isDrawing());
+        QCOMPARE(window().find<ui::SectionLine>().line().size(), std::size_t{2});
+        QCOMPARE(flat().controller().mmPerPixel(), before);
+        typeEnter();
+        QVERIFY(flat().controller().mmPerPixel() < before);
+    }
+
     void aDoubleClickEndsALineOfClicksAndShiftKeepsItsLegsStraight() {
         m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
         const auto [from, to] = acrossBoard();

@@ -1,5 +1,6 @@
 // The window is used with keys alone, and with keys of other programs.
 
+#include <QAccessible>
 #include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
@@ -59,6 +60,23 @@ private slots:
         QCOMPARE(window().savedViews().rowCount(), 0);
     }
 
+    void whatTakesTheKeyboardHasANameToReadOut() {
+        openByKeys();
+        for (const QDockWidget* dock : window().findChildren<QDockWidget*>()) {
+            for (QWidget* widget : dock->widget()->findChildren<QWidget*>()) {
+                if ((widget->focusPolicy() & Qt::TabFocus) == 0 || widget->window() != &window()) {
+                    continue;  // lists that boxes open are named by them
+                }
+                QAccessibleInterface* read = QAccessible::queryAccessibleInterface(widget);
+                QVERIFY2(read != nullptr && !read->text(QAccessible::Name).isEmpty(),
+                         qPrintable(dock->objectName() + ": " + widget->metaObject()->className() + " " +
+                                    widget->objectName()));
+            }
+        }
+        const QModelIndex colour = window().layers().index(0, ui::LayerModel::Colour);
+        QVERIFY(colour.data(Qt::AccessibleTextRole).toString().startsWith('#'));
+    }
+
     void panelsTakeTurns() {
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         QStringList forth;
@@ -88,6 +106,20 @@ private slots:
         QCOMPARE(table->currentIndex().row(), 0);
         QTest::keyClick(table, Qt::Key_Space);  // turns the board over on the canvas
         QCOMPARE(window().views().active().controller().camera().direction(), direction);
+    }
+
+    void keysThatMoveASliderStayThere() {
+        openByKeys();
+        auto* slider = window().findChild<QSlider*>("heightScale");
+        slider->setFocus();
+        QTRY_VERIFY(slider->hasFocus());
+        const model::LayerId layer = window().workspace().currentLayer();
+        const int before = slider->value();
+        QTest::keyClick(slider, Qt::Key_PageUp);  // the layer above, on the canvas
+        QVERIFY(slider->value() > before);
+        QCOMPARE(window().workspace().currentLayer(), layer);
+        QTest::keyClick(slider, Qt::Key_Home);
+        QCOMPARE(slider->value(), slider->minimum());
     }
 
     void theViewUnderThePointerTakesTheKeyboard() {
