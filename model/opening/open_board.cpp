@@ -80,11 +80,11 @@ OpenRequest requestOf(OpenRequest request, const BoardForm& form) {
 
 OpenRequest reloadRequest(const OpenedBoard& board) {
     OpenRequest request = board.request;
-    const bool isInFile = board.areThicknessesSaved && !request.noSession;
-    request.noSession = !isInFile;
     request.thicknesses.clear();
-    for (const ThicknessOverride& set : isInFile ? board.thicknesses.once : board.thicknesses.all()) {
-        request.thicknesses.push_back(set.layer + "=" + model::thicknessText(set.thickness));
+    const std::vector<ThicknessOverride> set =
+        request.noSession ? board.thicknesses.all() : board.thicknesses.once;  // else the file has them
+    for (const ThicknessOverride& one : set) {
+        request.thicknesses.push_back(one.layer + "=" + model::thicknessText(one.thickness));
     }
     return request;
 }

@@ -56,7 +56,7 @@ struct OpenedBoard {
 
 /// The request with the form that was chosen.
 [[nodiscard]] OpenRequest requestOf(OpenRequest request, const BoardForm& form);
-/// The request that opens the board again as it is now: with the thicknesses that are in no file.
+/// The request that opens the board again: with the thicknesses that were set for this time only.
 [[nodiscard]] OpenRequest reloadRequest(const OpenedBoard& board);
 
 }  // namespace model

@@ -24,6 +24,7 @@ AssignmentFeature::AssignmentFeature(FeatureContext& context)
     : QObject(&context.window), m_window(context.window), m_workspace(context.workspace) {
     context.on(ActionId::AssignLayers, this, [this] { look(true); });
     connect(&m_workspace, &Workspace::openingBegan, this, [this] { m_search.cancel(); });
+    connect(&m_workspace, &Workspace::boardLeaves, this, [this] { m_search.cancel(); });
     connect(&m_workspace, &Workspace::sessionRestored, this, &AssignmentFeature::onOpened);
     connect(&m_search.background(), &Background::finished, this, &AssignmentFeature::onFound);
 }
@@ -90,7 +91,6 @@ void AssignmentFeature::ask(Found found) {
                                         std::move(found.proposals), std::move(found.unmapped), &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { take(dialog->map()); });
-    connect(&m_workspace, &Workspace::openingBegan, dialog, &QDialog::close);
     dialog->open();
 }
 

@@ -63,12 +63,8 @@ ExportFeature::ExportFeature(FeatureContext& context)
     connect(&m_export.background(), &Background::finished, this, &ExportFeature::reportWritten);
     connect(&m_export.background(), &Background::cancelled, this,
             [this] { m_workspace.report(tr("Stopped: %1 was not written").arg(m_path)); });
-    m_workspace.watch(m_export.background(), [this] { return QFileInfo(m_path).fileName(); });
-    connect(&m_workspace, &Workspace::boardRead, this, [this] {
-        if (m_dialog) {
-            m_dialog->reject();  // it is about the board before
-        }
-    });
+    connect(&m_workspace, &Workspace::boardLeaves, this, [this] { m_isOfThisBoard = false; });
+    m_workspace.watchWriting(m_export.background(), [this] { return QFileInfo(m_path).fileName(); });
     context.on(ActionId::ExportBoard, this, [this] { ask(); });
 }
 
@@ -149,6 +145,7 @@ void ExportFeature::write() {
     request.looks = looks();
     request.time = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     m_path = m_dialog->path();
+    m_isOfThisBoard = true;
     m_export.run([board = m_workspace.board()->document, &format = m_dialog->format(), request = std::move(request),
                   path = toPath(m_path)](
                      base::Progress& progress) { return model::exportBoard(*board, format, request, path, progress); },
@@ -161,11 +158,13 @@ void ExportFeature::reportWritten() {
         m_workspace.reportError(tr("Nothing was exported. %1").arg(QString::fromStdString(summary.error().text)));
         return;
     }
-    m_workspace.listExported(messagesOf(summary->missing, m_path));
-    const QString missing =
-        summary->missing.empty()
-            ? QString()
-            : tr(". Elements that are not in it: %L1, listed in Messages").arg(summary->missing.size());
+    if (m_isOfThisBoard) {  // else they would name elements of another one
+        m_workspace.listExported(messagesOf(summary->missing, m_path));
+    }
+    const QString missing = summary->missing.empty() ? QString()
+                            : m_isOfThisBoard        ? tr(". Elements that are not in it: %L1, listed in Messages")
+                                                    .arg(summary->missing.size())
+                                              : tr(". Elements that are not in it: %L1").arg(summary->missing.size());
     m_workspace.report(tr("Saved %1: %2, %3%4")
                            .arg(m_path, QString::fromStdString(summary->content),
                                 sizeText(static_cast<double>(summary->bytes)), missing));

@@ -34,7 +34,8 @@ private:
     QTimer m_due;  ///< runs out when nothing was changed in the dialog for a moment
     BackgroundResult<std::optional<model::StepEstimate>> m_estimate;
     BackgroundResult<model::ExportSummary> m_export;
-    QString m_path;  ///< of the file that is being written, or was the last
+    QString m_path;               ///< of the file that is being written, or was the last
+    bool m_isOfThisBoard = true;  ///< it is of the board on the screen
 };
 
 }  // namespace ui

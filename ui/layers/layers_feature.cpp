@@ -54,7 +54,12 @@ void addLayers(FeatureContext& context) {
     panel->setBoardColours(*new BoardColourMenu(layers, workspace, panel));
     addComponentSwitch(context);
     context.on(ActionId::RestoreLayers, [&layers] { layers.restoreDefaults(); });
-    context.on(ActionId::SoloLayer, [&] { layers.toggleSolo(workspace.currentLayer()); });
+    context.on(ActionId::SoloLayer, [&layers, &workspace] {
+        if (!workspace.currentLayer().isValid() && !layers.soloLayer().isValid()) {
+            workspace.report(LayersPanel::tr("Choose in Layers which one to show alone"));
+        }
+        layers.toggleSolo(workspace.currentLayer());
+    });
     context.on(ActionId::NextLayer, panel, [panel] { panel->step(1); });
     context.on(ActionId::PreviousLayer, panel, [panel] { panel->step(-1); });
     context.on(ActionId::TopCopper, panel, [panel] { panel->goToOuterCopper(true); });

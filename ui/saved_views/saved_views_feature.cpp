@@ -63,6 +63,7 @@ std::map<std::string, std::string> renamedLayers(const model::Document& before, 
 SavedViewsFeature::SavedViewsFeature(FeatureContext& context)
     : QObject(&context.window),
       m_workspace(context.workspace),
+      m_settings(context.settings),
       m_views(context.views),
       m_layers(context.layers),
       m_orthographic(context.actions[ActionId::Orthographic]),
@@ -196,7 +197,15 @@ void SavedViewsFeature::keep(const LoadedBoard& next) {
         board.format != next.format || !m_workspace.isOpen(next.document->job.step)) {
         return;
     }
-    m_kept = Kept{desk(), {}, selection.title(), board.model->origin};
+    const auto nameOf = [&](model::LayerId layer) {
+        return layer.isValid() ? board.document->layer(layer).name : std::string();
+    };
+    m_kept = Kept{desk(),
+                  {},
+                  selection.title(),
+                  nameOf(m_workspace.currentLayer()),
+                  nameOf(m_layers.soloLayer()),
+                  board.model->origin};
     const bool isFew = selection.selected().size() <= session::kMostSavedElements;
     m_kept->selection = session::saveSelection(
         selection.tree(), isFew ? selection.selected() : std::vector<model::BoardElement>{}, selection.nets());
@@ -210,6 +219,16 @@ void SavedViewsFeature::keep(const LoadedBoard& next) {
     for (session::SavedElement& element : m_kept->selection.elements) {
         rename(element.layer);
     }
+    rename(m_kept->currentLayer);
+    rename(m_kept->soloLayer);
+}
+
+void SavedViewsFeature::restoreLayers(const model::Document& board, const Kept& kept) {
+    m_layers.setStates(kept.desk.layers);
+    LayerSettings settings = m_layers.settings();
+    settings.solo = board.findLayer(kept.soloLayer);
+    m_layers.setSettings(settings);
+    m_workspace.setCurrentLayer(board.findLayer(kept.currentLayer));
 }
 
 void SavedViewsFeature::restoreKept(const LoadedBoard& board) {
@@ -219,7 +238,7 @@ void SavedViewsFeature::restoreKept(const LoadedBoard& board) {
         pose.target[1] += base::toMm(static_cast<double>(kept.origin.y - board.model->origin.y));
         return pose;
     };
-    m_layers.setStates(kept.desk.layers);
+    restoreLayers(*board.document, kept);
     setCameras(moved(kept.desk.flat), moved(kept.desk.solid));
     SelectionModel& selection = m_workspace.selection();
     session::FoundSelection found = session::findSelection(selection.tree(), kept.selection);
@@ -240,7 +259,16 @@ void SavedViewsFeature::restoreDesk(const LoadedBoard& board) {
     if (desk && m_workspace.isOpen(desk->step)) {
         m_layers.setStates(desk->layers);
         setCameras(desk->flat, desk->solid);
-        m_workspace.setUnit(unitNamed(desk->unit));
+        showUnit(unitNamed(desk->unit));
+    } else {
+        showUnit(m_settings.choice<LengthUnit>());
+    }
+}
+
+/// The session of a board does not change what the user likes for others.
+void SavedViewsFeature::showUnit(LengthUnit unit) {
+    if (unit != m_workspace.unit()) {
+        m_workspace.setUnit(unit);
     }
 }
 

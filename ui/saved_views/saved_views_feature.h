@@ -25,6 +25,16 @@ public:
     void saveDesk();
 
 private:
+    /// What the window showed of a board that is being read anew.
+    struct Kept {
+        model::session::Desk desk;
+        model::session::SavedSelection selection;
+        QString title;             ///< of the selection
+        std::string currentLayer;  ///< its name; empty for none
+        std::string soloLayer;     ///< likewise
+        base::Point origin;        ///< nm of the board, that the cameras count from
+    };
+
     /// A click on a row, or Enter, restores it; F2 or a double click renames it, Del deletes it.
     void addPanel(FeatureContext& context);
     /// Lists the views, and offers their layers to whoever shows layers.
@@ -35,21 +45,17 @@ private:
     /// Keeps what is shown and selected if the next board is the same one, read anew.
     void keep(const LoadedBoard& next);
     void restoreKept(const LoadedBoard& board);
+    void restoreLayers(const model::Document& board, const Kept& kept);
+    void showUnit(LengthUnit unit);
     void setCameras(const model::session::Pose& flat, const model::session::Pose& solid);
     void select(const model::session::SavedView& saved);
 
     Workspace& m_workspace;
+    Settings& m_settings;
     BoardViews& m_views;
     LayerModel& m_layers;
     QAction& m_orthographic;
     ViewListModel m_list;
-    /// What the window showed of a board that is being read anew.
-    struct Kept {
-        model::session::Desk desk;
-        model::session::SavedSelection selection;
-        QString title;       ///< of the selection
-        base::Point origin;  ///< nm of the board, that the cameras count from
-    };
     std::optional<Kept> m_kept;
     SavedList<model::session::SavedView> m_saved;
 };

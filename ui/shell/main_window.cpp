@@ -206,7 +206,7 @@ void MainWindow::createMenus() {
 
 void MainWindow::connectFiles() {
     const auto choose = [this](const QString& title, const QString& filters) {
-        m_features.openFile(title, filters, [this](const QString& path) {
+        m_nextBoard = &m_features.openFile(title, filters, [this](const QString& path) {
             m_settings.setLastFolder(QFileInfo(path).absolutePath());
             openPath(path);
         });
@@ -226,6 +226,7 @@ void MainWindow::connectFiles() {
             [this](const LoadedBoard& board) { m_watch->watch(board.request); });
     connect(m_watch, &BoardWatch::changed, this, &MainWindow::onFilesChanged);
     connect(m_changeBar, &ChangeBar::reloadRequested, this, [this] { m_workspace.reload(); });
+    connect(&m_workspace, &Workspace::boardLeaves, this, &MainWindow::closeWhatIsAboutTheBoard);
     connect(&m_workspace, &Workspace::boardRead, m_changeBar, &QWidget::hide);
     connect(&m_workspace, &Workspace::boardRead, m_messageBar, &QWidget::hide);
     connect(&m_workspace, &Workspace::boardOpened, this, &MainWindow::onOpened);
@@ -261,8 +262,21 @@ void MainWindow::chooseForm(const model::OpenRequest& request, const std::vector
     chooser->open();
 }
 
+/// Menus and dialogs hold what was chosen on it, ids above all.
+void MainWindow::closeWhatIsAboutTheBoard() {
+    while (auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget())) {
+        menu->close();
+    }
+    for (QDialog* dialog : findChildren<QDialog*>()) {
+        if (dialog->isVisible() && dialog->isModal() && dialog != m_nextBoard) {
+            dialog->reject();
+        }
+    }
+}
+
 void MainWindow::onFilesChanged() {
-    const bool isAtWork = m_workspace.isWorking() || QApplication::activeModalWidget() != nullptr;
+    const bool isAtWork = m_workspace.isWorking() || QApplication::activeModalWidget() != nullptr ||
+                          QApplication::activePopupWidget() != nullptr;
     if (m_workspace.board()->format == "kicad" && !isAtWork) {
         m_workspace.reload();  // its board is looked at here while it is edited there
     } else {
@@ -270,18 +284,35 @@ void MainWindow::onFilesChanged() {
     }
 }
 
-void MainWindow::connectCommands() {
+void MainWindow::connectHistory() {
     QUndoStack& history = m_workspace.history();
-    const std::pair<ActionId, void (QUndoStack::*)()> ways[] = {{ActionId::Undo, &QUndoStack::undo},
-                                                                {ActionId::Redo, &QUndoStack::redo}};
-    for (const auto& [id, go] : ways) {
-        m_features.on(id, &history, [&history, go = go] { (history.*go)(); });
-        m_actions[id].setEnabled(false);
-    }
-    connect(&history, &QUndoStack::canUndoChanged, &m_actions[ActionId::Undo], &QAction::setEnabled);
-    connect(&history, &QUndoStack::canRedoChanged, &m_actions[ActionId::Redo], &QAction::setEnabled);
+    const auto connectWay = [&](ActionId id, auto go, auto text, auto textChanged, auto isPossible, const QString& done) {
+        QAction& action = m_actions[id];
+        action.setEnabled(false);
+        m_features.on(id, &history, [this, &history, go, text, done] {
+            const QString what = (history.*text)();
+            (history.*go)();
+            m_workspace.report(done.arg(what));  // it may be out of sight
+        });
+        connect(&history, isPossible, &action, &QAction::setEnabled);
+        connect(&history, textChanged, &action, [&action, name = action.text()](QString what) {
+            action.setText(what.isEmpty() ? name : name + QLatin1Char(' ') + what.replace('&', QLatin1String("&&")));
+        });
+    };
+    connectWay(ActionId::Undo, &QUndoStack::undo, &QUndoStack::undoText, &QUndoStack::undoTextChanged,
+               &QUndoStack::canUndoChanged, tr("Undone: %1"));
+    connectWay(ActionId::Redo, &QUndoStack::redo, &QUndoStack::redoText, &QUndoStack::redoTextChanged,
+               &QUndoStack::canRedoChanged, tr("Redone: %1"));
+}
+
+void MainWindow::connectCommands() {
+    connectHistory();
     m_features.on(ActionId::ClearSelection, [this] { escape(); });
-    m_features.on(ActionId::NextUnit, [this] { m_workspace.setUnit(nextUnit(m_workspace.unit())); });
+    m_features.on(ActionId::NextUnit, [this] {
+        const LengthUnit unit = nextUnit(m_workspace.unit());
+        m_settings.choose(unit);
+        m_workspace.setUnit(unit);
+    });
 }
 
 void MainWindow::escape() {
@@ -323,6 +354,7 @@ void MainWindow::connectStatus() {
         m_actions[ActionId::ClearSelection].setEnabled(true);
     });
     connect(&m_workspace, &Workspace::workProgressed, m_statusLine, &StatusLine::showProgress);
+    connect(&m_workspace, &Workspace::idle, m_statusLine, &StatusLine::endWork);
     connect(&m_workspace, &Workspace::idle, this, &MainWindow::enableActions);
     connect(m_statusLine, &StatusLine::cancelRequested, &m_workspace, &Workspace::cancelWork);
     connect(m_views, &BoardViews::timed, m_statusLine, &StatusLine::showFrame);
@@ -331,15 +363,15 @@ void MainWindow::connectStatus() {
 
 void MainWindow::onOpened(const LoadedBoard& board) {
     m_pages->setCurrentWidget(m_views);
+    enableActions();  // where a file is still being written, nothing is idle
     const QString member = QString::fromStdString(board.request.member);
     const QString name = displayName(board.request.path);
     setWindowTitle(QStringLiteral("%1 – Copperscope").arg(member.isEmpty() ? name : tr("%1: %2").arg(name, member)));
 }
 
 void MainWindow::enableActions() {
-    m_statusLine->endWork();
     m_actions.enable(m_workspace.board() != nullptr);
-    m_actions[ActionId::CancelLoading].setEnabled(false);
+    m_actions[ActionId::CancelLoading].setEnabled(m_workspace.isWorking());
     if (m_workspace.board() != nullptr) {
         m_statusLine->showSteps(m_workspace.board()->document->job);  // also undoes a choice that was not loaded
     }
@@ -362,7 +394,6 @@ void MainWindow::addChoices() {
                                {ActionId::UseClearance, Use::Clearance}},
                               [this](Use use) { m_arrangements->show(use); });
     m_features.on(ActionId::RestorePanels, [this] { m_arrangements->restoreDefault(); });
-    connect(&m_workspace, &Workspace::unitChanged, this, [this](LengthUnit unit) { m_settings.choose(unit); });
     m_features.restorers.emplace_back([this] { m_workspace.setUnit(m_settings.choice<LengthUnit>()); });
 }
 
@@ -379,10 +410,35 @@ void MainWindow::resetSettings() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (const QString file = m_workspace.fileAtWork(); !file.isEmpty() && !m_mayStopWriting) {
+        event->ignore();
+        askBeforeClosing(file);
+        return;
+    }
     m_workspace.cancelLoading();
     m_settings.setWindowGeometry(saveGeometry());
     m_arrangements->save();
     event->accept();
+}
+
+void MainWindow::askBeforeClosing(const QString& file) {
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Close"),
+                                     tr("%1 is still being written. Stop it and close the window?").arg(file),
+                                     QMessageBox::Close | QMessageBox::Cancel, this);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setTextFormat(Qt::PlainText);
+    question->setDefaultButton(QMessageBox::Cancel);
+    connect(&m_workspace, &Workspace::idle, question, [this, question] {  // it is written now
+        question->reject();
+        close();
+    });
+    connect(question, &QMessageBox::buttonClicked, this, [this, question](QAbstractButton* button) {
+        if (question->standardButton(button) == QMessageBox::Close) {
+            m_mayStopWriting = true;
+            close();
+        }
+    });
+    question->open();
 }
 
 }  // namespace ui

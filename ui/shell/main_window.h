@@ -46,6 +46,7 @@ private:
     void createToolBar();
     void createMenus();
     void connectFiles();
+    void connectHistory();
     void connectCommands();
     void connectHelp();
     void connectStatus();
@@ -56,9 +57,11 @@ private:
     void openPath(const QString& path);
     void openDropped(const QStringList& paths);
     void chooseForm(const model::OpenRequest& request, const std::vector<model::BoardForm>& forms);
+    void closeWhatIsAboutTheBoard();
     void onFilesChanged();
     void onOpened(const LoadedBoard& board);
     void enableActions();
+    void askBeforeClosing(const QString& file);
 
     Settings& m_settings;
     Workspace m_workspace;
@@ -78,6 +81,8 @@ private:
     BoardWatch* m_watch;
     StatusLine* m_statusLine;
     Keyboard* m_keyboard = nullptr;
+    QPointer<QDialog> m_nextBoard;  ///< in which another one is chosen
+    bool m_mayStopWriting = false;  ///< the user said so
     std::optional<PanelArrangements> m_arrangements;  ///< once the panels are there
 };
 

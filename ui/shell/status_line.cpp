@@ -25,8 +25,8 @@ StatusLine::StatusLine(QStatusBar& bar)
     m_progress->setFixedWidth(140);
     m_progress->setMaximumHeight(m_work->fontMetrics().height() + 4);
     auto* cancel = new QToolButton;
-    cancel->setText(tr("Cancel"));
-    cancel->setToolTip(tr("Stop reading; the board on the screen stays (Esc)"));
+    cancel->setText(tr("Stop"));
+    cancel->setToolTip(tr("Stop this work; the board on the screen stays (Esc)"));
     connect(cancel, &QToolButton::clicked, this, &StatusLine::cancelRequested);
     m_work->setObjectName(QStringLiteral("work"));
     auto* work = new QHBoxLayout(m_work);

@@ -44,7 +44,12 @@ void connectBoard(FeatureContext& context) {
         const bool isOn = context.actions[ActionId::Contrast].isChecked();
         context.views.setContrastLayer(isOn ? context.workspace.currentLayer() : model::LayerId{});
     };
-    context.on(ActionId::Contrast, setContrast);
+    context.on(ActionId::Contrast, [&context, setContrast](bool isOn) {
+        setContrast();
+        if (isOn && !context.workspace.currentLayer().isValid()) {
+            context.workspace.report(BoardViews::tr("All layers but the current one fade: choose one in Layers"));
+        }
+    });
     QObject::connect(&workspace, &Workspace::currentLayerChanged, &views, &BoardViews::setTopLayer);
     QObject::connect(&workspace, &Workspace::currentLayerChanged, &views, setContrast);
     QObject::connect(&workspace, &Workspace::boardOpened, &views, setContrast);

@@ -29,7 +29,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {OpenFolder, MenuId::File, QT_TR_NOOP("Open &folder…"), "Ctrl+Shift+O", QT_TR_NOOP("Open a board that is a folder of files")},
     {Reload, MenuId::File, QT_TR_NOOP("&Reload"), "F5 Ctrl+R", QT_TR_NOOP("Read the board again from disk"), kNeedsBoard},
     {AssignLayers, MenuId::File, QT_TR_NOOP("&Assign layers…"), "Ctrl+Alt+A", QT_TR_NOOP("Say what the files of a Gerber job draw: layer, side, order, plating"), kNeedsBoard},
-    {CancelLoading, MenuId::File, QT_TR_NOOP("&Cancel loading"), "Ctrl+.", QT_TR_NOOP("Stop reading and keep the board on the screen")},
+    {CancelLoading, MenuId::File, QT_TR_NOOP("S&top work"), "Ctrl+.", QT_TR_NOOP("Stop what is being done, reading a board first; the board on the screen stays")},
     {SaveSession, MenuId::File, QT_TR_NOOP("Save sessio&n"), "Ctrl+S", QT_TR_NOOP("Save cameras, layers and unit in the session file beside the board; they are restored when it is opened"), kNewGroup | kNeedsBoard},
     {ExportBoard, MenuId::File, QT_TR_NOOP("E&xport…"), "Ctrl+E", QT_TR_NOOP("Export the board, or a part of it, as a file for other programs"), kNewGroup | kNeedsBoard},
     {SavePicture, MenuId::File, QT_TR_NOOP("&Save picture…"), "Ctrl+Shift+S", QT_TR_NOOP("Save the view as a PNG file"), kNeedsBoard},

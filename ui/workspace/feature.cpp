@@ -1,5 +1,6 @@
 #include "ui/workspace/feature.h"
 
+#include <QAbstractButton>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -9,7 +10,22 @@
 
 namespace ui {
 
+namespace {
+
+/// What has no text of its own is read out as what its tip says it is for, or as its panel.
+void nameControls(QWidget& panel, const QString& title) {
+    for (QWidget* widget : panel.findChildren<QWidget*>()) {
+        if (widget->focusPolicy() != Qt::NoFocus && widget->accessibleName().isEmpty() &&
+            qobject_cast<QAbstractButton*>(widget) == nullptr) {
+            widget->setAccessibleName(widget->toolTip().isEmpty() ? title : widget->toolTip());
+        }
+    }
+}
+
+}  // namespace
+
 void FeatureContext::addPanel(const DockSpec& spec, QWidget& panel) const {
+    nameControls(panel, spec.title);
     auto* dock = new QDockWidget(spec.title, &window);
     dock->setObjectName(QLatin1String(spec.name));
     dock->setWidget(&panel);
@@ -53,13 +69,14 @@ void FeatureContext::saveFile(const QString& title, const QString& what, const Q
     nameFile(title, what, filters, [this, write](const QString& path) { workspace.reportSaved(write(path), path); });
 }
 
-void FeatureContext::openFile(const QString& title, const QString& filters,
-                              const std::function<void(const QString&)>& open) const {
+QDialog& FeatureContext::openFile(const QString& title, const QString& filters,
+                                  const std::function<void(const QString&)>& open) const {
     auto* dialog = new QFileDialog(&window, title, settings.lastFolder(workspace.boardFolder()), filters);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(filters.isEmpty() ? QFileDialog::Directory : QFileDialog::ExistingFile);
     QObject::connect(dialog, &QFileDialog::fileSelected, &workspace, open);
     dialog->open();
+    return *dialog;
 }
 
 base::Status writeFile(const QString& path, const QByteArray& bytes) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDialog>
 #include <QMainWindow>
 #include <utility>
 
@@ -86,8 +87,9 @@ struct FeatureContext {
     /// The same for a file that is written at once, and reports what came of it.
     void saveFile(const QString& title, const QString& what, const QStringList& filters,
                   const std::function<base::Status(const QString&)>& write) const;
-    /// `open` is called with the file that the user chooses.
-    void openFile(const QString& title, const QString& filters, const std::function<void(const QString&)>& open) const;
+    /// `open` is called with the file that the user chooses in this dialog.
+    QDialog& openFile(const QString& title, const QString& filters,
+                      const std::function<void(const QString&)>& open) const;
 };
 
 /// Writes all of a file or nothing. Errors: OutputFailed.

@@ -21,15 +21,18 @@ public:
 
     /// `name` as in "The views": what then counts in the window alone where it cannot be saved.
     SessionPart(Workspace& workspace, QString name, Show show, Save save)
-        : m_workspace(workspace), m_name(std::move(name)), m_show(std::move(show)), m_save(std::move(save)) {}
+        : m_workspace(workspace), m_name(std::move(name)), m_show(std::move(show)), m_save(std::move(save)) {
+        QObject::connect(&workspace, &Workspace::openingBegan, &workspace, [this] { m_isRead = true; });
+    }
 
-    /// A board was opened. True if the part is to be taken from its session; false if what was edited is in no file:
-    /// then it stays.
+    /// A board was opened. True if the part is to be taken from its session; false if it is the same one, and what was
+    /// edited is in no file, or the file was read before: then it stays.
     [[nodiscard]] bool open() {
         const std::filesystem::path& path = m_workspace.board()->request.path;
+        const bool isLater = path == m_path && (!m_isSaved || !m_isRead);
         m_isSaved = m_isSaved || path != m_path;
         m_path = path;
-        return m_isSaved;
+        return !isLater;
     }
     void edit(const QString& what, State before, State after) {
         m_workspace.history().push(new UndoStep<State>(what, std::move(before), std::move(after),
@@ -40,7 +43,7 @@ private:
     void apply(const State& state) {
         m_show(state);
         const LoadedBoard& board = *m_workspace.board();
-        m_isSaved = false;
+        m_isSaved = m_isRead = false;
         if (board.request.noSession) {
             return;
         }
@@ -59,6 +62,7 @@ private:
     Save m_save;
     std::filesystem::path m_path;
     bool m_isSaved = true;
+    bool m_isRead = true;  ///< whoever reads the file now finds the last edit in it
 };
 
 /// A list in a board's session whose entries have a name and the step they are of: views, measurements, sections.

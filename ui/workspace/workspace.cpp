@@ -63,10 +63,18 @@ Workspace::Workspace(Loader::Work work, QObject* parent)
 }
 
 void Workspace::open(model::OpenRequest request) {
-    for (const QPointer<Background>& work : m_works) {
-        work->cancel();
-    }
+    stopWorkOnBoard();
+    m_asOpeningBegan = m_board ? std::optional(m_board->thicknesses) : std::nullopt;
     m_loader.open(std::move(request));
+}
+
+/// What was begun while the next board was read, too, is about the one that goes.
+void Workspace::stopWorkOnBoard() {
+    for (const Work& work : m_works) {
+        if (!work.isWriting) {
+            work.background->cancel();
+        }
+    }
 }
 
 QString Workspace::boardFolder() const {
@@ -84,7 +92,17 @@ void Workspace::reload(const std::function<void(model::OpenRequest&)>& change) {
     open(std::move(request));
 }
 
+/// The file was read before they were set, or could not be written.
+std::optional<Workspace::Restack> Workspace::laterThicknesses(const LoadedBoard& next) const {
+    const bool isSameFile = m_board && m_board->request.path == next.request.path &&
+                            m_board->request.member == next.request.member && m_board->format == next.format;
+    const bool isLater = isSameFile && (!m_board->areThicknessesSaved || m_board->thicknesses != m_asOpeningBegan);
+    return isLater ? std::optional(Restack{m_board->thicknesses, m_board->areThicknessesSaved}) : std::nullopt;
+}
+
 void Workspace::take(const LoadedBoard& board) {
+    stopWorkOnBoard();
+    const std::optional<Restack> later = laterThicknesses(board);
     if (m_board) {
         emit boardLeaves(board);
     }
@@ -96,6 +114,10 @@ void Workspace::take(const LoadedBoard& board) {
     m_selection.setBoard(board.document);
     emit boardOpened(*m_board);
     emit sessionRestored(*m_board);
+    if (later) {
+        restack(model::session::applyThicknesses(m_board->document, later->thicknesses.all()), later->thicknesses,
+                later->areSaved);
+    }
     if (!board.notes.empty()) {
         reportError(textsOf(board.notes).join('\n'));
     }
@@ -130,31 +152,50 @@ void Workspace::reportSaved(const base::Status& saved, const QString& path) {
     saved ? report(tr("Saved %1").arg(path)) : reportError(QString::fromStdString(saved.error().text));
 }
 
-void Workspace::watch(Background& work, std::function<QString()> name) {
-    m_works.emplace_back(&work);
-    connect(&work, &Background::started, this, [this, name = std::move(name)] { emit workBegan(name()); });
-    connect(&work, &Background::progressed, this, &Workspace::workProgressed);
-    const auto end = [this] {
-        if (!isWorking()) {
-            emit idle();
+void Workspace::watch(Background& work, std::function<QString()> name, bool isWriting) {
+    m_works.push_back({&work, std::move(name), isWriting});
+    const auto isShown = [this, &work] { return isWorking() && firstRunning()->background == &work; };
+    connect(&work, &Background::started, this, [this, isShown] {
+        if (isShown()) {
+            emit workBegan(firstRunning()->name());
         }
-    };
-    connect(&work, &Background::finished, this, end);
-    connect(&work, &Background::cancelled, this, end);
+    });
+    connect(&work, &Background::progressed, this, [this, isShown](const QString& phase, double fraction) {
+        if (isShown()) {
+            emit workProgressed(phase, fraction);
+        }
+    });
+    connect(&work, &Background::finished, this, &Workspace::onEnded);
+    connect(&work, &Background::cancelled, this, &Workspace::onEnded);
+}
+
+void Workspace::onEnded() {
+    if (const Work* left = firstRunning()) {
+        emit workBegan(left->name());
+    } else {
+        emit idle();
+    }
+}
+
+const Workspace::Work* Workspace::firstRunning() const {
+    const auto running = std::ranges::find_if(m_works, [](const Work& work) { return work.background->isRunning(); });
+    return running != m_works.end() ? &*running : nullptr;
 }
 
 bool Workspace::cancelWork() {
-    const auto running = std::ranges::find_if(m_works, &Background::isRunning);
-    if (running == m_works.end()) {
+    const Work* running = firstRunning();
+    if (running == nullptr) {
         return false;
     }
     report(tr("Stopped"));  // whoever works may know more
-    (*running)->cancel();
+    running->background->cancel();
     return true;
 }
 
-bool Workspace::isWorking() const {
-    return std::ranges::any_of(m_works, &Background::isRunning);
+QString Workspace::fileAtWork() const {
+    const auto writing =
+        std::ranges::find_if(m_works, [](const Work& work) { return work.isWriting && work.background->isRunning(); });
+    return writing != m_works.end() ? writing->name() : QString();
 }
 
 }  // namespace ui

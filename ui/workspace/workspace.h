@@ -32,9 +32,9 @@ public:
     [[nodiscard]] QString boardFolder() const;
     /// Is this the step on the screen?
     [[nodiscard]] bool isOpen(const std::string& step) const { return m_board && m_board->document->job.step == step; }
-    /// Stops all work and reads a board in the background.
+    /// Stops all work but the writing of files, and reads a board in the background.
     void open(model::OpenRequest request);
-    /// Opens the board again, with its thicknesses as they are now, after `change` of the request.
+    /// Opens the board again, after `change` of the request. Its thicknesses stay as they are, in a file or not.
     void reload(const std::function<void(model::OpenRequest&)>& change = {});
     /// Other thicknesses of the open board, worked into `document`; elements and ids are what they were.
     void restack(std::shared_ptr<const model::Document> document, model::SetThicknesses thicknesses, bool areSaved);
@@ -57,12 +57,16 @@ public:
     /// "Saved /home/me/stackup.svg", or why not.
     void reportSaved(const base::Status& saved, const QString& path);
 
-    /// Shows the progress of this work from now on, and lets Esc stop it.
-    void watch(Background& work, std::function<QString()> name);
+    /// Shows the progress of this work from now on, and lets Esc stop it. It is about the board: another one stops it.
+    void watch(Background& work, std::function<QString()> name) { watch(work, std::move(name), false); }
+    /// The same of work that writes a file of that name, which goes on while another board is opened.
+    void watchWriting(Background& work, std::function<QString()> name) { watch(work, std::move(name), true); }
     /// Stops what runs, a load first; false when nothing does.
     bool cancelWork();
     void cancelLoading() { m_loader.cancel(); }
-    [[nodiscard]] bool isWorking() const;
+    [[nodiscard]] bool isWorking() const { return firstRunning() != nullptr; }
+    /// The name of the file that is being written; empty for none.
+    [[nodiscard]] QString fileAtWork() const;
 
     /// Requests to whoever shows the board: makes the layer visible, brings elements or a location (nm of the board) to
     /// the middle of the views, draws a spacing in them (none: no longer).
@@ -104,14 +108,31 @@ signals:
     void locationWanted(base::PointD nm, model::LayerId layer);
 
 private:
+    struct Work {
+        QPointer<Background> background;
+        std::function<QString()> name;
+        bool isWriting = false;
+    };
+    /// Thicknesses that are not those of the board that was read.
+    struct Restack {
+        model::SetThicknesses thicknesses;
+        bool areSaved = true;
+    };
+
+    void watch(Background& work, std::function<QString()> name, bool isWriting);
+    void onEnded();
+    void stopWorkOnBoard();
     void take(const LoadedBoard& board);
+    [[nodiscard]] std::optional<Restack> laterThicknesses(const LoadedBoard& next) const;
+    [[nodiscard]] const Work* firstRunning() const;
 
     std::optional<LoadedBoard> m_board;
     LengthUnit m_unit = LengthUnit::Millimetre;
     model::LayerId m_currentLayer;
     SelectionModel m_selection;
     QUndoStack m_history;
-    std::vector<QPointer<Background>> m_works;  ///< watched, loading first
+    std::vector<Work> m_works;                            ///< watched, loading first
+    std::optional<model::SetThicknesses> m_asOpeningBegan;  ///< of the board on the screen
     Loader m_loader;
 };
 

@@ -138,7 +138,10 @@ private slots:
         window().selection().toggleNets({other});
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(window().selection().nets().empty());
+        QCOMPARE(undo.text(), QString("&Undo end of highlights"));
         undo.trigger();
+        QCOMPARE(window().statusBar()->currentMessage(), QString("Undone: end of highlights"));
+        QCOMPARE(window().actions()[ActionId::Redo].text(), QString("&Redo end of highlights"));
         QCOMPARE(window().selection().nets().size(), std::size_t{2});
         undo.trigger();
         QCOMPARE(window().selection().nets(), std::vector{gnd()});
@@ -147,6 +150,7 @@ private slots:
         QVERIFY(!window().netStyles().hasColours());
         QCOMPARE(window().selection().nets(), std::vector{gnd()});
         undo.trigger();
+        QCOMPARE(undo.text(), QString("&Undo"));
         QVERIFY(window().selection().nets().empty());
         QVERIFY(!undo.isEnabled());
         window().actions()[ActionId::Redo].trigger();

@@ -103,18 +103,62 @@ private slots:
         QCOMPARE(errors.last()[0].toString(), QString("The session names no layer\nNor a net"));
     }
 
-    void reloadTakesThicknessesThatAreInNoFile() {
+    void thicknessesStayOverAReload() {
         Workspace workspace(work);
         open(workspace, "board");
+        const model::SetThicknesses ofFile = workspace.board()->thicknesses;
         workspace.reload([](OpenRequest& request) { request.inferNets = true; });
         QTRY_VERIFY(!workspace.isWorking());
         QCOMPARE(workspace.board()->request.thicknesses, std::vector<std::string>{"CORE=1 mm"});
-        QVERIFY(workspace.board()->request.inferNets && !workspace.board()->request.noSession);
-        workspace.restack(workspace.board()->document, workspace.board()->thicknesses, false);
+        QVERIFY(workspace.board()->request.inferNets);
+        QCOMPARE(workspace.board()->thicknesses, ofFile);
+
+        const model::SetThicknesses inNoFile{{{"TOP", 70'000}}, {}};
+        workspace.restack(workspace.board()->document, inNoFile, false);
         workspace.reload();
         QTRY_VERIFY(!workspace.isWorking());
-        QCOMPARE(workspace.board()->request.thicknesses.size(), std::size_t{2});
-        QVERIFY(workspace.board()->request.noSession);
+        QCOMPARE(workspace.board()->thicknesses, inNoFile);
+        QVERIFY(!workspace.board()->areThicknessesSaved);
+        QVERIFY2(!workspace.board()->request.noSession, "all else that the session holds counts");
+
+        open(workspace, "another");
+        QCOMPARE(workspace.board()->thicknesses, ofFile);
+        QVERIFY(workspace.board()->areThicknessesSaved);
+    }
+
+    void workOnABoardEndsWithItAndFilesAreWrittenOn() {
+        Workspace workspace(work);
+        open(workspace, "board");
+        ui::Background search;
+        ui::Background writing;
+        workspace.watch(search, [] { return QString("Search"); });
+        workspace.watchWriting(writing, [] { return QString("File"); });
+        workspace.open({"another"});
+        search.start(untilStopped, "Searching");  // of the board that is still there
+        writing.start(untilStopped, "Writing");
+        QTRY_COMPARE(workspace.board()->request.path.string(), std::string("another"));
+        QVERIFY(!search.isRunning() && writing.isRunning());
+        QCOMPARE(workspace.fileAtWork(), QString("File"));
+        QVERIFY(workspace.cancelWork());
+        QVERIFY(workspace.fileAtWork().isEmpty() && !workspace.isWorking());
+    }
+
+    void progressIsThatOfTheFirstWork() {
+        Workspace workspace(work);
+        ui::Background first;
+        ui::Background second;
+        workspace.watch(first, [] { return QString("First"); });
+        workspace.watch(second, [] { return QString("Second"); });
+        QSignalSpy began(&workspace, &Workspace::workBegan);
+        const QSignalSpy idle(&workspace, &Workspace::idle);
+        second.start(untilStopped, "Counting");
+        first.start(untilStopped, "Counting");
+        QCOMPARE(began.last()[0].toString(), QString("First"));
+        first.cancel();
+        QCOMPARE(began.last()[0].toString(), QString("Second"));
+        QCOMPARE(idle.count(), 0);
+        second.cancel();
+        QCOMPARE(idle.count(), 1);
     }
 
     void workIsShownAndStopped() {
@@ -124,13 +168,7 @@ private slots:
         QSignalSpy began(&workspace, &Workspace::workBegan);
         QSignalSpy reported(&workspace, &Workspace::reported);
         const QSignalSpy idle(&workspace, &Workspace::idle);
-        other.start(
-            [](base::Progress& progress) {
-                while (!progress.isCancelled()) {
-                    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                }
-            },
-            "Counting");
+        other.start(untilStopped, "Counting");
         QCOMPARE(began.last()[0].toString(), QString("Other work"));
         QVERIFY(workspace.cancelWork());
         QCOMPARE(reported.last()[0].toString(), QString("Stopped"));
@@ -143,6 +181,12 @@ private slots:
     }
 
 private:
+    static void untilStopped(base::Progress& progress) {
+        while (!progress.isCancelled()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+    }
+
     static void open(Workspace& workspace, const char* path) {
         workspace.open({path});
         QTRY_VERIFY(!workspace.isWorking());
