@@ -1,7 +1,8 @@
 #include "ui/search/location_mark.h"
 
 #include <QPainter>
-#include <algorithm>
+
+#include "ui/views/seen_face.h"
 
 namespace ui {
 
@@ -50,7 +51,7 @@ void LocationMark::paint(QPainter& painter, const BoardView& view) const {
         return;
     }
     glm::vec3 point = view.position().toModel(*m_location);
-    point.z = faceHeight(view);
+    point.z = seenFace(view, *m_workspace.board()->document);
     const std::optional<QPointF> at = view.controller().screenOf(point);
     if (!at) {
         return;
@@ -61,23 +62,6 @@ void LocationMark::paint(QPainter& painter, const BoardView& view) const {
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
         strokeCross(painter, *at);
     }
-}
-
-/// Of the copper that is nearest to the viewer, in mm as drawn; 0 of a board without.
-float LocationMark::faceHeight(const BoardView& view) const {
-    const std::vector<render::ZRange> heights = view.drawnHeights();
-    const std::vector<model::Layer>& layers = m_workspace.board()->document->layers;
-    const bool isFromBelow = view.controller().camera().direction().z > 0.0F;
-    std::optional<float> face;
-    for (std::size_t row = 0; row < std::min(heights.size(), layers.size()); ++row) {
-        if (layers[row].isCopper()) {
-            const float height = isFromBelow ? heights[row].z0 : heights[row].z1;
-            face = !face         ? height
-                   : isFromBelow ? std::min(*face, height)
-                                 : std::max(*face, height);
-        }
-    }
-    return face.value_or(0.0F);
 }
 
 }  // namespace ui

@@ -24,7 +24,6 @@ public:
 
 private:
     void paint(QPainter& painter, const BoardView& view) const;
-    [[nodiscard]] float faceHeight(const BoardView& view) const;
 
     BoardViews& m_views;
     Workspace& m_workspace;

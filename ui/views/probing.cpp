@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "ui/element/element_facts.h"
+#include "ui/views/seen_face.h"
 
 namespace ui {
 
@@ -364,7 +365,8 @@ void Probing::showInBoth(std::span<const model::BoardElement> elements) {
 void Probing::showPosition(base::PointD nm, model::LayerId layer, float aroundMm) {
     for (BoardView* view : m_views.both()) {
         const std::vector<render::ZRange> heights = view->drawnHeights();
-        const render::ZRange z = layer.row() < heights.size() ? heights[layer.row()] : render::ZRange{};
+        const float face = seenFace(*view, *m_workspace.board()->document);
+        const render::ZRange z = layer.row() < heights.size() ? heights[layer.row()] : render::ZRange{face, face};
         const glm::vec3 at = position().toModel(nm);
         const float side = view == &m_views.flat() ? aroundMm : std::max(aroundMm, kAroundMm);
         const glm::vec3 around(side, side, 0.0F);

@@ -49,8 +49,8 @@ public:
     /// Brings elements to the middle.
     void show(BoardView& view, std::span<const model::BoardElement> elements);
     void showInBoth(std::span<const model::BoardElement> elements);
-    /// Brings a location on the board to the middle of both views, in 2D with so much around it, and in 3D with a few
-    /// millimetres.
+    /// Brings a location on a layer, or on the face of the board that is seen, to the middle of both views, in 2D with
+    /// so much around it, and in 3D with a few millimetres.
     void showPosition(base::PointD nm, model::LayerId layer, float aroundMm = kAroundMm);
 
 signals:

@@ -12,6 +12,7 @@
 #include "ui/search/location_mark.h"
 #include "ui/search/search_box.h"
 #include "ui/views/plan_painter.h"
+#include "ui/views/seen_face.h"
 
 using ui::ActionId;
 
@@ -94,6 +95,13 @@ private slots:
         constexpr double kRuler = 18.0;
         const QPointF middle((size.width() + kRuler) / 2.0, (size.height() + kRuler) / 2.0);
         QVERIFY(QLineF(*flat.screenOf({10e6, 20e6}), middle).length() < 1.0);
+        const ui::BoardView& solid = window().views().solid();
+        glm::vec3 onTop = solid.position().toModel({10e6, 20e6});
+        onTop.z = ui::seenFace(solid, *window().document());
+        QVERIFY2(onTop.z > 0.5F, "not on the lower face");
+        const QSizeF all = solid.controller().viewport();
+        const QPointF there = *solid.controller().screenOf(onTop);
+        QVERIFY(QLineF(there, QPointF(all.width() / 2.0, all.height() / 2.0)).length() < 25.0);  // in perspective
     }
 
     void aPlaceIsMarkedInBothViews() {
