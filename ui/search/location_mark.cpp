@@ -2,8 +2,6 @@
 
 #include <QPainter>
 
-#include "ui/views/seen_face.h"
-
 namespace ui {
 
 namespace {
@@ -51,7 +49,7 @@ void LocationMark::paint(QPainter& painter, const BoardView& view) const {
         return;
     }
     glm::vec3 point = view.position().toModel(*m_location);
-    point.z = seenFace(view, *m_workspace.board()->document);
+    point.z = view.seenFace(*m_workspace.board()->document);
     const std::optional<QPointF> at = view.controller().screenOf(point);
     if (!at) {
         return;

@@ -126,6 +126,19 @@ std::vector<render::ZRange> BoardView::drawnHeights() const {
     return m_picture.scene->drawnHeights(m_picture.frameSettings());
 }
 
+float BoardView::seenFace(const model::Document& board) const {
+    const std::vector<render::ZRange> heights = drawnHeights();
+    const bool isFromBelow = m_controller.camera().direction().z > 0.0F;
+    std::optional<float> face;
+    for (std::size_t row = 0; row < std::min(heights.size(), board.layers.size()); ++row) {
+        if (board.layers[row].isCopper()) {
+            const float height = isFromBelow ? heights[row].z0 : heights[row].z1;
+            face = !face ? height : isFromBelow ? std::min(*face, height) : std::max(*face, height);
+        }
+    }
+    return face.value_or(0.0F);
+}
+
 void BoardView::setOutlined(bool isOn) {
     m_picture.settings.isOutlined = isOn;
     requestFrame();

@@ -101,6 +101,9 @@ public:
     [[nodiscard]] const std::vector<render::LayerStyle>& styles() const { return m_picture.styles; }
     /// Where layers are drawn, in millimetres; empty without a scene.
     [[nodiscard]] std::vector<render::ZRange> drawnHeights() const;
+    /// Likewise the face of the board that is seen: the outer side of the copper nearest to the viewer; 0 without
+    /// copper.
+    [[nodiscard]] float seenFace(const model::Document& board) const;
     /// Frames take long: what is not asked for should not be drawn.
     [[nodiscard]] bool isSlow() const { return m_isSlow; }
     /// The widget or window that takes the input.

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "ui/element/element_facts.h"
-#include "ui/views/seen_face.h"
 
 namespace ui {
 
@@ -365,7 +364,7 @@ void Probing::showInBoth(std::span<const model::BoardElement> elements) {
 void Probing::showPosition(base::PointD nm, model::LayerId layer, float aroundMm) {
     for (BoardView* view : m_views.both()) {
         const std::vector<render::ZRange> heights = view->drawnHeights();
-        const float face = seenFace(*view, *m_workspace.board()->document);
+        const float face = view->seenFace(*m_workspace.board()->document);
         const render::ZRange z = layer.row() < heights.size() ? heights[layer.row()] : render::ZRange{face, face};
         const glm::vec3 at = position().toModel(nm);
         const float side = view == &m_views.flat() ? aroundMm : std::max(aroundMm, kAroundMm);

@@ -12,7 +12,6 @@
 #include "ui/search/location_mark.h"
 #include "ui/search/search_box.h"
 #include "ui/views/plan_painter.h"
-#include "ui/views/seen_face.h"
 
 using ui::ActionId;
 
@@ -97,7 +96,7 @@ private slots:
         QVERIFY(QLineF(*flat.screenOf({10e6, 20e6}), middle).length() < 1.0);
         const ui::BoardView& solid = window().views().solid();
         glm::vec3 onTop = solid.position().toModel({10e6, 20e6});
-        onTop.z = ui::seenFace(solid, *window().document());
+        onTop.z = solid.seenFace(*window().document());
         QVERIFY2(onTop.z > 0.5F, "not on the lower face");
         const QSizeF all = solid.controller().viewport();
         const QPointF there = *solid.controller().screenOf(onTop);
