@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QWindow>
 #include <array>
+#include <numeric>
 
 #include "model/board/single_element.h"
 #include "ui/common/net_name.h"
@@ -131,7 +132,21 @@ void MeasureFeature::connectCommands(FeatureContext& context) {
                 [this, &action, own = tool] { action.setChecked(m_tool == own); });
     }
     context.on(ActionId::MeasureSpacing, this, [this] { measureSpacingAtCursor(); });
+    m_showing = &context.actions[ActionId::ShowMeasurements];
+    m_showing->setChecked(true);
+    context.on(ActionId::ShowMeasurements, this, [this] { m_views.requestOverlay(); });
+    context.on(ActionId::DeleteMeasurements, this, [this] { deleteAll(); });
     context.on(ActionId::ExportMeasurements, this, [this, &context] { exportTable(context); });
+}
+
+void MeasureFeature::deleteAll() {
+    std::vector<int> rows(m_saved.entries().size());
+    std::iota(rows.begin(), rows.end(), 0);
+    if (rows.empty()) {
+        m_workspace.report(tr("There are no measurements"));
+    } else {
+        m_saved.remove(tr("deleting measurements"), std::move(rows));
+    }
 }
 
 void MeasureFeature::addPanel(FeatureContext& context) {
@@ -458,6 +473,7 @@ void MeasureFeature::save(const base::Result<Measurement>& measurement) {
         return;
     }
     m_isLatestFull = true;
+    m_showing->setChecked(true);
     m_saved.add(tr("a measurement"), *measurement, "");
     emit measuredNew();
     m_workspace.report((QStringList{valueText(*measurement, m_workspace.unit())} + textsOf(measurement->notes))
@@ -489,7 +505,8 @@ void MeasureFeature::paint(QPainter& painter, const BoardView& view) const {
     MeasurementPainter on(painter, view, *m_index->board);
     const auto& measurements = m_saved.entries();
     for (std::size_t row = 0; row < measurements.size(); ++row) {
-        if (measurements[row].isShown && m_workspace.isOpen(measurements[row].step)) {
+        const bool isShown = m_showing->isChecked() && measurements[row].isShown;
+        if (isShown && m_workspace.isOpen(measurements[row].step)) {
             on.paint(measurements[row], m_workspace.unit(), m_isLatestFull && row + 1 == measurements.size());
         }
     }

@@ -49,6 +49,7 @@ private:
     void addPanel(FeatureContext& context);
     void setBoard(const LoadedBoard& board);
     void setHeights(const LoadedBoard& board);
+    void deleteAll();
     void exportTable(FeatureContext& context);
     void watch(BoardView& view);
     void hover(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
@@ -92,6 +93,7 @@ private:
     std::optional<model::Measurement> m_coming;
     BoardView* m_hoverView = nullptr;  ///< null: the cursor is on no view
     QPointF m_hoverAt;
+    QAction* m_showing = nullptr;  ///< whether the list is drawn
     bool m_isLatestFull = false;  ///< the last of the list was measured just now: all is told of it
     std::optional<model::LocalSpacing> m_shownSpacing;
 

@@ -40,7 +40,7 @@ enum class ActionId {
     EditRules, ExportClearances, Lens, ClearanceMap, DrawSection, SectionAlongNet, OpenAlongSection, SaveSection,
     ExportSection,
     MeasurePoints, MeasureObjects, MeasureAngle, MeasureLines, MeasureRadius, MeasureLength, MeasureSpacing,
-    ExportMeasurements,
+    ShowMeasurements, DeleteMeasurements, ExportMeasurements,
     ClearSelection, ShowSelection, SelectComponent, SelectPin, SaveSelection, HighlightNet, AddNet, DimOthers, FollowInSolid,
     FollowInFlat, FollowInTables, FollowFromTables,
     NextUnit, ShowGrid, ShowNames, ShowOutlines, ShowPinNames,

@@ -209,6 +209,28 @@ private slots:
         QCOMPARE(list()[0].name, std::string("pad to pad"));
     }
 
+    void allAreHiddenShownAgainAndDeletedAtOnce() {
+        const QImage before = picture(flat());
+        measureBoth();
+        m_fixture->key(Qt::Key_Escape);
+        const QImage shown = picture(flat());
+        QAction& showing = window().actions()[ActionId::ShowMeasurements];
+        QVERIFY(showing.isChecked());
+        showing.trigger();
+        QCOMPARE(differingPixels(before, picture(flat())), 0);
+        showing.trigger();
+        QCOMPARE(differingPixels(shown, picture(flat())), 0);
+        window().actions()[ActionId::DeleteMeasurements].trigger();
+        QVERIFY(list().empty());
+        QCOMPARE(differingPixels(before, picture(flat())), 0);
+        undo();
+        QCOMPARE(list().size(), std::size_t{1});
+        window().actions()[ActionId::Redo].trigger();
+        showing.trigger();
+        measureBoth();
+        QVERIFY2(showing.isChecked(), "who measures wants to see it");
+    }
+
     void measurementsAreInTheSessionAndInATable() {
         measureBoth();
         const std::vector<Measurement> kept = list();
