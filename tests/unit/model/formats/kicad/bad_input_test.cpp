@@ -81,6 +81,7 @@ private slots:
         item("a word", "stray", "a word between the items");
         item("a text that does not end", "(gr_text \"x (at 0 0))", "does not end on its line");
         row("newer version", boardOf("", "\n(version 20990101)"), "newer version of KiCad");
+        row("next version", boardOf("", "\n(version 20260508)"), "newer version of KiCad");
     }
     void aMessageNamesThePlaceAndTheRestIsShown() {
         QFETCH(QByteArray, text);
