@@ -98,8 +98,7 @@ public:
         } else if (head == "image") {
             m_canvas.report(Severity::Info, item.line(), "images are for the eyes of editors; they are not drawn");
         } else {
-            m_canvas.report(Severity::Info, item.line(),
-                            "items of the kind '" + std::string(head.substr(0, 40)) + "' are not drawn");
+            m_canvas.reportNotDrawn(item);
         }
     }
 

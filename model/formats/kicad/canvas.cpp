@@ -43,6 +43,11 @@ void Canvas::report(Severity severity, std::uint32_t line, std::string_view text
     m_job.diagnostics.report(severity, m_file, line, text);
 }
 
+void Canvas::reportNotDrawn(const Item& item) {
+    report(Severity::Info, item.line(),
+           "items of the kind '" + std::string(item.head().substr(0, 40)) + "' are not drawn");
+}
+
 // ---- nets ----
 
 std::int32_t Canvas::netNamed(std::string_view name) {

@@ -65,6 +65,8 @@ public:
     [[nodiscard]] BoardSettings& settings() { return m_settings; }
     [[nodiscard]] const std::string& file() const { return m_file; }
     void report(Severity severity, std::uint32_t line, std::string_view text);
+    /// Of an item of a kind that is not known.
+    void reportNotDrawn(const Item& item);
 
     // ---- nets ----
     /// (net 1 "GND") of the board.

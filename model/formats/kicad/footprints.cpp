@@ -26,6 +26,48 @@ constexpr double kJoint = 10'000.0;
 constexpr std::array<std::string_view, 6> kMarks = {
     "exclude_from_bom", "exclude_from_pos_files", "board_only", "allow_missing_courtyard", "dnp", "virtual"};
 
+/// Lists of a footprint that draw nothing: what readFacts and the frame take, rules, and what editors need.
+constexpr std::array<std::string_view, 40> kSilent = {"at",
+                                                      "attr",
+                                                      "autoplace_cost180",
+                                                      "autoplace_cost90",
+                                                      "clearance",
+                                                      "component_classes",
+                                                      "constraint",
+                                                      "descr",
+                                                      "duplicate_pad_numbers_are_jumpers",
+                                                      "embedded_files",
+                                                      "embedded_fonts",
+                                                      "generator",
+                                                      "generator_version",
+                                                      "group",
+                                                      "jumper_pad_groups",
+                                                      "layer",
+                                                      "locked",
+                                                      "model",
+                                                      "net_tie_pad_groups",
+                                                      "path",
+                                                      "placed",
+                                                      "point",
+                                                      "private_layers",
+                                                      "sheetfile",
+                                                      "sheetname",
+                                                      "solder_mask_margin",
+                                                      "solder_paste_margin",
+                                                      "solder_paste_margin_ratio",
+                                                      "solder_paste_ratio",
+                                                      "stackup",
+                                                      "tags",
+                                                      "tedit",
+                                                      "thermal_gap",
+                                                      "thermal_width",
+                                                      "tstamp",
+                                                      "units",
+                                                      "uuid",
+                                                      "variant",
+                                                      "version",
+                                                      "zone_connect"};
+
 /// Largest closed outline of drawn shapes; the box around them all where none is closed.
 ShapeSketch bodyOf(const std::vector<Graphic>& graphics) {
     std::vector<ChainEdge> edges;
@@ -144,6 +186,8 @@ public:
                 drawZone(m_canvas, item);
             } else if (head == "dimension") {
                 drawDimension(m_canvas, item, [&](std::string_view name) { return variable(name); });
+            } else if (item.isList() && std::ranges::find(kSilent, head) == kSilent.end()) {
+                m_canvas.reportNotDrawn(item);
             }
         }
         package().outline.append(bodyOf(m_fab.empty() ? m_courtyard : m_fab),
@@ -218,7 +262,12 @@ private:
 
     void addText(const Item& item) {
         const std::optional<PointD> at = point(item, "at");
-        if (!at || isHidden(item) || !item.find("effects").isThere()) {
+        const bool isFact = item.head() == "property" && !(at && item.find("effects").isThere());
+        if (isFact || isHidden(item)) {
+            return;
+        }
+        if (!at) {
+            m_canvas.report(Severity::Warning, item.line(), "a text has no place; it was left out");
             return;
         }
         const double degrees = numberOf(item.find("at").word(3)).value_or(0.0);

@@ -78,6 +78,13 @@ private slots:
         item("unfilled zone", "(zone (net 1) (layer \"B.Cu\") (polygon (pts (xy 0 0) (xy 1 0) (xy 1 1))))",
              "a zone is not filled");
         item("unknown kind", "(wormhole (at 0 0))", "items of the kind 'wormhole'");
+        item("unknown kind in a footprint",
+             "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (fp_ellipse (center 0 0) (layer \"F.Cu\")))",
+             "items of the kind 'fp_ellipse'");
+        item("text without place",
+             "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (fp_text user \"a\" (layer \"F.Cu\") (effects (font (size 1 "
+             "1)))))",
+             "a text has no place");
         item("a word", "stray", "a word between the items");
         item("a text that does not end", "(gr_text \"x (at 0 0))", "does not end on its line");
         row("newer version", boardOf("", "\n(version 20990101)"), "newer version of KiCad");
@@ -95,6 +102,15 @@ private slots:
         QCOMPARE(entry->file, std::string("bad.kicad_pcb"));
         QCOMPARE(entry->line, line);
         QVERIFY(tracksOnTop(**board) >= 1U);
+    }
+
+    void whatDrawsNothingInAFootprintIsNoNews() {
+        const DrawnJob job = boardWith(
+            "(footprint \"x\" (locked yes) (layer \"F.Cu\") (at 0 0) (descr \"\") (tags \"\") (uuid 1) (attr smd) "
+            "(path \"\") (solder_paste_ratio 0) (duplicate_pad_numbers_are_jumpers no) (embedded_fonts no) (units) "
+            "(net_tie_pad_groups \"1\") (property ki_fp_filters \"C_*\") (model \"x\"))",
+            "", "20260206");
+        QVERIFY(job.diagnostics.entries().empty());
     }
 
     void layersThatAreMissingAreAnError() {
