@@ -40,7 +40,8 @@ public:
             return {};
         }
         m_graphic.width = widthOf();
-        m_graphic.isFilled = m_graphic.isClosed && isFilled(kind);
+        m_graphic.isHatched = m_graphic.isClosed && m_item.find("fill").word(1).ends_with("hatch");
+        m_graphic.isFilled = m_graphic.isClosed && !m_graphic.isHatched && isFilled(kind);
         return m_graphic;
     }
 
@@ -226,6 +227,32 @@ bool isDashed(const Item& item) {
     return type.starts_with("dash") || type == "dot";
 }
 
+void reportStyle(Canvas& canvas, const Item& item, const Graphic& graphic) {
+    if (isDashed(item)) {
+        canvas.report(Severity::Info, item.line(), "dashed and dotted lines are drawn as solid ones");
+    }
+    if (graphic.isHatched) {
+        canvas.report(Severity::Warning, item.line(), "of hatched shapes only the outline is drawn");
+    }
+    if (graphic.width == 0.0 && !graphic.isFilled) {
+        canvas.report(Severity::Info, item.line(), "lines without a width are drawn 0.1 mm wide");
+    }
+}
+
+/// What the solder mask leaves open over a shape on copper.
+void drawOpening(Canvas& canvas, const Item& item, std::int32_t row, Graphic opening, const Origin& origin) {
+    opening.isFilled = opening.isFilled || opening.isHatched;
+    opening.width = opening.width > 0.0 || opening.isFilled ? opening.width : kThinnest;
+    opening.width += 2.0 * length(item, "solder_mask_margin", canvas.settings().maskMargin);
+    if (opening.width > 0.0 || (opening.width == 0.0 && opening.isFilled)) {
+        drawGraphic(canvas, row, opening, origin);
+    } else if (opening.isFilled) {
+        ShapeSketch region;
+        addPath(region, opening.nodes, false);
+        canvas.drawRegion(row, origin, grown(region, opening.width / 2.0));
+    }
+}
+
 }  // namespace
 
 bool isGraphic(std::string_view head) {
@@ -330,17 +357,14 @@ void drawGraphic(Canvas& canvas, const Item& item, const Frame& frame, Origin or
         return;
     }
     origin.line = item.line();
-    if (isDashed(item)) {
-        canvas.report(Severity::Info, item.line(), "dashed and dotted lines are drawn as solid ones");
-    }
-    if (graphic->width == 0.0 && !graphic->isFilled) {
-        canvas.report(Severity::Info, item.line(), "lines without a width are drawn 0.1 mm wide");
-    }
+    reportStyle(canvas, item, *graphic);
     for (const std::int32_t row : canvas.rowsOf(item)) {
         const bool isMask = item.find("layers").isThere() && canvas.layers().nameOf(row).ends_with(".Mask");
-        Graphic drawn = *graphic;
-        drawn.width = std::max(0.0, drawn.width + (isMask ? 2.0 * length(item, "solder_mask_margin") : 0.0));
-        drawGraphic(canvas, row, drawn, origin);
+        if (isMask) {
+            drawOpening(canvas, item, row, *graphic, origin);
+        } else {
+            drawGraphic(canvas, row, *graphic, origin);
+        }
     }
 }
 

@@ -17,6 +17,7 @@ struct Graphic {
     std::vector<PathNode> nodes;
     bool isClosed = false;
     bool isFilled = false;
+    bool isHatched = false;  ///< filled with lines, which are not part of it
     double width = 0.0;
 
     [[nodiscard]] std::size_t edgeCount() const {
@@ -40,7 +41,9 @@ struct Graphic {
 [[nodiscard]] std::optional<PathNode> arcThrough(Canvas& canvas, std::uint32_t line, PointD start, PointD middle,
                                                  PointD end);
 
-/// Draws it on all layers of the item. A width of 0 is drawn as KiCad plots it, 0.1 mm, unless it is filled.
+/// Draws it on all layers of the item. A width of 0 is drawn as KiCad plots it, 0.1 mm, unless it is filled. On a mask
+/// that is listed besides copper it is an opening: filled where it is hatched, and wider by the margin of the item,
+/// else the board's.
 void drawGraphic(Canvas& canvas, const Item& item, const Frame& frame, Origin origin);
 void drawGraphic(Canvas& canvas, std::int32_t row, const Graphic& graphic, const Origin& origin);
 

@@ -85,6 +85,9 @@ private slots:
              "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (fp_text user \"a\" (layer \"F.Cu\") (effects (font (size 1 "
              "1)))))",
              "a text has no place");
+        item("hatched shape",
+             "(gr_rect (start 0 0) (end 5 5) (stroke (width 0.2) (type solid)) (fill hatch) (layer \"F.Cu\"))",
+             "of hatched shapes only the outline");
         item("a word", "stray", "a word between the items");
         item("a text that does not end", "(gr_text \"x (at 0 0))", "does not end on its line");
         row("newer version", boardOf("", "\n(version 20990101)"), "newer version of KiCad");

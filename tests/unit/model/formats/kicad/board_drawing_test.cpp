@@ -1,6 +1,7 @@
 #include "model/formats/kicad/board_drawing.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
 
 #include "model/geometry/discretise.h"
@@ -14,6 +15,16 @@ namespace {
 
 double mm2(const ShapeSketch& sketch) {
     return static_cast<double>(twiceArea(polygonsOf(sketch, {Discretisation::kMinChordNm, false}))) / 2e12;
+}
+
+/// The first one that is drawn on a layer.
+const ShapeSketch& regionOf(const DrawnJob& job, std::string_view layer) {
+    const auto& features = on(job, layer);
+    const auto found = std::ranges::find(features, DrawnKind::Region, &DrawnFeature::kind);
+    if (found == features.end()) {
+        qFatal("there is no region");
+    }
+    return job.steps[0].regions[static_cast<std::size_t>(found->region)];
 }
 
 }  // namespace
@@ -119,6 +130,39 @@ private slots:
         QCOMPARE(on(boardWith(via + "(tenting (front yes) (back no)))"), "B.Mask").size(), std::size_t{1});
         const DrawnJob old = boardWith(via + ")", "(pcbplotparams (viasonmask true))", "20221018");
         QCOMPARE(on(old, "B.Mask").size(), std::size_t{1});
+    }
+
+    void openingsOfGraphicsHaveTheMarginOfTheBoard() {
+        const std::string shape = "(start 0 0) (end 2 1) (layers \"F.Cu\" \"F.Mask\") (stroke (width ";
+        const DrawnJob lines =
+            boardWith("(gr_line " + shape + "0.3))) (gr_line " + shape + "0.3)) (solder_mask_margin 0))",
+                      "(pad_to_mask_clearance 0.1)");
+        QCOMPARE(shapeOf(lines, on(lines, "F.Cu")[0]).width, 300'000);
+        QCOMPARE(shapeOf(lines, on(lines, "F.Mask")[0]).width, 500'000);
+        QCOMPARE(shapeOf(lines, on(lines, "F.Mask")[1]).width, 300'000);
+        const DrawnJob onMask = boardWith("(gr_line (start 0 0) (end 2 1) (layer \"F.Mask\") (stroke (width 0.3)))",
+                                          "(pad_to_mask_clearance 0.1)");
+        QCOMPARE(shapeOf(onMask, on(onMask, "F.Mask")[0]).width, 300'000);
+    }
+
+    void negativeMarginsMakeOpeningsSmaller() {
+        const std::string shape = "(start 0 0) (end 2 1) (layers \"F.Cu\" \"F.Mask\") (stroke (width ";
+        const DrawnJob filled = boardWith("(gr_rect " + shape + "0)) (fill yes))", "(pad_to_mask_clearance -0.1)");
+        QCOMPARE(on(filled, "F.Mask").size(), std::size_t{1});
+        QVERIFY(std::abs(mm2(regionOf(filled, "F.Mask")) - 1.8 * 0.8) < 1e-6);
+        const DrawnJob line = boardWith("(gr_line " + shape + "0.1)))", "(pad_to_mask_clearance -0.1)");
+        QCOMPARE(on(line, "F.Mask").size(), std::size_t{0});
+    }
+
+    void hatchedShapesAreNotSolid() {
+        const std::string shape = "(gr_rect (start 0 0) (end 2 1) (stroke (width 0.1)) (fill cross_hatch) ";
+        const DrawnJob copper = boardWith(shape + "(layer \"F.Cu\"))");
+        QCOMPARE(on(copper, "F.Cu").size(), std::size_t{4});
+        QVERIFY(copper.steps[0].regions.empty());
+        // KiCad opens all of the mask over it.
+        const DrawnJob open = boardWith(shape + "(layers \"F.Cu\" \"F.Mask\"))");
+        QCOMPARE(on(open, "F.Mask").size(), std::size_t{5});
+        QVERIFY(std::abs(mm2(regionOf(open, "F.Mask")) - 2.0) < 1e-9);
     }
 
     void padStacksDifferByLayer() {
