@@ -1,8 +1,11 @@
 #include "model/formats/kicad/pad_forms.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "model/formats/kicad/graphics.h"
 #include "model/formats/kicad/shapes/regions.h"
@@ -13,18 +16,30 @@ namespace model::kicad {
 
 namespace {
 
-PadForm::Kind kindOf(std::string_view word) {
-    return word == "circle"      ? PadForm::Kind::Circle
-           : word == "oval"      ? PadForm::Kind::Oval
-           : word == "roundrect" ? PadForm::Kind::RoundRectangle
-           : word == "trapezoid" ? PadForm::Kind::Trapezoid
-           : word == "custom"    ? PadForm::Kind::Custom
-                                 : PadForm::Kind::Rectangle;
+/// None of a word that names no shape.
+std::optional<PadForm::Kind> kindOf(std::string_view word) {
+    constexpr std::array<std::pair<std::string_view, PadForm::Kind>, 6> kKinds = {
+        {{"circle", PadForm::Kind::Circle},
+         {"rect", PadForm::Kind::Rectangle},
+         {"oval", PadForm::Kind::Oval},
+         {"roundrect", PadForm::Kind::RoundRectangle},
+         {"trapezoid", PadForm::Kind::Trapezoid},
+         {"custom", PadForm::Kind::Custom}}};
+    const auto found = std::ranges::find(kKinds, word, [](const auto& kind) { return kind.first; });
+    return found == kKinds.end() ? std::nullopt : std::optional(found->second);
 }
 
 unsigned cornersOf(const Item& chamfer) {
     return (chamfer.hasWord("top_right") ? 1U : 0U) | (chamfer.hasWord("top_left") ? 2U : 0U) |
            (chamfer.hasWord("bottom_left") ? 4U : 0U) | (chamfer.hasWord("bottom_right") ? 8U : 0U);
+}
+
+/// Besides shapes there are boxes for the number of a pad and directions of spokes, which draw nothing.
+void reportPrimitive(Canvas& canvas, const Item& primitive) {
+    const std::string_view head = primitive.head();
+    if (primitive.isList() && head != "gr_bbox" && head != "gr_vector") {
+        canvas.reportNotDrawn(primitive);
+    }
 }
 
 ShapeSketch customShape(Canvas& canvas, const Item& item, PointD size) {
@@ -37,9 +52,13 @@ ShapeSketch customShape(Canvas& canvas, const Item& item, PointD size) {
     std::vector<EdgeLoops> regions = regionsOf(anchor.contour(0));
     for (const Item primitive : item.find("primitives")) {
         if (!isGraphic(primitive.head())) {
+            reportPrimitive(canvas, primitive);
             continue;
         }
         const std::optional<Graphic> graphic = graphicOf(canvas, primitive, {}, true);
+        if (graphic && graphic->isHatched) {
+            canvas.report(Severity::Warning, primitive.line(), "of hatched shapes only the outline is drawn");
+        }
         for (EdgeLoops& region : graphic ? coverOf(*graphic) : std::vector<EdgeLoops>()) {
             regions.push_back(std::move(region));
         }
@@ -50,7 +69,11 @@ ShapeSketch customShape(Canvas& canvas, const Item& item, PointD size) {
 /// The form that a pad, or a layer of its pad stack, has.
 PadForm formOf(Canvas& canvas, const Item& item, std::string_view shape) {
     PadForm form;
-    form.kind = kindOf(shape);
+    const std::optional<PadForm::Kind> kind = kindOf(shape);
+    if (!kind) {
+        canvas.report(Severity::Warning, item.line(), "a pad has a shape that is not known; a rectangle is drawn");
+    }
+    form.kind = kind.value_or(PadForm::Kind::Rectangle);
     const PointD given = size(item, "size").value_or(PointD());
     form.size = {std::abs(given.x), std::abs(given.y)};
     constexpr double kMost = base::kMaxCoordinate;

@@ -125,6 +125,9 @@ private:
 
     void drawHole() {
         if (!m_hasHole) {
+            if (m_pad.word(2).ends_with("thru_hole")) {
+                m_canvas.report(Severity::Warning, m_pad.line(), "a pad with a hole names no drill; it has no hole");
+            }
             return;
         }
         const std::int32_t row = m_canvas.layers().drills(kNoRow, kNoRow, m_isPlated, m_canvas.job());

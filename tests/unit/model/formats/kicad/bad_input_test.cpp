@@ -85,6 +85,17 @@ private slots:
              "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (fp_text user \"a\" (layer \"F.Cu\") (effects (font (size 1 "
              "1)))))",
              "a text has no place");
+        item("unknown shape",
+             "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (pad \"1\" smd blob (at 0 0) (size 1 1) (layers \"F.Cu\")))",
+             "a pad has a shape that is not known");
+        item("unknown kind in a pad",
+             "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (pad \"1\" smd custom (at 0 0) (size 1 1) (layers \"F.Cu\") "
+             "(primitives (gr_ellipse (center 0 0)))))",
+             "items of the kind 'gr_ellipse'");
+        item("pad without drill",
+             "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (pad \"1\" thru_hole circle (at 0 0) (size 1 1) (layers "
+             "\"F.Cu\")))",
+             "a pad with a hole names no drill");
         item("hatched shape",
              "(gr_rect (start 0 0) (end 5 5) (stroke (width 0.2) (type solid)) (fill hatch) (layer \"F.Cu\"))",
              "of hatched shapes only the outline");
