@@ -179,6 +179,7 @@ private:
             const std::string_view word = setup.find("pcbplotparams").find("viasonmask").word(1);
             settings.isViaTented.fill(word != "true" && word != "yes");
         }
+        reportProtection(m_canvas, setup);
         const Item stackup = setup.find("stackup");
         m_stackupText = std::string(stackup.source());
         reportFinish(stackup);

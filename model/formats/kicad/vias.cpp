@@ -47,20 +47,31 @@ double viaSizeOn(const Item& via, const std::string& layer) {
 
 void openMask(Canvas& canvas, const Item& via, const Origin& origin, PointD at, const std::vector<std::int32_t>& span) {
     const BoardLayers& layers = canvas.layers();
-    const double size = length(via, "size");
     const std::array<bool, 2> isTented = tentingOf(via, canvas.settings().isViaTented);
     for (std::size_t i = 0; i < 2; ++i) {
         const std::int32_t mask = layers.row(i == 0 ? "F.Mask" : "B.Mask");
         const bool reaches =
             (i == 0 ? span.front() : span.back()) == (i == 0 ? layers.copper().front() : layers.copper().back());
         if (!isTented[i] && mask != kNoRow && reaches) {
-            const double width = size + 2.0 * canvas.settings().maskMargin;
+            const double width = viaSizeOn(via, i == 0 ? "F.Cu" : "B.Cu") + 2.0 * canvas.settings().maskMargin;
             canvas.drawPad(mask, origin, canvas.pen(std::max(width, 0.0)), at, 0.0);
         }
     }
 }
 
 }  // namespace
+
+void reportProtection(Canvas& canvas, const Item& item) {
+    for (const char* kind : {"covering", "plugging", "filling", "capping"}) {
+        const Item list = item.find(kind);
+        const bool isSaid = list.word(1) == "yes" || list.hasWord("front") || list.hasWord("back") ||
+                            list.find("front").word(1) == "yes" || list.find("back").word(1) == "yes";
+        if (isSaid) {
+            canvas.report(Severity::Info, list.line(),
+                          "what is said of vias as '" + std::string(kind) + "' is not read");
+        }
+    }
+}
 
 bool removesUnused(const Item& item) {
     return item.isSet("remove_unused_layers") || item.isSet("remove_unused_layer");
@@ -101,6 +112,7 @@ void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
         }
     }
     openMask(canvas, via, origin, *at, span);
+    reportProtection(canvas, via);
     double drill = length(via, "drill", canvas.settings().viaDrill);
     if (drill <= 0.0) {
         drill = size / 2.0;

@@ -10,6 +10,10 @@ namespace model::kicad {
 /// not tented.
 void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via);
 
+/// What else protects the holes of a via, or in the setup those of all (KiCad 10), is reported: (capping yes), (filling
+/// yes), (covering (front yes) (back no)), (plugging …). It changes nothing of what is drawn.
+void reportProtection(Canvas& canvas, const Item& item);
+
 /// Does a pad or via keep copper on inner layers only where something ends there?
 [[nodiscard]] bool removesUnused(const Item& item);
 

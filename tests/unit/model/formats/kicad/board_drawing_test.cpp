@@ -132,6 +132,27 @@ private slots:
         QCOMPARE(on(old, "B.Mask").size(), std::size_t{1});
     }
 
+    void openingsOfViasAreAsLargeAsTheirSide() {
+        const DrawnJob job = boardWith(
+            "(via (at 1 1) (size 0.6) (drill 0.3) (layers \"F.Cu\" \"B.Cu\") (net 1) (tenting none) (padstack (mode "
+            "front_inner_back) (layer \"Inner\" (size 0.5)) (layer \"B.Cu\" (size 1.2))))",
+            "(pad_to_mask_clearance 0.1) (tenting none)");
+        QCOMPARE(shapeOf(job, on(job, "F.Mask")[0]).width, 800'000);
+        QCOMPARE(shapeOf(job, on(job, "B.Mask")[0]).width, 1'400'000);
+    }
+
+    void whatProtectsHolesOfViasIsReported() {
+        const std::string via =
+            "(via (at 1 1) (size 0.6) (drill 0.3) (layers \"F.Cu\" \"B.Cu\") (net 1) (capping yes) (filling no) "
+            "(covering "
+            "(front yes) (back no)) (plugging (front no) (back no)))";
+        const DrawnJob job = boardWith(via + via, "(filling yes) (capping none)");
+        QCOMPARE(messages(job.diagnostics, "vias as 'capping'"), 2U);
+        QCOMPARE(messages(job.diagnostics, "vias as 'covering'"), 2U);
+        QCOMPARE(messages(job.diagnostics, "vias as 'filling'"), 1U);
+        QCOMPARE(messages(job.diagnostics, "vias as 'plugging'"), 0U);
+    }
+
     void openingsOfGraphicsHaveTheMarginOfTheBoard() {
         const std::string shape = "(start 0 0) (end 2 1) (layers \"F.Cu\" \"F.Mask\") (stroke (width ";
         const DrawnJob lines =
