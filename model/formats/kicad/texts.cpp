@@ -126,6 +126,8 @@ TextStyle styleOf(const Item& item) {
     style.pen = style.pen > 0.0 ? style.pen : smaller * (font.isSet("bold") ? kBoldPen : kPenOfHeight);
     style.pen = std::min(style.pen, smaller * kThickest);
     style.isItalic = font.isSet("italic");
+    const double spacing = number(font, "line_spacing", 1.0);
+    style.lineSpacing = spacing > 0.0 ? spacing : 1.0;
     const Item justify = effects.find("justify");
     style.across = justify.hasWord("left") ? 0.0 : justify.hasWord("right") ? 1.0 : 0.5;
     style.up = justify.hasWord("top") ? 1.0 : justify.hasWord("bottom") ? 0.0 : 0.5;

@@ -121,7 +121,7 @@ std::string wrapped(std::string_view text, const TextStyle& style, double width)
 
 TextStrokes::TextStrokes(std::string_view text, const TextStyle& style) : m_style(style) {
     const std::vector<std::string> lines = linesOf(text);
-    const double pitch = kInterline * style.height;
+    const double pitch = kInterline * style.height * style.lineSpacing;
     const double all = kFirstLine * style.height + static_cast<double>(lines.size() - 1) * pitch;
     const double first = kPenUp * style.pen - style.height + (1.0 - style.up) * all;
     for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -18,6 +18,7 @@ struct TextStyle {
     double pen = 0.0;
     double across = 0.5;  ///< where the anchor is: 0 left, 0.5 middle, 1 right
     double up = 0.5;      ///< 0 bottom, 1 top
+    double lineSpacing = 1.0;
     bool isMirrored = false;
     bool isItalic = false;
 };
@@ -27,9 +28,9 @@ struct TextStyle {
 /// The text with line ends where its words would not fit into a width; words that do not fit alone stay as they are.
 [[nodiscard]] std::string wrapped(std::string_view text, const TextStyle& style, double width);
 
-/// The strokes of a text, the anchor at the origin, y up, placed as KiCad places them: lines 1.61 heights apart, the
-/// first one counting 1.17; anchors at the left or right are 1/1.52 pens from the text. ~{…} has a bar above, ^{…} and
-/// _{…} are raised and lowered.
+/// The strokes of a text, the anchor at the origin, y up, placed as KiCad places them: lines 1.61 heights apart, times
+/// their spacing, the first one counting 1.17; anchors at the left or right are 1/1.52 pens from the text. ~{…} has a
+/// bar above, ^{…} and _{…} are raised and lowered.
 class TextStrokes {
 public:
     TextStrokes(std::string_view text, const TextStyle& style);

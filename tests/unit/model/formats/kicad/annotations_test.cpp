@@ -42,6 +42,10 @@ std::multiset<std::array<Nm, 4>> linesOf(std::string_view layer, std::string_vie
     return lines;
 }
 
+std::string boardText(const std::string& text, const std::string& font = "(size 1 1)") {
+    return "(gr_text \"" + text + "\" (at 1 1) (layer \"F.Cu\") (effects (font " + font + ")))";
+}
+
 using Lines = std::multiset<std::array<Nm, 4>>;
 
 /// Around the strokes of a text, by what is written.
@@ -164,6 +168,19 @@ private slots:
         QVERIFY(radius.contains({53000, -10000, 55000, -10000}));
         QCOMPARE(radius.size(), std::size_t{2 + 1 + 2 + 1});
         QCOMPARE(linesOf("Dwgs.User", "(target", 150'000).size(), std::size_t{2});
+    }
+
+    void linesKeepTheirSpacing() {
+        const auto heightOf = [](const std::string& font) {
+            const DrawnJob job = boardWith(boardText("I\\nI", font));
+            Box box;
+            for (const DrawnFeature& feature : on(job, "F.Cu")) {
+                box.include(feature.a);
+                box.include(feature.b);
+            }
+            return box.height();
+        };
+        QCOMPARE(heightOf("(size 1 1) (line_spacing 2)") - heightOf("(size 1 1)"), std::int64_t{1'610'000});
     }
 
     void whatCannotBeDrawnIsReported() {

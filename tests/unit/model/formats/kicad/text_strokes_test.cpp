@@ -57,6 +57,10 @@ private slots:
         const TextStrokes two("I\nI", styled(0.5, 0.0));
         QCOMPARE(two.strokes().size(), std::size_t{2});
         QVERIFY(isNear(two.max().y - two.min().y, 2'610'000.0));
+        TextStyle style = styled(0.5, 0.0);
+        style.lineSpacing = 2.0;
+        const TextStrokes spaced("I\nI", style);
+        QVERIFY(isNear(spaced.max().y - spaced.min().y, 4'220'000.0));
     }
     void marksAreNotDrawnButMeant() {
         const TextStrokes barred("~{I}", styled(0.5, 0.5));
