@@ -165,7 +165,7 @@ void drawBarcode(Canvas& canvas, const Item& barcode, const Variables& variables
     if (!at) {
         return canvas.report(Severity::Warning, barcode.line(), "a barcode has no place; it was left out");
     }
-    const std::string text = withVariables(barcode.find("text").text(1), variables);
+    const std::string text = shownText(canvas, barcode, barcode.find("text").text(1), variables);
     const ShapeSketch sketch = BarcodeMaker(canvas, barcode, text).draw();
     const double degrees = numberOf(barcode.find("at").word(3)).value_or(0.0);
     for (const std::int32_t row : sketch.isEmpty() ? std::vector<std::int32_t>() : canvas.rowsOf(barcode)) {

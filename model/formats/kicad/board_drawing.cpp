@@ -259,7 +259,8 @@ private:
             return;
         }
         const double degrees = numberOf(item.find("at").word(3)).value_or(0.0);
-        drawText(m_canvas, {item, withVariables(item.text(1), variables()), {*at, degrees}}, originOf(item));
+        const std::string text = shownText(m_canvas, item, item.text(1), variables());
+        drawText(m_canvas, {item, text, {*at, degrees}}, originOf(item));
     }
 
     // ---- the end ----

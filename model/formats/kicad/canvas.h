@@ -38,6 +38,8 @@ struct BoardSettings {
 
     /// Before KiCad 6: copper layers have only the names that users gave them, texts a kind instead of a property.
     [[nodiscard]] bool isOld() const { return version < 20'200'000; }
+    /// Texts that mark bars as ~CS~, not as ~{CS}.
+    [[nodiscard]] bool hasOldBars() const { return version < 20'210'606; }
     /// Zones whose fill is only the middle of what is there, unless they say otherwise.
     [[nodiscard]] bool hasStrokedFills() const { return version < 20'250'210; }
 };

@@ -130,8 +130,9 @@ private:
             }
             Origin origin;
             origin.line = item.line();
-            const TextPlace place{
-                item, withVariables(item.text(1), variables), {*at, numberOf(item.find("at").word(3)).value_or(0.0)}};
+            const TextPlace place{item,
+                                  shownText(m_canvas, item, item.text(1), variables),
+                                  {*at, numberOf(item.find("at").word(3)).value_or(0.0)}};
             drawText(m_canvas, place, origin);
             m_textAt = at;
             setArea(place);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "model/formats/kicad/barcodes.h"
 #include "model/formats/kicad/dimensions.h"
@@ -123,6 +124,20 @@ std::string keyOf(const DrawnPackage& package) {
         append(key, pin.outline);
     }
     return key;
+}
+
+bool isField(const Item& text) {
+    return text.head() == "property" || text.word(1) != "user";
+}
+
+/// Up to KiCad 5 texts have %R for the reference and %V for the value; later versions still read them so.
+std::string withNewMarks(std::string text) {
+    for (const auto& [old, name] : {std::pair("%R", "${REFERENCE}"), std::pair("%V", "${VALUE}")}) {
+        for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at)) {
+            text.replace(at, 2, name);
+        }
+    }
+    return text;
 }
 
 /// One footprint.
@@ -275,7 +290,8 @@ private:
         origin.line = item.line();
         origin.component = m_owner.component;
         const Variables variables = [&](std::string_view name) { return variable(name); };
-        TextPlace place{item, withVariables(item.text(2), variables), {m_owner.frame.apply(*at), degrees}, true};
+        const std::string text = isField(item) ? item.text(2) : withNewMarks(item.text(2));
+        TextPlace place{item, shownText(m_canvas, item, text, variables), {m_owner.frame.apply(*at), degrees}, true};
         place.isUpright = !item.isSet("unlocked") && !item.find("at").hasWord("unlocked");
         drawText(m_canvas, place, origin);
     }

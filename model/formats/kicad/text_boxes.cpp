@@ -89,7 +89,7 @@ void drawBoxedText(Canvas& canvas, const Item& item, const TextBox& box, const F
                            style.up == 0.5  ? (box.min.y + box.max.y) / 2.0
                            : style.up < 0.5 ? box.min.y + bottom
                                             : box.max.y - top};
-    const std::string text = withVariables(item.text(1), variables);
+    const std::string text = shownText(canvas, item, item.text(1), variables);
     const double width = box.max.x - box.min.x - left - right;
     TextPlace place{item,
                     wrapped(text, style, width),

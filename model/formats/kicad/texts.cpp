@@ -19,6 +19,8 @@ constexpr double kPenOfHeight = 1 / 8.0;     ///< where a text names no pen
 constexpr double kBoldPen = 1 / 5.0;         ///< the same of bold texts
 constexpr double kThickest = 0.25;           ///< of the smaller size
 constexpr double kKnockoutMargin = 1 / 9.0;  ///< of the height
+constexpr int kDeepest = 10;                 ///< variables in values of variables
+constexpr std::size_t kLongest = 10'000;     ///< characters with values of variables
 
 /// Outlines with the holes behind them.
 ShapeSketch polygonOf(Canvas& canvas, const Item& polygon) {
@@ -107,6 +109,75 @@ void drawKnockout(Canvas& canvas, const TextPlace& place, const TextStrokes& str
     canvas.drawRegion(row, origin, without(regionsOf(box), characters));
 }
 
+/// What the users call the layer of an item.
+std::optional<std::string> layerOf(Canvas& canvas, const Item& item) {
+    const std::int32_t row = canvas.layers().row(item.find("layer").word(1));
+    return row == formats::kNoRow ? std::nullopt
+                                  : std::optional(canvas.job().layers[static_cast<std::size_t>(row)].name);
+}
+
+/// Calls for what stands in front of each ${…}, for its name, and at last for what stands behind them.
+void splitAtVariables(std::string_view text, const std::function<void(std::string_view)>& plain,
+                      const std::function<void(std::string_view)>& variable) {
+    for (std::size_t at = 0;;) {
+        const std::size_t open = text.find("${", at);
+        const std::size_t close = open == std::string_view::npos ? open : text.find('}', open);
+        if (close == std::string_view::npos) {
+            return plain(text.substr(at));
+        }
+        plain(text.substr(at, open - at));
+        variable(text.substr(open + 2, close - open - 2));
+        at = close + 1;
+    }
+}
+
+/// With the values of its variables, which may hold variables themselves.
+std::string filled(std::string_view text, const Variables& variables) {
+    std::string all;
+    const auto plain = [&](std::string_view part) { all += part; };
+    splitAtVariables(text, plain, [&](std::string_view name) {
+        const std::optional<std::string> value = all.size() < kLongest ? variables(name) : std::nullopt;
+        all += value ? *value : "${" + std::string(name) + "}";
+    });
+    return all;
+}
+
+void reportVariables(Canvas& canvas, const Item& item, std::string_view text) {
+    splitAtVariables(
+        text, [](std::string_view) {},
+        [&](std::string_view name) {
+            canvas.report(Severity::Warning, item.line(),
+                          "the variable ${" + std::string(name.substr(0, 40)) +
+                              "} of a text has no value; it is drawn as it is written");
+        });
+}
+
+/// Up to the versions before KiCad 6 ~ begins a bar and ends it, as do a blank, } and ), and ~~ is a ~.
+std::string withNewBars(std::string_view text) {
+    if (text == "~" || text.find("~{") != std::string_view::npos) {  // an empty field; already new
+        return std::string(text);
+    }
+    std::string marked;
+    bool isBarred = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const bool isTwice = c == '~' && text.substr(i + 1).starts_with('~');
+        const bool isEnd = isBarred && (c == ' ' || c == '}' || c == ')');
+        if (isTwice) {
+            marked += '~';
+            ++i;
+        } else if (c == '~') {
+            marked += isBarred ? "}" : "~{";
+            isBarred = !isBarred;
+        } else {
+            marked += isEnd ? "}" : "";
+            marked += c;
+            isBarred = isBarred && !isEnd;
+        }
+    }
+    return isBarred ? marked + "}" : marked;
+}
+
 bool isKnockout(const Item& item) {
     return item.find("layer").isSet("knockout") || item.isSet("knockout");
 }
@@ -135,20 +206,16 @@ TextStyle styleOf(const Item& item) {
     return style;
 }
 
-std::string withVariables(std::string_view text, const Variables& variables) {
-    std::string filled;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t open = text.find("${", at);
-        const std::size_t close = open == std::string_view::npos ? open : text.find('}', open);
-        if (close == std::string_view::npos) {
-            return filled.append(text.substr(at));
-        }
-        filled.append(text.substr(at, open - at));
-        const std::optional<std::string> value = variables(text.substr(open + 2, close - open - 2));
-        filled.append(value ? std::string_view(*value) : text.substr(open, close + 1 - open));
-        at = close + 1;
+std::string shownText(Canvas& canvas, const Item& item, std::string_view text, const Variables& variables) {
+    const Variables all = [&](std::string_view name) {
+        return name == "LAYER" ? layerOf(canvas, item) : variables(name);
+    };
+    std::string shown(text);
+    for (int i = 0; i < kDeepest && shown.find("${") != std::string::npos && (i == 0 || shown.size() < kLongest); ++i) {
+        shown = filled(shown, all);
     }
-    return filled;
+    reportVariables(canvas, item, shown);
+    return canvas.settings().hasOldBars() ? withNewBars(shown) : shown;
 }
 
 bool isHidden(const Item& item) {

@@ -15,8 +15,10 @@ namespace model::kicad {
 /// The value of a variable of a text, ${…}; none if there is none of that name.
 using Variables = std::function<std::optional<std::string>(std::string_view name)>;
 
-/// Fills in ${…}; what has no value stays as it is written.
-[[nodiscard]] std::string withVariables(std::string_view text, const Variables& variables);
+/// The text of an item as it is drawn: with the values of ${…}, ${LAYER} that of the item's layer, and with bars as
+/// ~{CS} where a board of before KiCad 6 has ~CS~. Variables without a value stay as they are written and are reported.
+[[nodiscard]] std::string shownText(Canvas& canvas, const Item& item, std::string_view text,
+                                    const Variables& variables);
 
 /// A text of KiCad where it lies: (at …), (effects …), (layer …), (render_cache …).
 struct TextPlace {

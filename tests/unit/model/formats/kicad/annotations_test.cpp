@@ -42,6 +42,26 @@ std::multiset<std::array<Nm, 4>> linesOf(std::string_view layer, std::string_vie
     return lines;
 }
 
+/// The texts that a board draws, in its order.
+std::vector<std::string> textsOf(const DrawnJob& job) {
+    std::vector<std::string> texts;
+    for (const formats::DrawnGroup& group : job.steps[0].groups) {
+        texts.push_back(group.properties[0].second);
+    }
+    return texts;
+}
+
+/// A footprint R1 of 10k that holds this.
+std::string footprintWith(const std::string& items) {
+    return "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (fp_text reference \"R1\" (at 0 0) (layer \"F.Cu\") hide) "
+           "(fp_text value \"10k\" (at 0 0) (layer \"F.Cu\") hide)" +
+           items + ")";
+}
+
+std::string userText(const std::string& text) {
+    return "(fp_text user \"" + text + "\" (at 0 0) (layer \"F.Cu\") (effects (font (size 1 1))))";
+}
+
 std::string boardText(const std::string& text, const std::string& font = "(size 1 1)") {
     return "(gr_text \"" + text + "\" (at 1 1) (layer \"F.Cu\") (effects (font " + font + ")))";
 }
@@ -168,6 +188,38 @@ private slots:
         QVERIFY(radius.contains({53000, -10000, 55000, -10000}));
         QCOMPARE(radius.size(), std::size_t{2 + 1 + 2 + 1});
         QCOMPARE(linesOf("Dwgs.User", "(target", 150'000).size(), std::size_t{2});
+    }
+
+    void oldMarksNameReferenceAndValue() {
+        const DrawnJob job = boardWith(footprintWith(userText("%R is %V, 5%")), "", "20171130");
+        QCOMPARE(textsOf(job), (std::vector<std::string>{"R1 is 10k, 5%"}));
+        const std::string value = "(property \"Value\" \"1%R\" (at 0 0) (layer \"F.Cu\") (effects (font (size 1 1))))";
+        QCOMPARE(textsOf(boardWith(footprintWith(value))), (std::vector<std::string>{"1%R"}));
+    }
+
+    void barsAreMarkedByTheVersionsRules() {
+        const std::string texts = boardText("~CS~ ~A B") + boardText("(~X) a~~b") + boardText("~") + boardText("~{Y}");
+        QCOMPARE(textsOf(boardWith(texts, "", "20171130")),
+                 (std::vector<std::string>{"~{CS} ~{A} B", "(~{X}) a~b", "~", "~{Y}"}));
+        QCOMPARE(textsOf(boardWith(texts, "", "20211014")),
+                 (std::vector<std::string>{"~CS~ ~A B", "(~X) a~~b", "~", "~{Y}"}));
+        const std::string barred = userText("~%R~");
+        QCOMPARE(textsOf(boardWith(footprintWith(barred), "", "4")), (std::vector<std::string>{"~{R1}"}));
+    }
+
+    void variablesAreFilledInOrReported() {
+        kicad::Project project;
+        project.variables = {{"A", "${B}!"}, {"B", "b"}, {"LOOP", "${LOOP}${LOOP}"}};
+        const DrawnJob job =
+            drawn("(kicad_pcb (version 20241229) (layers (0 \"F.Cu\" signal \"Top copper\") (2 \"B.Cu\" signal))" +
+                      boardText("${LAYER} ${A}") + boardText("${C} ${}") + boardText("${C} ${D"),
+                  project);
+        QCOMPARE(textsOf(job), (std::vector<std::string>{"Top copper b!", "${C} ${}", "${C} ${D"}));
+        QCOMPARE(messages(job.diagnostics, "variable ${C} of a text has no value"), 2U);
+        QCOMPARE(messages(job.diagnostics, "has no value"), 3U);
+        QVERIFY(textsOf(drawn("(kicad_pcb (version 20241229) (layers (0 \"F.Cu\" signal))" + boardText("${LOOP}"),
+                              project))[0]
+                    .size() < 20'000);
     }
 
     void linesKeepTheirSpacing() {
