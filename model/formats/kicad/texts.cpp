@@ -21,6 +21,7 @@ constexpr double kThickest = 0.25;           ///< of the smaller size
 constexpr double kKnockoutMargin = 1 / 9.0;  ///< of the height
 constexpr int kDeepest = 10;                 ///< variables in values of variables
 constexpr std::size_t kLongest = 10'000;     ///< characters with values of variables
+constexpr const char* kStrokeFont = "KiCad Font";
 
 /// Outlines with the holes behind them.
 ShapeSketch polygonOf(Canvas& canvas, const Item& polygon) {
@@ -178,6 +179,20 @@ std::string withNewBars(std::string_view text) {
     return isBarred ? marked + "}" : marked;
 }
 
+/// What is said of how a text looks and is not there.
+void reportStyle(Canvas& canvas, const Item& item) {
+    const Item effects = item.find("effects");
+    if (!effects.isThere()) {
+        canvas.report(Severity::Warning, item.line(), "a text does not say how large it is; it is drawn 1 mm high");
+    }
+    const std::string face = effects.find("font").find("face").text(1);
+    if (!face.empty() && face != kStrokeFont && !item.find("render_cache").isThere()) {
+        canvas.report(Severity::Warning, item.line(),
+                      "the file has no outlines of texts in the font '" + face.substr(0, 40) +
+                          "'; they are drawn in KiCad's stroke font");
+    }
+}
+
 bool isKnockout(const Item& item) {
     return item.find("layer").isSet("knockout") || item.isSet("knockout");
 }
@@ -234,6 +249,7 @@ void drawText(Canvas& canvas, const TextPlace& place, const Origin& origin) {
     while (place.isUpright && frame.degrees <= -90.0) {
         frame.degrees += 180.0;
     }
+    reportStyle(canvas, place.item);
     const Item cache = place.item.find("render_cache");
     const TextStrokes strokes(place.text, style);
     if (!cache.isThere() && strokes.lacksCharacters()) {

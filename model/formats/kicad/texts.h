@@ -35,8 +35,9 @@ struct TextPlace {
 /// Is it there to be seen? (hide yes), hide, (effects … hide).
 [[nodiscard]] bool isHidden(const Item& item);
 
-/// Draws it: the polygons that KiCad keeps of outline fonts, else strokes of KiCad's own font, as a group of features.
-/// A knockout text is a box without its characters, strokes or polygons.
+/// Draws it: the polygons that KiCad keeps of outline fonts, else strokes of KiCad's own font, as a group of features;
+/// that a text is in another font and has no polygons is reported. A knockout text is a box without its characters,
+/// strokes or polygons.
 void drawText(Canvas& canvas, const TextPlace& place, const Origin& origin);
 
 }  // namespace model::kicad

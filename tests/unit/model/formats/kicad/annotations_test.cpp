@@ -222,6 +222,14 @@ private slots:
                     .size() < 20'000);
     }
 
+    void fontsWithoutOutlinesAreReported() {
+        const DrawnJob job =
+            boardWith(boardText("a", "(face \"Arial\") (size 1 1)") + boardText("b", "(face \"Arial\")") +
+                      boardText("c", "(face \"KiCad Font\") (size 1 1)"));
+        QCOMPARE(messages(job.diagnostics, "font 'Arial'"), 2U);
+        QCOMPARE(messages(job.diagnostics, "font '"), 2U);
+    }
+
     void linesKeepTheirSpacing() {
         const auto heightOf = [](const std::string& font) {
             const DrawnJob job = boardWith(boardText("I\\nI", font));
@@ -233,6 +241,13 @@ private slots:
             return box.height();
         };
         QCOMPARE(heightOf("(size 1 1) (line_spacing 2)") - heightOf("(size 1 1)"), std::int64_t{1'610'000});
+    }
+
+    void textsWithoutASizeAreReported() {
+        const std::string text = "user \"a\" (at 0 0) (layer \"F.Cu\")";
+        const DrawnJob job = boardWith(footprintWith("(fp_text " + text + ")"));
+        QCOMPARE(textsOf(job), (std::vector<std::string>{"a"}));
+        QCOMPARE(messages(job.diagnostics, "how large"), 1U);
     }
 
     void whatCannotBeDrawnIsReported() {
