@@ -68,11 +68,9 @@ void FeatureReader::readLayerFeature(XmlCursor& at) {
                          "a LayerFeature names a layer that is not listed; it is taken for a drawing");
     }
     beginLayer(m_layers.findOrAdd(name, LayerType::Document, at.line()));
-    const std::size_t layer = m_layer;
     forEachChild(at, [&] {
         if (at.name() == "Set") {
             readSet(at);
-            beginLayer(layer);  // holes lie on layers of their own
         } else {
             m_reading.reportUnknown(at);
         }
@@ -86,7 +84,7 @@ void FeatureReader::setNet(std::int32_t net) {
 void FeatureReader::readSet(XmlCursor& at) {
     Set set;
     set.net = m_nets.row(at.value("net"));
-    set.firstFeature = m_canvas.count();
+    noteStart(set);
     set.isText = at.value("geometryUsage") == "TEXT";
     for (const std::string_view name : {"geometry", "geometryUsage", "padUsage", "componentRef"}) {
         const std::string_view value = at.value(name);
@@ -115,10 +113,8 @@ void FeatureReader::readPart(XmlCursor& at, Set& set) {
         readPad(at);
     } else if (name == "Features") {
         readFeatures(at);
-    } else if (name == "Hole") {
-        readHole(at);
-    } else if (name == "SlotCavity") {
-        readSlot(at);
+    } else if (name == "Hole" || name == "SlotCavity") {
+        readCut(at, set);
     } else if (name == "NonstandardAttribute") {
         set.words.emplace_back(textOf(at.value("name")), textOf(at.value("value")));
     } else if (isFiducial(name)) {
@@ -135,23 +131,49 @@ void FeatureReader::readPart(XmlCursor& at, Set& set) {
     }
 }
 
+/// From here on features on this layer are those of the Set.
+void FeatureReader::noteStart(Set& set) const {
+    if (std::ranges::find(set.starts, m_layer, &SetStart::layer) == set.starts.end()) {
+        set.starts.push_back({m_layer, m_canvas.count()});
+    }
+}
+
+/// A Hole or SlotCavity lies on a layer of holes, whatever layer its Set is on; what follows it in the Set does not.
+void FeatureReader::readCut(XmlCursor& at, Set& set) {
+    const std::size_t layer = m_layer;
+    const DrawnFeature ink = m_canvas.ink();
+    if (!m_layers[layer].isHoles()) {
+        beginLayer(m_layers.holesLayer({}, {}, at.line()));
+        noteStart(set);
+        setNet(set.net);
+    }
+    if (at.name() == "Hole") {
+        readHole(at);
+    } else {
+        readSlot(at);
+    }
+    m_canvas.ink() = ink;
+    beginLayer(layer);
+}
+
 void FeatureReader::endSet(const Set& set) {
-    const std::size_t end = m_canvas.count();
-    if (set.firstFeature == end) {
+    formats::DrawnGroup group;
+    for (const SetStart& start : set.starts) {
+        for (std::size_t i = start.feature; i < m_step.features[start.layer].size(); ++i) {
+            group.features.emplace_back(static_cast<std::int32_t>(start.layer), static_cast<std::uint32_t>(i));
+        }
+    }
+    if (group.features.empty()) {
         return;
     }
     const std::int32_t attributes = attributesOf(set.words);
-    for (std::size_t i = set.firstFeature; i < end; ++i) {
-        m_canvas.feature(i).attributes = attributes;
+    for (const auto& [layer, feature] : group.features) {
+        m_step.features[static_cast<std::size_t>(layer)][feature].attributes = attributes;
     }
     const auto text = std::ranges::find(set.words, "TEXT", [](const auto& word) { return word.first; });
     if (set.isText && text != set.words.end()) {
-        formats::DrawnGroup group;
         group.type = "TEXT";
         group.properties.push_back(*text);
-        for (std::size_t i = set.firstFeature; i < end; ++i) {
-            group.features.emplace_back(static_cast<std::int32_t>(m_layer), static_cast<std::uint32_t>(i));
-        }
         m_step.groups.push_back(std::move(group));
     }
 }
@@ -253,9 +275,6 @@ void FeatureReader::setPlating(const XmlCursor& at) {
 }
 
 void FeatureReader::readHole(XmlCursor& at) {
-    if (!m_layers[m_layer].isHoles()) {
-        beginLayer(m_layers.holesLayer({}, {}, at.line()));
-    }
     setPlating(at);
     const Point size = m_reading.rounded({m_reading.length(at, "diameter", m_reading.unitNm()), 0.0}, at.line());
     if (size.x <= 0) {
@@ -289,9 +308,6 @@ void FeatureReader::addTool(const XmlCursor& at, Nm diameter) {
 }
 
 void FeatureReader::readSlot(XmlCursor& at) {
-    if (!m_layers[m_layer].isHoles()) {
-        beginLayer(m_layers.holesLayer({}, {}, at.line()));
-    }
     setPlating(at);
     Placed placed;
     readPlaced(at, placed);

@@ -33,11 +33,16 @@ public:
     void readPadStack(XmlCursor& at);
 
 private:
-    /// What the attributes of a Set say, and what it draws.
+    /// Where on a layer the features of a Set begin.
+    struct SetStart {
+        std::size_t layer = 0;
+        std::size_t feature = 0;
+    };
+    /// What the attributes of a Set say, and what it draws: on its own layer, and holes on a layer of holes.
     struct Set {
         std::int32_t net = formats::kNoRow;
         formats::Words words;
-        std::size_t firstFeature = 0;
+        std::vector<SetStart> starts;
         bool isText = false;
     };
     struct PinRef {
@@ -60,7 +65,9 @@ private:
     void beginLayer(std::size_t layer);
     void readSet(XmlCursor& at);
     void readPart(XmlCursor& at, Set& set);
+    void noteStart(Set& set) const;
     void endSet(const Set& set);
+    void readCut(XmlCursor& at, Set& set);
     void readPad(XmlCursor& at);
     void readFeatures(XmlCursor& at);
     void readHole(XmlCursor& at);

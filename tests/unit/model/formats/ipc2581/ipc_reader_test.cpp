@@ -245,6 +245,41 @@ private slots:
         QCOMPARE(shapeOf(*job, found[0]).width, 400'000);
     }
 
+    void whatFollowsAHoleIsOnTheLayerOfItsSet_data() {
+        QTest::addColumn<QByteArray>("cut");
+        QTest::newRow("hole") << QByteArray("<Hole diameter='1' x='5' y='5' platingStatus='VIA'/>");
+        QTest::newRow("slot") << QByteArray("<SlotCavity platingStatus='VIA'><Circle diameter='1'/></SlotCavity>");
+    }
+    void whatFollowsAHoleIsOnTheLayerOfItsSet() {
+        QFETCH(QByteArray, cut);
+        const std::string line =
+            "<Features><Line startX='0' startY='0' endX='9' endY='0'><LineDesc lineWidth='0.2'/>"
+            "</Line></Features>";
+        const auto job = parse(fileWith(onTop("<Set net='A' geometryUsage='TEXT'>" + line + cut.toStdString() + line +
+                                              "<Pad><Location x='5' y='5'/><Circle diameter='2'/></Pad>"
+                                              "<NonstandardAttribute name='TEXT' value='Hi'/></Set>" +
+                                              "<Set net='B'>" + line + "</Set>")));
+        QVERIFY(job.ok());
+        const auto& copper = featuresOn(*job, "T");
+        QCOMPARE(copper.size(), std::size_t{4});
+        QCOMPARE(copper[2].kind, DrawnKind::Pad);
+        QCOMPARE(copper[2].plating, Plating::NotSaid);
+        const auto& holes = featuresOn(*job, "Drill");
+        QCOMPARE(holes.size(), std::size_t{1});
+        QCOMPARE(holes[0].plating, Plating::Via);
+        QCOMPARE(holes[0].net, copper[0].net);
+        QVERIFY(copper[0].attributes >= 0);
+        for (const DrawnFeature* feature : {&copper[1], &copper[2], &holes[0]}) {
+            QCOMPARE(feature->attributes, copper[0].attributes);
+        }
+        QVERIFY(copper[3].attributes != copper[0].attributes);
+        QCOMPARE(job->steps[0].groups.size(), std::size_t{1});
+        const auto top = static_cast<std::int32_t>(layerNamed(*job, "T"));
+        const auto drill = static_cast<std::int32_t>(layerNamed(*job, "Drill"));
+        const std::vector<std::pair<std::int32_t, std::uint32_t>> text = {{top, 0}, {top, 1}, {top, 2}, {drill, 0}};
+        QCOMPARE(job->steps[0].groups[0].features, text);
+    }
+
     void arcsTurnRoundInMirrors() {
         const std::string arc =
             "<Arc startX='1' startY='0' endX='0' endY='1' centerX='0' centerY='0' clockwise='false'><LineDesc "
