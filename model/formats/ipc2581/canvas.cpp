@@ -51,6 +51,16 @@ Nm Canvas::penWidth(double width) {
 }
 
 void Canvas::stroke(const Path& path, const Turn& turn, const LineStyle& pen) {
+    if (pen.property == LineProperty::Erasing) {
+        return clear([&] { strokeEdges(path, turn, pen); });
+    }
+    if (pen.property == LineProperty::Broken) {
+        m_reading.report(Severity::Info, m_ink.line, "dashed and dotted lines are drawn as solid ones");
+    }
+    strokeEdges(path, turn, pen);
+}
+
+void Canvas::strokeEdges(const Path& path, const Turn& turn, const LineStyle& pen) {
     const Nm width = penWidth(pen.width * turn.scale);
     for (std::size_t i = 1; i < path.size() && width > 0; ++i) {
         strokeEdge(laidEdge(path, i, turn), {static_cast<double>(width), pen.end});

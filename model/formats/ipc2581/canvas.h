@@ -36,7 +36,8 @@ public:
     formats::DrawnFeature& feature(std::size_t index) { return (*m_features)[index]; }
 
     void addPad(std::int32_t symbol, const Turn& turn);
-    /// The edges of a path, each drawn with the pen.
+    /// The edges of a path, each drawn with the pen. Erasing pens take away; broken lines are drawn solid, which is
+    /// reported.
     void stroke(const Path& path, const Turn& turn, const LineStyle& pen);
     /// The outline of a symbol, drawn with the pen.
     void strokeSymbol(std::int32_t symbol, const Turn& turn, const LineStyle& pen);
@@ -63,6 +64,7 @@ public:
 
 private:
     formats::DrawnFeature& add(formats::DrawnKind kind);
+    void strokeEdges(const Path& path, const Turn& turn, const LineStyle& pen);
     void strokeEdge(const LaidEdge& edge, const LineStyle& pen);
     void addLine(const LaidEdge& edge, std::int32_t symbol);
     void addBar(const LaidEdge& edge, double width, double beyond);

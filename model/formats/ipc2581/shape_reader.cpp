@@ -209,7 +209,7 @@ void ShapeReader::paint(std::int32_t symbol, const Turn& turn, const LineStyle& 
         case FillKind::Hollow: break;
     }
     if (line.width > 0.0 || fill.kind == FillKind::Hollow) {
-        m_canvas.strokeSymbol(symbol, turn, {line.width * turn.scale, line.end});
+        m_canvas.strokeSymbol(symbol, turn, line.scaledBy(turn.scale));
     }
 }
 

@@ -45,11 +45,22 @@ void Dictionaries::readEntry(const XmlSection& section, double unitNm) {
     }
 }
 
+namespace {
+
+LineProperty propertyNamed(std::string_view name) {
+    return name.empty() || name == "SOLID" ? LineProperty::Solid
+           : name == "ERASE"               ? LineProperty::Erasing
+                                           : LineProperty::Broken;
+}
+
+}  // namespace
+
 LineStyle Dictionaries::lineStyle(const XmlCursor& at, double unitNm) const {
     LineStyle style;
     style.width = std::abs(m_reading.lengthOr(at, "lineWidth", unitNm, 0.0));
     const std::string_view end = at.value("lineEnd");
     style.end = end == "SQUARE" ? LineEnd::Square : end == "NONE" ? LineEnd::None : LineEnd::Round;
+    style.property = propertyNamed(at.value("lineProperty"));
     return style;
 }
 

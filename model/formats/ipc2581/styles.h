@@ -9,11 +9,16 @@
 namespace model::ipc2581 {
 
 enum class LineEnd : std::uint8_t { Round, Square, None };
+/// Erasing lines take away what was drawn before them on their layer; broken ones are dotted, dashed or the like.
+enum class LineProperty : std::uint8_t { Solid, Broken, Erasing };
 
 /// A LineDesc: how lines and outlines are drawn. Nanometres.
 struct LineStyle {
     double width = 0.0;
     LineEnd end = LineEnd::Round;
+    LineProperty property = LineProperty::Solid;
+
+    [[nodiscard]] LineStyle scaledBy(double factor) const { return {width * factor, end, property}; }
 };
 
 enum class FillKind : std::uint8_t { Fill, Hollow, Hatch, Void };

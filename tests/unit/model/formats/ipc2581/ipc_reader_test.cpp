@@ -191,6 +191,7 @@ private slots:
         row("hollow without width", "<FillDesc fillProperty='HOLLOW'/>", "");
         row("hatched", "<FillDesc fillProperty='HATCH' lineWidth='0.1' pitch1='0.5' angle1='0'/>", "R");
         row("void", "<FillDesc fillProperty='VOID'/>", "-P");
+        row("filled with an erased edge", "<LineDesc lineProperty='ERASE' lineWidth='0.1'/>", "P-L-L-L-L");
     }
     void fillsDrawWhatTheySay() {
         QFETCH(QByteArray, shape);
@@ -228,6 +229,24 @@ private slots:
         const auto& found = featuresOn(*job, "T");
         QCOMPARE(found.size(), std::size_t{1});
         QCOMPARE(static_cast<int>(found[0].kind), kind);
+    }
+
+    void linesMayEraseOrBeBroken() {
+        const auto line = [](const char* property) {
+            return "\n<Line startX='0' startY='0' endX='3' endY='4'><LineDesc lineEnd='SQUARE' lineWidth='1' "
+                   "lineProperty='" +
+                   std::string(property) + "'/></Line>";
+        };
+        const auto job = parse(fileWith(features("<UserSpecial>" + line("SOLID") + line("ERASE") + line("DASHED") +
+                                                 line("PHANTOM") + "</UserSpecial>")));
+        const auto& found = featuresOn(*job, "T");
+        QCOMPARE(found.size(), std::size_t{4});
+        QVERIFY(!found[0].isNegative && found[1].isNegative && !found[2].isNegative && !found[3].isNegative);
+        QVERIFY(reports(*job, "dashed and dotted lines are drawn as solid ones", 1));
+        const auto negative = parse(fileWith(
+            onTop("<Set polarity='NEGATIVE'><Features>" + line("ERASE") + line("SOLID") + "</Features></Set>")));
+        QVERIFY(!featuresOn(*negative, "T").at(0).isNegative);
+        QVERIFY(featuresOn(*negative, "T").at(1).isNegative);
     }
 
     void placesAddUp() {
