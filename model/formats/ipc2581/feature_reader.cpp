@@ -42,25 +42,6 @@ void FeatureReader::beginLayer(std::size_t layer) {
     m_canvas.beginLayer(m_step.features[layer], !source.isCopper() && !source.isHoles());
 }
 
-void FeatureReader::addPadStackDef(XmlCursor& at) {
-    std::vector<PadDefinition>& pads = m_definitions[at.value("name")];
-    forEachChild(at, [&] {
-        if (at.name() == "PadstackPadDef" || at.name() == "PadStackPadDef") {
-            const std::string_view use = at.value("padUse");
-            PadDefinition pad{at.value("layerRef"), {}, false};
-            forEachChild(at, [&] {
-                if (at.name().ends_with("PrimitiveRef")) {
-                    pad.shape = at.value("id");
-                    pad.isUser = at.name() == "UserPrimitiveRef";
-                }
-            });
-            if (use.empty() || use == "REGULAR") {
-                pads.push_back(pad);
-            }
-        }
-    });
-}
-
 void FeatureReader::readLayerFeature(XmlCursor& at) {
     const std::string_view name = at.value("layerRef");
     if (m_layers.find(name) < 0) {
@@ -211,11 +192,9 @@ void FeatureReader::readPlaced(XmlCursor& at, Placed& placed) {
 
 void FeatureReader::drawPlaced(Placed& placed) {
     for (const PointD location : placed.locations) {
-        Turn turn = placed.turn;
-        turn.origin = {turn.origin.x + location.x, turn.origin.y + location.y};
         for (const XmlCursor& shape : placed.shapes) {
             XmlCursor at = shape;
-            if (!m_shapes.draw(at, turn, m_reading.unitNm())) {
+            if (!m_shapes.draw(at, placed.at(location), m_reading.unitNm())) {
                 m_reading.reportUnknown(at);
             }
         }
@@ -232,31 +211,50 @@ void FeatureReader::readPad(XmlCursor& at) {
     readPlaced(at, placed);
     const std::size_t first = m_canvas.count();
     drawPlaced(placed);
-    if (placed.shapes.empty()) {
-        Turn turn = placed.turn;
-        turn.origin = {turn.origin.x + placed.locations[0].x, turn.origin.y + placed.locations[0].y};
-        drawDefinition(definition, turn, line);
-    }
+    usePadstack(definition, placed, line);
     if (!placed.pins.empty() && m_canvas.count() > first) {
         m_parts.addPad({m_layer, first, placed.pins[0].component, placed.pins[0].pin, m_layers[m_layer].isCopper()});
     }
 }
 
-/// The shape that a padstack has on this layer.
-void FeatureReader::drawDefinition(std::string_view name, const Turn& turn, std::uint32_t line) {
-    const auto found = m_definitions.find(name);
-    const std::string layer = m_layers[m_layer].drawn.name;
-    if (found != m_definitions.end()) {
-        for (const PadDefinition& pad : found->second) {
-            if (textOf(pad.layer) == layer && !pad.isUser && m_shapes.drawStandard(pad.shape, turn)) {
-                return;
-            }
+/// A pad without a shape of its own has that of its padstack.
+void FeatureReader::usePadstack(std::string_view name, const Placed& placed, std::uint32_t line) {
+    const Padstack* const padstack = m_padstacks.find(name);
+    for (const PointD location : placed.locations) {
+        const Turn turn = placed.at(location);
+        if (padstack != nullptr) {
+            m_padstacks.use(*padstack, turn, line);
+        }
+        if (placed.shapes.empty()) {
+            drawPadstack(padstack, name, turn, line);
         }
     }
-    if (!m_shapes.drawStandard(name, turn)) {  // some name the shape itself
+}
+
+void FeatureReader::drawPadstack(const Padstack* padstack, std::string_view name, const Turn& turn,
+                                 std::uint32_t line) {
+    if (padstack != nullptr && drawShapesOf(*padstack, turn)) {
+        if (m_layers[m_layer].drawn.isNegative) {
+            m_reading.report(Severity::Warning, line,
+                             "a pad on a negative layer names only its padstack; its regular shape is cleared");
+        }
+    } else if (!m_shapes.drawStandard(name, turn)) {  // some name the shape itself
         m_reading.report(Severity::Warning, line,
                          "a pad has no shape, nor its padstack on that layer; it draws nothing");
     }
+}
+
+/// Those on this layer. False if there are none.
+bool FeatureReader::drawShapesOf(const Padstack& padstack, const Turn& turn) {
+    const std::string& layer = m_layers[m_layer].drawn.name;
+    bool isDrawn = false;
+    for (const PadstackPad& pad : padstack.pads) {
+        if (textOf(pad.layer) == layer) {
+            XmlCursor shape = pad.shape;
+            isDrawn = m_shapes.draw(shape, turn.after(pad.turn), m_reading.unitNm()) || isDrawn;
+        }
+    }
+    return isDrawn;
 }
 
 void FeatureReader::readFeatures(XmlCursor& at) {

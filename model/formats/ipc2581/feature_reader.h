@@ -7,6 +7,7 @@
 #include "model/formats/ipc2581/canvas.h"
 #include "model/formats/ipc2581/layer_list.h"
 #include "model/formats/ipc2581/net_table.h"
+#include "model/formats/ipc2581/padstacks.h"
 #include "model/formats/ipc2581/part_table.h"
 #include "model/formats/ipc2581/shape_reader.h"
 
@@ -24,13 +25,16 @@ public:
           m_shapes(reading, dictionaries, canvas),
           m_nets(nets),
           m_parts(parts),
-          m_step(step) {}
+          m_step(step),
+          m_padstacks(reading) {}
 
     /// A PadStackDef: the shapes that pads without a shape of their own mean.
-    void addPadStackDef(XmlCursor& at);
+    void addPadStackDef(XmlCursor& at) { m_padstacks.add(at); }
     void readLayerFeature(XmlCursor& at);
     /// A PadStack with its net, holes and pads on several layers.
     void readPadStack(XmlCursor& at);
+    /// Once all has been read.
+    void finish() { m_padstacks.reportMissingHoles(m_step, m_layers); }
 
 private:
     /// Where on a layer the features of a Set begin.
@@ -55,11 +59,10 @@ private:
         std::vector<PointD> locations;
         std::vector<XmlCursor> shapes;
         std::vector<PinRef> pins;
-    };
-    struct PadDefinition {
-        std::string_view layer;
-        std::string_view shape;  ///< id of a standard shape
-        bool isUser = false;
+
+        [[nodiscard]] Turn at(PointD location) const {
+            return {{turn.origin.x + location.x, turn.origin.y + location.y}, turn.ccwDeg, turn.isMirrored, turn.scale};
+        }
     };
 
     void beginLayer(std::size_t layer);
@@ -75,7 +78,9 @@ private:
     void drillIfStadium(formats::DrawnFeature& feature);
     void readPlaced(XmlCursor& at, Placed& placed);
     void drawPlaced(Placed& placed);
-    void drawDefinition(std::string_view name, const Turn& turn, std::uint32_t line);
+    void usePadstack(std::string_view name, const Placed& placed, std::uint32_t line);
+    void drawPadstack(const Padstack* padstack, std::string_view name, const Turn& turn, std::uint32_t line);
+    bool drawShapesOf(const Padstack& padstack, const Turn& turn);
     void setKind(SubnetKind kind) { m_canvas.ink().subnet = kind; }
     void setNet(std::int32_t net);
     void setPlating(const XmlCursor& at);
@@ -92,7 +97,7 @@ private:
     formats::DrawnStep& m_step;
     std::size_t m_layer = 0;
     bool m_isVia = false;  ///< what the Set being read says of its pads
-    std::unordered_map<std::string_view, std::vector<PadDefinition>> m_definitions;
+    Padstacks m_padstacks;
     std::unordered_map<std::string, std::int32_t> m_attributes;
 };
 

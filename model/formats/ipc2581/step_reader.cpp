@@ -78,6 +78,7 @@ public:
             }
         }
         reportOthers(sections, kRules);
+        m_features.finish();
         m_parts.finish();
         m_step.drawsItself = std::ranges::any_of(m_step.drawn.features, [](const auto& of) { return !of.empty(); });
         return std::move(m_step);

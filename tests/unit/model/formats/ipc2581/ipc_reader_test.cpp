@@ -299,6 +299,42 @@ private slots:
         QCOMPARE(job->steps[0].groups[0].features, text);
     }
 
+    void padsMayLeaveTheirShapeToTheirPadstack() {
+        const std::string padstack =
+            "<PadStackDef name='P'><PadstackHoleDef diameter='0.5' x='0' y='0'/>"
+            "<PadstackPadDef layerRef='T' padUse='ANTIPAD'><Location x='0' y='0'/><Circle diameter='3'/>"
+            "</PadstackPadDef><PadstackPadDef layerRef='T' padUse='REGULAR'><Xform xOffset='0.5' rotation='30'/>"
+            "<Location x='1' y='0'/><RectCenter width='2' height='1'/></PadstackPadDef></PadStackDef>";
+        const std::string pad =
+            "<Set><Pad padstackDefRef='P'><Xform rotation='90'/><Location x='20' y='10'/></Pad>"
+            "<Pad padstackDefRef='P'><Location x='4' y='5'/><Circle diameter='1'/></Pad></Set>";
+        const auto job = parse(fileWith(padstack + onTop(pad)));
+        const auto& copper = featuresOn(*job, "T");
+        QCOMPARE(copper.size(), std::size_t{2});
+        QCOMPARE(copper[0].a, (Point{20 * kMm, 11'500'000}));
+        QCOMPARE(copper[0].clockwiseDeg, 240.0);
+        QCOMPARE(shapeOf(*job, copper[0]).width, 2 * kMm);
+        QCOMPARE(copper[1].a, (Point{4 * kMm, 5 * kMm}));
+    }
+
+    void holesOfPadstacksThatNoLayerDrawsAreReported() {
+        const auto padAt = [](const char* place) {
+            return "\n<Set><Pad padstackDefRef='P'><Xform rotation='90'/><Location " + std::string(place) +
+                   "/><Circle diameter='1'/></Pad></Set>";
+        };
+        const std::string step = "<PadStackDef name='P'><PadstackHoleDef diameter='0.5' x='1' y='0'/></PadStackDef>" +
+                                 onTop(padAt("x='0' y='0'") + padAt("x='0.004' y='9'"));
+        const char* const message = "a padstack has a hole where no layer of holes draws one";
+        QVERIFY(reports(*parse(fileWith(step)), message, 2));
+        const std::string hole = "<Set><Hole diameter='0.5' x='0' y='1' platingStatus='VIA'/></Set>";
+        const std::string slot =
+            "<Set><SlotCavity><Location x='0' y='10'/><RectCenter width='1' height='2'/></SlotCavity></Set>";
+        QVERIFY(reports(*parse(fileWith(step + onTop(hole))), message, 3));
+        QVERIFY(!reports(*parse(fileWith(step + onTop(hole + slot))), message));
+        const std::string asKicadDoes = "<Set><Hole diameter='0.5' x='-1' y='0' platingStatus='VIA'/></Set>";
+        QVERIFY(!reports(*parse(fileWith(step + onTop(asKicadDoes + slot))), message));
+    }
+
     void arcsTurnRoundInMirrors() {
         const std::string arc =
             "<Arc startX='1' startY='0' endX='0' endY='1' centerX='0' centerY='0' clockwise='false'><LineDesc "
