@@ -4,6 +4,9 @@
 #include <array>
 
 #include "model/formats/ipc2581/xml/xml_values.h"
+#include "model/geometry/boolean.h"
+#include "model/geometry/outlines.h"
+#include "model/geometry/region.h"
 
 namespace model::ipc2581 {
 
@@ -18,7 +21,7 @@ struct Function {
     LayerUse use = LayerUse::Plain;
 };
 
-/// Those not listed are drawings.
+/// Those not listed are shown as drawings.
 constexpr Function kFunctions[] = {
     {"CONDUCTOR", LayerType::Signal},
     {"SIGNAL", LayerType::Signal},
@@ -47,6 +50,27 @@ constexpr Function kFunctions[] = {
     {"COMPONENT_TOP", LayerType::Component},
     {"COMPONENT_BOTTOM", LayerType::Component},
 };
+
+/// What is on these says nothing of the board that its drawing does not show.
+constexpr std::string_view kDrawings[] = {"ASSEMBLY", "BOARDFAB", "BOARD_OUTLINE", "COURTYARD",          "DOCUMENT",
+                                          "FIXTURE",  "GLUE",     "GRAPHIC",       "LANDPATTERN",        "OTHER",
+                                          "PIN",      "PROBE",    "REWORK",        "THIEVING_KEEP_INOUT"};
+/// These would make or change something of the board.
+constexpr std::string_view kNotMade[] = {
+    "CAPACITIVE", "COMPONENT_EMBEDDED", "COMPONENT_FORMED", "EDGE_CHAMFER",      "EDGE_PLATING",
+    "HOLEFILL",   "RESISTIVE",          "SOLDERBUMP",       "STACKUP_COMPOSITE", "V_CUT"};
+
+/// Of two outlines at once; they may overlap.
+ShapeSketch united(const ShapeSketch& a, const ShapeSketch& b) {
+    if (b.isEmpty() || !boxOf(a).meets(boxOf(b))) {
+        ShapeSketch both = a;
+        both.append(b, {});
+        return both;
+    }
+    PolygonSet all = polygonsOf(a);
+    all.append(polygonsOf(b));
+    return sketchOf(unite(all));
+}
 
 LayerSide sideNamed(std::string_view side) {
     if (side == "TOP") {
@@ -100,17 +124,14 @@ void LayerList::read(XmlCursor& at, const Specs& specs, ShapeReader& shapes) {
     layer.drawn.file = m_reading.path();
     layer.drawn.side = sideNamed(at.value("side"));
     layer.drawn.isNegative = at.value("polarity") == "NEGATIVE";
-    const auto* const function = std::ranges::find(kFunctions, layer.function, &Function::name);
-    layer.drawn.type = function == std::end(kFunctions) ? LayerType::Document : function->type;
-    layer.drawn.use = function == std::end(kFunctions) ? LayerUse::Plain : function->use;
-    layer.drawn.useName = layer.drawn.use == LayerUse::Plain ? "" : textOf(layer.function);
-    layer.drawn.context = layer.drawn.type == LayerType::Document ? LayerContext::Misc : LayerContext::Board;
+    setFunction(layer);
     forEachChild(at, [&] {
         if (at.name() == "Span") {
             layer.from = at.value("fromLayer");
             layer.to = at.value("toLayer");
         } else if (at.name() == "Profile") {
-            layer.drawn.outline = shapes.sketch(at, {}, m_reading.unitNm());
+            const ShapeSketch outline = shapes.sketch(at, {}, m_reading.unitNm());
+            layer.drawn.outline = layer.drawn.outline.isEmpty() ? outline : united(layer.drawn.outline, outline);
         } else if (at.name() == "SpecRef") {
             const Spec* const spec = specs.find(at);
             if (spec != nullptr && spec->isBackdrill && layer.isHoles()) {
@@ -126,6 +147,23 @@ void LayerList::read(XmlCursor& at, const Specs& specs, ShapeReader& shapes) {
         return m_reading.report(Severity::Warning, layer.line, "two layers have one name; the first one is used");
     }
     m_layers.push_back(std::move(layer));
+}
+
+void LayerList::setFunction(SourceLayer& layer) {
+    const auto* const function = std::ranges::find(kFunctions, layer.function, &Function::name);
+    const bool isDrawing = function == std::end(kFunctions);
+    layer.drawn.type = isDrawing ? LayerType::Document : function->type;
+    layer.drawn.use = isDrawing ? LayerUse::Plain : function->use;
+    layer.drawn.useName = layer.drawn.use == LayerUse::Plain ? "" : textOf(layer.function);
+    layer.drawn.context = isDrawing ? LayerContext::Misc : LayerContext::Board;
+    if (std::ranges::find(kNotMade, layer.function) != std::end(kNotMade)) {
+        m_reading.report(Severity::Warning, layer.line,
+                         "layers of function " + std::string(layer.function) +
+                             " are shown as drawings; what they make of the board is not shown");
+    } else if (isDrawing && std::ranges::find(kDrawings, layer.function) == std::end(kDrawings)) {
+        m_reading.report(Severity::Warning, layer.line,
+                         "a layer has no function that is known; it is taken for a drawing");
+    }
 }
 
 int LayerList::find(std::string_view name) const {

@@ -45,6 +45,7 @@ public:
 
 private:
     void read(XmlCursor& at, const Specs& specs, ShapeReader& shapes);
+    void setFunction(SourceLayer& layer);
 
     Reading& m_reading;
     std::vector<SourceLayer> m_layers;
