@@ -67,7 +67,7 @@ void FeatureReader::readSet(XmlCursor& at) {
     set.net = m_nets.row(at.value("net"));
     noteStart(set);
     set.isText = at.value("geometryUsage") == "TEXT";
-    for (const std::string_view name : {"geometry", "geometryUsage", "padUsage", "componentRef"}) {
+    for (const std::string_view name : {"geometry", "geometryUsage", "padUsage", "componentRef", "netPair"}) {
         const std::string_view value = at.value(name);
         if (!value.empty() && value != "NONE") {
             set.words.emplace_back(std::string(name), textOf(value));
@@ -102,7 +102,12 @@ void FeatureReader::readPart(XmlCursor& at, Set& set) {
         readPad(at);
     } else if (m_dictionaries.readStyle(at, m_reading.unitNm(), pen, fill)) {
         m_shapes.setPen(pen.width > 0.0 ? pen : LineStyle{});
-    } else if (name != "SpecRef" && name != "NetShort") {
+    } else if (name == "SpecRef") {
+        readSpec(at);
+    } else if (name == "NetShort") {
+        m_reading.report(Severity::Warning, at.line(),
+                         "what joins nets on purpose (NetShort) is not read; they count as shorted");
+    } else {
         setKind(isShapeOfNet(name) ? SubnetKind::Plane : SubnetKind::Trace);
         if (m_shapes.draw(at, {}, m_reading.unitNm())) {
             m_reading.report(Severity::Info, at.line(), "shapes right in a Set are read as those in Features");
@@ -181,7 +186,7 @@ void FeatureReader::readPlaced(XmlCursor& at, Placed& placed) {
             placed.locations.push_back(m_reading.point(at, m_reading.unitNm()));
         } else if (at.name() == "PinRef") {
             placed.pins.push_back({at.value("componentRef"), at.value("pin")});
-        } else if (!readTurn(m_reading, at, m_reading.unitNm(), placed.turn) && at.name() != "NonstandardAttribute") {
+        } else if (!readTurn(m_reading, at, m_reading.unitNm(), placed.turn)) {
             placed.shapes.push_back(at);  // Locations may follow
         }
     });
@@ -212,6 +217,9 @@ void FeatureReader::readPad(XmlCursor& at) {
     const std::size_t first = m_canvas.count();
     drawPlaced(placed);
     usePadstack(definition, placed, line);
+    if (placed.pins.size() > 1) {
+        m_reading.report(Severity::Warning, line, "a pad is of several pins; it is taken for that of the first one");
+    }
     if (!placed.pins.empty() && m_canvas.count() > first) {
         m_parts.addPad({m_layer, first, placed.pins[0].component, placed.pins[0].pin, m_layers[m_layer].isCopper()});
     }
@@ -272,14 +280,40 @@ void FeatureReader::setPlating(const XmlCursor& at) {
     ink.subnet = ink.plating == Plating::Via ? SubnetKind::Via : SubnetKind::Other;
 }
 
-void FeatureReader::readHole(XmlCursor& at) {
-    setPlating(at);
-    const Point size = m_reading.rounded({m_reading.length(at, "diameter", m_reading.unitNm()), 0.0}, at.line());
-    if (size.x <= 0) {
-        return m_reading.report(Severity::Warning, at.line(), "a hole without a diameter was left out");
+/// Of a Set or a hole.
+void FeatureReader::readSpec(const XmlCursor& at) {
+    const Spec* const spec = m_specs.find(at);
+    if (spec != nullptr && spec->isBackdrill) {
+        m_reading.report(
+            Severity::Warning, at.line(),
+            "a Spec says that single holes are back-drilled; they keep their plating in all of their span");
+    } else if (spec != nullptr) {
+        m_reading.report(Severity::Info, at.line(), "what Specs say of single features is not read");
     }
-    m_canvas.addPad(m_canvas.roundSymbol(size.x), {m_reading.point(at, m_reading.unitNm()), 0.0, false, 1.0});
-    addTool(at, size.x);
+}
+
+void FeatureReader::readHole(XmlCursor& at) {
+    const XmlCursor start = at;
+    setPlating(at);
+    Turn turn{m_reading.point(at, m_reading.unitNm()), 0.0, false, 1.0};
+    forEachChild(at, [&] {
+        if (at.name() == "SpecRef") {
+            readSpec(at);
+        } else if (!readTurn(m_reading, at, m_reading.unitNm(), turn) && at.name() != "Span") {
+            m_reading.reportUnknown(at);
+        }
+    });
+    const std::uint32_t line = start.line();
+    const double diameter = m_reading.length(start, "diameter", m_reading.unitNm()) * turn.scale;
+    const Point size = m_reading.rounded({diameter, 0.0}, line);
+    if (size.x <= 0) {
+        return m_reading.report(Severity::Warning, line, "a hole without a diameter was left out");
+    }
+    if (start.value("type") == "SQUARE") {
+        m_reading.report(Severity::Warning, line, "a square hole is drawn round");
+    }
+    m_canvas.addPad(m_canvas.roundSymbol(size.x), {turn.origin, 0.0, false, 1.0});
+    addTool(start, size.x);
 }
 
 void FeatureReader::addTool(const XmlCursor& at, Nm diameter) {

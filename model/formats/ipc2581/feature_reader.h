@@ -16,10 +16,11 @@ namespace model::ipc2581 {
 /// Reads what is on the layers of a step: the Sets of its LayerFeatures, and the PadStacks of revisions A and B.
 class FeatureReader {
 public:
-    FeatureReader(Reading& reading, const Dictionaries& dictionaries, LayerList& layers, Canvas& canvas, NetTable& nets,
-                  PartTable& parts, formats::DrawnStep& step)
+    FeatureReader(Reading& reading, const Dictionaries& dictionaries, const Specs& specs, LayerList& layers,
+                  Canvas& canvas, NetTable& nets, PartTable& parts, formats::DrawnStep& step)
         : m_reading(reading),
           m_dictionaries(dictionaries),
+          m_specs(specs),
           m_layers(layers),
           m_canvas(canvas),
           m_shapes(reading, dictionaries, canvas),
@@ -73,6 +74,7 @@ private:
     void readCut(XmlCursor& at, Set& set);
     void readPad(XmlCursor& at);
     void readFeatures(XmlCursor& at);
+    void readSpec(const XmlCursor& at);
     void readHole(XmlCursor& at);
     void readSlot(XmlCursor& at);
     void drillIfStadium(formats::DrawnFeature& feature);
@@ -89,6 +91,7 @@ private:
 
     Reading& m_reading;
     const Dictionaries& m_dictionaries;
+    const Specs& m_specs;
     LayerList& m_layers;
     Canvas& m_canvas;
     ShapeReader m_shapes;

@@ -57,7 +57,7 @@ public:
         LayerList layers(m_reading, specs, shapes);
         const Stackups stackups = readStackups(m_reading, specs, layers);
         const Bom bom(m_reading);
-        std::vector<SourceStep> steps = readSteps({m_reading, dictionaries, layers, stackups, bom, m_progress});
+        std::vector<SourceStep> steps = readSteps({m_reading, dictionaries, specs, layers, stackups, bom, m_progress});
         if (m_progress.isCancelled()) {
             return base::Error{base::ErrorCode::Cancelled, "cancelled"};
         }

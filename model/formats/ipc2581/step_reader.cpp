@@ -42,7 +42,8 @@ public:
           m_shapes(file.reading, file.dictionaries, m_canvas),
           m_nets(m_step.drawn),
           m_parts(file.reading, file.layers, file.bom, m_shapes, m_nets, m_step.drawn),
-          m_features(file.reading, file.dictionaries, file.layers, m_canvas, m_nets, m_parts, m_step.drawn) {
+          m_features(file.reading, file.dictionaries, file.specs, file.layers, m_canvas, m_nets, m_parts,
+                     m_step.drawn) {
         m_step.name = name;
         m_step.drawn.name = textOf(name);
         for (std::string* path : {&m_step.drawn.profileFile, &m_step.drawn.componentsFile, &m_step.drawn.copiesFile}) {

@@ -35,6 +35,7 @@ struct SourceStep {
 struct StepSurroundings {
     Reading& reading;
     const Dictionaries& dictionaries;
+    const Specs& specs;
     LayerList& layers;
     const Stackups& stackups;
     const Bom& bom;
