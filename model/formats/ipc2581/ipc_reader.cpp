@@ -49,6 +49,7 @@ public:
         }
         describe();
         setUnits();
+        reportOthers();
         const Dictionaries dictionaries(m_reading);
         const Specs specs(m_reading);
         formats::DrawnStep scratch;
@@ -115,6 +116,28 @@ private:
         }
         m_reading.setUnitNm(nm > 0.0 ? nm : base::kNmPerMm);
         m_job.info.units = nm == base::kNmPerInch || nm == base::kNmPerMil ? "INCH" : "MM";
+    }
+
+    /// What lies where the parts of the file lie that are read.
+    void reportOthers() {
+        static constexpr std::array<std::string_view, 4> kParents = {kRoot, "Ecad", "CadHeader", "CadData"};
+        // LogisticHeader, HistoryRecord and ChangeRec say who made the file, nothing of the board.
+        static constexpr std::array<std::string_view, 12> kKnown = {
+            "Content", "LogisticHeader", "HistoryRecord", "Bom",     "Ecad", "CadHeader",
+            "CadData", "Spec",           "ChangeRec",     "Stackup", "Step", "Layer"};
+        const auto has = [](const auto& names, std::string_view name) {
+            return std::ranges::find(names, name) != names.end();
+        };
+        std::array<std::string_view, kOutlineDepth + 1> open{};
+        for (const XmlSection& section : m_reading.outline().sections) {
+            const auto depth = static_cast<std::size_t>(section.depth);
+            open[depth] = section.name;
+            if (has(kParents, open[depth - 1]) && !has(kKnown, section.name) && !isOfStep(section.name)) {
+                XmlCursor at = m_reading.at(section);
+                at.next();
+                m_reading.reportUnknown(at);
+            }
+        }
     }
 
     /// Steps with the sections below them. Parts of a step that lie elsewhere go to the first one.

@@ -63,6 +63,12 @@ void addAttribute(const XmlCursor& at, std::string_view attribute, formats::Word
     }
 }
 
+/// What packages bring besides an outline and pins.
+bool isOtherDrawing(std::string_view name) {
+    return name == "Outline" || name == "PickupPoint" || name == "LandPattern" || name == "SilkScreen" ||
+           name == "AssemblyDrawing" || name == "Topside" || name == "OtherSideView";
+}
+
 }  // namespace
 
 Bom::Bom(Reading& reading) {
@@ -81,8 +87,15 @@ Bom::Bom(Reading& reading) {
                 const std::string_view populate = at.value("populate");
                 parts.try_emplace(at.value("name"), BomPart{populate.empty() || isTrue(populate), items.size() - 1});
             } else if (at.name() == "Characteristics") {
-                forEachChild(at,
-                             [&] { addWord(at, "textualCharacteristicName", "textualCharacteristicValue", words); });
+                forEachChild(at, [&] {
+                    if (at.name() == "Textual") {
+                        addWord(at, "textualCharacteristicName", "textualCharacteristicValue", words);
+                    } else {
+                        reading.reportUnknown(at);
+                    }
+                });
+            } else {
+                reading.reportUnknown(at);
             }
         });
     }
@@ -105,6 +118,11 @@ void PartTable::addPackage(XmlCursor& at) {
             package.outline = m_shapes.sketch(at, {}, m_reading.unitNm());
         } else if (at.name() == "Pin") {
             addPackagePin(at, package, names);
+        } else if (isOtherDrawing(at.name())) {
+            m_reading.report(Severity::Info, at.line(),
+                             "of packages the first outline and the pins are read, not their other drawings");
+        } else {
+            m_reading.reportUnknown(at);
         }
     });
     m_packagePins.push_back(std::move(names));
@@ -170,7 +188,7 @@ void PartTable::addComponent(XmlCursor& at) {
     forEachChild(at, [&] {
         if (at.name() == "NonstandardAttribute") {
             addWord(at, "name", "value", component.properties);
-        } else if (!readTurn(m_reading, at, m_reading.unitNm(), turn) && at.name() != "SpecRef") {
+        } else if (!readTurn(m_reading, at, m_reading.unitNm(), turn)) {
             m_reading.reportUnknown(at);
         }
     });
@@ -229,7 +247,7 @@ void PartTable::addNet(XmlCursor& at) {
             } else {
                 m_pinNets.try_emplace({component, at.value("pin")}, net);
             }
-        } else if (at.name() != "SpecRef") {
+        } else {
             m_reading.reportUnknown(at);
         }
     });

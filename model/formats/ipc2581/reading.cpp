@@ -78,6 +78,9 @@ bool readTurn(Reading& reading, const XmlCursor& at, double unitNm, Turn& turn) 
     turn.origin.y += reading.lengthOr(at, "yOffset", unitNm, 0.0);
     turn.ccwDeg = normalDegrees(reading.lengthOr(at, "rotation", 1.0, 0.0));
     turn.isMirrored = isTrue(at.value("mirror"));
+    if (isTrue(at.value("faceUp"))) {
+        reading.report(Severity::Info, at.line(), "whether embedded parts lie face up (faceUp) is not read");
+    }
     const double scale = reading.lengthOr(at, "scale", 1.0, 1.0);
     constexpr double kMostScale = 1000.0;
     if (scale > 0.0 && scale <= kMostScale) {

@@ -260,14 +260,27 @@ void ShapeReader::readPolygon(XmlCursor& at, double unitNm, Polygon& polygon) {
     }
     forEachChild(at, [&] {
         if (at.name() == "Polygon") {
+            if (!polygon.region.outline.empty()) {
+                m_reading.report(Severity::Warning, at.line(), "an area has several polygons; the last one is used");
+            }
             readPath(at, unitNm, polygon, polygon.region.outline);
         } else if (at.name() == "Cutout") {
-            Polygon cutout;
-            readPath(at, unitNm, cutout, polygon.region.cutouts.emplace_back());
+            readCutout(at, unitNm, polygon);
         } else if (!m_dictionaries.readStyle(at, unitNm, polygon.line, polygon.fill)) {
             m_reading.reportUnknown(at);
         }
     });
+}
+
+void ShapeReader::readCutout(XmlCursor& at, double unitNm, Polygon& polygon) {
+    const std::uint32_t line = at.line();
+    Polygon cutout;
+    readPath(at, unitNm, cutout, polygon.region.cutouts.emplace_back());
+    const bool isMoved = !cutout.own.isPlain() || cutout.own.origin != PointD{};
+    if (isMoved || cutout.line.width > 0.0) {
+        m_reading.report(Severity::Warning, line,
+                         "the Xform and LineDesc of a cutout are not read; it is cut out plainly");
+    }
 }
 
 void ShapeReader::drawPolyline(XmlCursor& at, const Turn& turn, double unitNm) {

@@ -60,6 +60,7 @@ private:
     bool drawStandardContour(XmlCursor& at, std::string_view id, const Turn& turn, double unitNm);
     void readPath(XmlCursor& at, double unitNm, Polygon& polygon, Path& path);
     void readPolygon(XmlCursor& at, double unitNm, Polygon& polygon);
+    void readCutout(XmlCursor& at, double unitNm, Polygon& polygon);
 
     Reading& m_reading;
     const Dictionaries& m_dictionaries;

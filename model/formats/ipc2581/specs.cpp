@@ -22,7 +22,8 @@ std::optional<double> resistivityOf(std::optional<double> conductivity, std::str
     return (unit == "MHO/CM" ? 1e7 : 1e9) / *conductivity;
 }
 
-void readProperty(const XmlCursor& at, std::string_view kind, std::string_view type, Spec& spec) {
+/// False if nothing is done with it.
+bool readProperty(const XmlCursor& at, std::string_view kind, std::string_view type, Spec& spec) {
     const std::optional<double> value = realOf(at.value("value"));
     if (kind == "General" && type == "MATERIAL" && spec.material.empty()) {
         spec.material = textOf(at.value("text"));
@@ -34,16 +35,32 @@ void readProperty(const XmlCursor& at, std::string_view kind, std::string_view t
         spec.resistivity = resistivityOf(value, at.value("unit"));
     } else if (kind == "Conductor" && type == "WEIGHT") {
         spec.copperOz = within(value, 0.0, 100.0);
+    } else {
+        return false;
     }
+    return true;
 }
 
-Spec readSpec(XmlCursor& at) {
+bool isOfMaterial(std::string_view kind) {
+    return kind == "General" || kind == "Dielectric" || kind == "Conductor";
+}
+
+Spec readSpec(XmlCursor& at, Reading& reading) {
     Spec spec;
     forEachChild(at, [&] {
         const std::string_view kind = at.name();
         const std::string_view type = at.value("type");
-        spec.isBackdrill = spec.isBackdrill || kind == "Backdrill";
-        forEachChild(at, [&] { readProperty(at, kind, type, spec); });
+        if (kind == "Backdrill") {
+            spec.isBackdrill = true;
+        } else if (!isOfMaterial(kind)) {
+            return reading.reportUnknown(at);
+        }
+        forEachChild(at, [&] {
+            if (!readProperty(at, kind, type, spec)) {
+                reading.report(Severity::Info, at.line(),
+                               "of properties of Specs only names and electrical values of materials are read");
+            }
+        });
     });
     return spec;
 }
@@ -62,7 +79,7 @@ Specs::Specs(Reading& reading) : m_reading(reading) {
             XmlCursor at = reading.at(section);
             at.next();
             const std::string_view name = at.value("name");
-            const auto [spec, isNew] = m_specs.try_emplace(name, readSpec(at));
+            const auto [spec, isNew] = m_specs.try_emplace(name, readSpec(at, reading));
             if (!isNew) {
                 reading.report(Severity::Info, section.line, "two Specs have one name; the first one is used");
             }

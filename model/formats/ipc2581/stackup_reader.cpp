@@ -80,7 +80,7 @@ private:
 
     void readRow(XmlCursor& at, std::vector<Row>& rows) {
         if (at.name() != "StackupLayer") {
-            if (at.name() != "SpecRef" && at.name() != "CADDataLayerRef" && at.name() != "MatDes") {
+            if (at.name() != "CADDataLayerRef") {
                 m_reading.reportUnknown(at);
             }
             return;

@@ -93,7 +93,7 @@ private:
                 std::ranges::any_of(rules, [&](const auto& rule) { return rule.element == section.name; });
             if (section.name == "BendArea") {
                 m_reading.report(Severity::Info, section.line, "bend areas are not read; nothing is drawn bent");
-            } else if (!isKnown && section.name != "NonstandardAttribute") {
+            } else if (!isKnown) {
                 XmlCursor at = m_reading.at(section);
                 at.next();
                 m_reading.reportUnknown(at);
@@ -146,7 +146,7 @@ private:
         forEachChild(at, [&] {
             if (at.name() == "Profile") {
                 zone.shape = m_shapes.sketch(at, {}, m_reading.unitNm());
-            } else if (at.name() != "SpecRef") {
+            } else {
                 m_reading.reportUnknown(at);
             }
         });
@@ -166,6 +166,8 @@ private:
             forEachChild(at, [&] {
                 if (at.name() == "PhyNetPoint") {
                     netlist.netlist.points.push_back(pointAt(at, number));
+                } else {
+                    m_reading.reportUnknown(at);
                 }
             });
         });

@@ -1,5 +1,6 @@
 #include "model/formats/ipc2581/styles.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/formats/ipc2581/xml/xml_values.h"
@@ -47,6 +48,8 @@ void Dictionaries::readEntry(const XmlSection& section, double unitNm) {
 
 namespace {
 
+constexpr std::string_view kFillProperties[] = {"FILL", "HOLLOW", "HATCH", "MESH", "VOID"};
+
 LineProperty propertyNamed(std::string_view name) {
     return name.empty() || name == "SOLID" ? LineProperty::Solid
            : name == "ERASE"               ? LineProperty::Erasing
@@ -67,6 +70,9 @@ LineStyle Dictionaries::lineStyle(const XmlCursor& at, double unitNm) const {
 FillStyle Dictionaries::fillStyle(const XmlCursor& at, double unitNm) const {
     const std::string_view kind = at.value("fillProperty");
     FillStyle style;
+    if (!kind.empty() && std::ranges::find(kFillProperties, kind) == std::end(kFillProperties)) {
+        m_reading.report(Severity::Warning, at.line(), "a fillProperty that is not known; the shape is filled");
+    }
     style.kind = kind == "HOLLOW"                    ? FillKind::Hollow
                  : kind == "HATCH" || kind == "MESH" ? FillKind::Hatch
                  : kind == "VOID"                    ? FillKind::Void

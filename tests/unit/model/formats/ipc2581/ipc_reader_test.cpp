@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "model/formats/registry.h"
+#include "model/geometry/outlines.h"
 #include "tests/locations.h"
 
 using namespace model;
@@ -387,6 +388,113 @@ private slots:
         const auto job = parse(fileWith(step.toStdString()));
         QVERIFY(job.ok());
         QVERIFY2(reports(*job, message.toStdString(), 2), message.constData());
+    }
+
+    void whatIsNotReadIsReported_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("message");
+        const auto row = [](const char* name, const std::string& text, const char* message) {
+            QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(message);
+        };
+        const auto step = [&](const char* name, const std::string& text, const char* message) {
+            row(name, fileWith(text), message);
+        };
+        const auto cadData = [&](const char* name, const std::string& text, const char* message) {
+            row(name, fileWith({}, {}, text), message);
+        };
+        const auto spec = [&](const char* name, const std::string& inside, const std::string& inStep,
+                              const char* message) {
+            std::string text = fileWith(inStep);
+            const std::string header = "<CadHeader units='MILLIMETER'/>";
+            text.replace(text.find(header), header.size(),
+                         "<CadHeader units='MILLIMETER'><Spec name='p'>" + inside + "</Spec></CadHeader>");
+            row(name, text, message);
+        };
+        const std::string hole = "<Hole diameter='1' x='0' y='0'";
+        step("square hole", onTop("<Set>\n" + hole + " type='SQUARE'/></Set>"), "a square hole is drawn round");
+        spec("back-drilled set", "<Backdrill/>", onTop("<Set>\n<SpecRef id='p'/>" + hole + "/></Set>"),
+             "single holes are back-drilled");
+        spec("back-drilled hole", "<Backdrill/>", onTop("<Set>" + hole + ">\n<SpecRef id='p'/></Hole></Set>"),
+             "single holes are back-drilled");
+        spec("specified set", "<General/>", onTop("<Set>\n<SpecRef id='p'/></Set>"), "say of single features");
+        spec("kind of spec", "\n<Impedance/>", {}, "element Impedance");
+        spec("property of a spec", "<General type='OTHER'>\n<Property text='x'/></General>", {},
+             "of properties of Specs");
+        step("nets joined on purpose", onTop("<Set>\n<NetShort/></Set>"), "what joins nets on purpose");
+        cadData("unknown function", "\n<Layer name='X' layerFunction='CONDUKTOR'/>", "no function that is known");
+        cadData("resistive layer", "\n<Layer name='X' layerFunction='RESISTIVE'/>", "layers of function RESISTIVE");
+        cadData("beside the steps", "\n<Panel/>", "element Panel");
+        cadData("spec of a stackup", "<Stackup name='s'>\n<SpecRef id='p'/></Stackup>", "element SpecRef");
+        step("attribute of a pad", onTop("<Set><Pad>\n<NonstandardAttribute name='a'/></Pad></Set>"),
+             "element NonstandardAttribute");
+        step("pad of two pins",
+             onTop("<Set>\n<Pad><Circle diameter='1'/><PinRef pin='1' componentRef='U1'/><PinRef pin='2' "
+                   "componentRef='U1'/></Pad></Set>"),
+             "a pad is of several pins");
+        step("part that lies face up", onTop("<Set><Features>\n<Xform faceUp='true'/></Features></Set>"), "faceUp");
+        step("drawing of a package", "<Package name='p'>\n<SilkScreen/></Package>", "not their other drawings");
+        step("point of a net", "<PhyNetGroup><PhyNet name='A'>\n<Point/></PhyNet></PhyNetGroup>", "element Point");
+        const std::string triangle =
+            "<PolyBegin x='0' y='0'/><PolyStepSegment x='1' y='0'/><PolyStepSegment x='1' y='1'/>";
+        const std::string polygon = "<Polygon>" + triangle + "</Polygon>";
+        step("cutout that is moved",
+             features("<Contour>" + polygon + "\n<Cutout>" + triangle + "<Xform xOffset='1'/></Cutout></Contour>"),
+             "the Xform and LineDesc of a cutout");
+        step("two polygons", features("<Contour>" + polygon + "\n" + polygon + "</Contour>"), "several polygons");
+        step("fill", features("<Circle diameter='1'>\n<FillDesc fillProperty='DOTS'/></Circle>"),
+             "fillProperty that is not known");
+        step("attribute of the step", "\n<NonstandardAttribute name='a'/>", "element NonstandardAttribute");
+        row("measured value",
+            "<IPC-2581><Bom><BomItem><Characteristics>\n<Measured/></Characteristics></BomItem></Bom><Ecad><CadData>"
+            "<Step name='s'/></CadData></Ecad></IPC-2581>",
+            "element Measured");
+    }
+    void whatIsNotReadIsReported() {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, message);
+        const auto job = parse(text.toStdString());
+        QVERIFY(job.ok());
+        QVERIFY2(reports(*job, message.toStdString(), 2), message.constData());
+    }
+
+    void drawingsAndKnownPartsAreNotReported() {
+        const auto job = parse(fileWith({}, {}, "<Layer name='X' layerFunction='ASSEMBLY' side='TOP'/>"));
+        QVERIFY(job.ok());
+        QVERIFY(!reports(*job, "no function that is known"));
+        QVERIFY(!reports(*job, "of no kind that is read"));
+    }
+
+    void holesLieWhereTheirXformMovesThem() {
+        const auto job =
+            parse(fileWith(onTop("<Set><Hole diameter='1' x='2' y='3' plusTol='0.1' platingStatus='VIA'><Xform "
+                                 "xOffset='1' scale='2'/></Hole></Set>")));
+        const DrawnFeature& hole = featuresOn(*job, "Drill").at(0);
+        QCOMPARE(hole.a, (Point{3 * kMm, 3 * kMm}));
+        QCOMPARE(shapeOf(*job, hole).width, 2 * kMm);
+        QCOMPARE(job->layers[layerNamed(*job, "Drill")].tools.at(0).finishedSize, 2 * kMm);
+    }
+
+    void outlinesOfALayerAreUnited_data() {
+        QTest::addColumn<int>("x");
+        QTest::addColumn<std::size_t>("contours");
+        QTest::newRow("apart") << 20 << std::size_t{2};
+        QTest::newRow("overlapping") << 5 << std::size_t{1};
+    }
+    void outlinesOfALayerAreUnited() {
+        QFETCH(int, x);
+        QFETCH(std::size_t, contours);
+        const auto profile = [](int from) {
+            const std::string left = std::to_string(from);
+            const std::string right = std::to_string(from + 10);
+            return "<Profile><Polygon><PolyBegin x='" + left + "' y='0'/><PolyStepSegment x='" + right +
+                   "' y='0'/><PolyStepSegment x='" + right + "' y='10'/><PolyStepSegment x='" + left +
+                   "' y='10'/></Polygon></Profile>";
+        };
+        const auto job = parse(fileWith(
+            {}, {}, "<Layer name='X' layerFunction='PLANE' side='INTERNAL'>" + profile(0) + profile(x) + "</Layer>"));
+        const ShapeSketch& outline = job->layers[layerNamed(*job, "X")].outline;
+        QCOMPARE(outline.contourCount(), contours);
+        QCOMPARE(boxOf(outline), (Box{{0, 0}, {(x + 10) * kMm, 10 * kMm}}));
     }
 
     void aFaultKeepsWhatComesBeforeIt() {
