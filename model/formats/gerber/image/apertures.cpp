@@ -47,40 +47,63 @@ bool isAbsurd(double length) {
     return !(std::abs(length) <= base::kMaxCoordinate / 2.0);
 }
 
-/// A round hole, or the rectangular one of old files, in the middle.
-void addHole(PadShape& shape, std::span<const double> hole, double nmPerUnit) {
-    if (hole.empty() || hole[0] <= 0) {
-        return;
-    }
-    const double width = hole[0] * nmPerUnit;
-    const double height = hole.size() > 1 ? hole[1] * nmPerUnit : 0.0;
-    if (shape.kind == PadShape::Kind::Round && height <= 0 && width < shape.width) {
-        shape.kind = PadShape::Kind::Ring;
-        shape.height = static_cast<Nm>(std::nearbyint(width));
-        return;
-    }
-    ShapeSketch sketch = formats::outlineOf(shape);
+/// In the middle: round, or the rectangle of old files.
+void addCut(ShapeSketch& sketch, double width, double height, bool isHole) {
     if (height > 0) {
-        addBox(sketch, width, height, true);
+        addBox(sketch, width, height, isHole);
     } else {
-        addDisc(sketch, width, true);
+        addDisc(sketch, width, isHole);
     }
-    shape = {};
-    shape.kind = PadShape::Kind::Region;
-    shape.region = std::move(sketch);
 }
 
-PadShape regularPolygon(std::span<const double> p, double nmPerUnit) {
+/// A hole lies within the shape; one that does not takes away what it covers.
+PadShape withHole(const PadShape& shape, double width, double height, std::vector<std::string>& problems) {
+    ShapeSketch hole;
+    addCut(hole, width, height, false);
+    PadShape rest = combined({{true, regionsOf(formats::outlineOf(shape)), {}}, {false, regionsOf(hole), {}}});
+    const bool isWithin = rest.region.contourCount() == 2 && rest.region.isHole(1);
+    if (!isWithin) {
+        problems.emplace_back("an aperture has a hole that reaches beyond it; what it covers is taken away");
+        return rest;
+    }
+    PadShape result;
+    result.kind = PadShape::Kind::Region;
+    result.region = formats::outlineOf(shape);
+    addCut(result.region, width, height, true);
+    return result;
+}
+
+void addHole(PadShape& shape, std::span<const double> hole, double nmPerUnit, std::vector<std::string>& problems) {
+    const double width = hole[0] * nmPerUnit;
+    const double height = hole.size() > 1 ? hole[1] * nmPerUnit : 0.0;
+    if (width < 0 || height < 0 || isAbsurd(width) || isAbsurd(height)) {
+        problems.emplace_back("an aperture has a hole of an absurd size, which is left out");
+    } else if (shape.kind == PadShape::Kind::Round && height <= 0 && width > 0 && width < shape.width) {
+        shape.kind = PadShape::Kind::Ring;
+        shape.height = static_cast<Nm>(std::nearbyint(width));
+    } else if (width > 0) {
+        shape = withHole(shape, width, height, problems);
+    }
+}
+
+PadShape regularPolygon(std::span<const double> p, double nmPerUnit, std::vector<std::string>& problems) {
     PadShape shape;
-    const int n = static_cast<int>(std::clamp(p[1], 3.0, 1000.0));
+    CornerCount corners = cornersOfPolygon(p[1]);
+    if (!corners.problem.empty()) {
+        problems.push_back(std::move(corners.problem));
+    }
+    const int n = corners.count;
+    if (n == 0) {
+        return shape;
+    }
     const double turn = (p.size() > 2 ? p[2] : 0.0) * std::numbers::pi / 180.0;
-    std::vector<PointD> corners;
+    std::vector<PointD> loop;
     for (int i = 0; i < n; ++i) {
         const double angle = turn + 2 * std::numbers::pi * i / n;
-        corners.push_back({p[0] / 2 * nmPerUnit * std::cos(angle), p[0] / 2 * nmPerUnit * std::sin(angle)});
+        loop.push_back({p[0] / 2 * nmPerUnit * std::cos(angle), p[0] / 2 * nmPerUnit * std::sin(angle)});
     }
     shape.kind = PadShape::Kind::Region;
-    addLoop(shape.region, corners, false);
+    addLoop(shape.region, loop, false);
     return shape;
 }
 
@@ -121,7 +144,7 @@ Macro::Macro(std::string_view body) {
     }
 }
 
-PadShape Macro::shape(std::span<const double> parameters, double nmPerUnit, std::string& problem) const {
+PadShape Macro::shape(std::span<const double> parameters, double nmPerUnit, std::vector<std::string>& problems) const {
     MacroVariables variables;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         variables[static_cast<int>(i) + 1] = parameters[i];
@@ -133,7 +156,8 @@ PadShape Macro::shape(std::span<const double> parameters, double nmPerUnit, std:
             const std::optional<int> number = parseInteger(statement.substr(1, equals - 1));
             const std::optional<double> value = evaluate(statement.substr(equals + 1), variables);
             if (!number || !value) {
-                problem = "an aperture macro has an expression that cannot be read; the variable was left as it is";
+                problems.emplace_back(
+                    "an aperture macro has an expression that cannot be read; the variable was left as it is");
                 continue;
             }
             variables[*number] = *value;
@@ -149,40 +173,47 @@ PadShape Macro::shape(std::span<const double> parameters, double nmPerUnit, std:
         const int code = isGood && std::abs(values[0]) < 1000 ? static_cast<int>(values[0]) : -1;
         values.erase(values.begin());
         toNanometres(code, values, nmPerUnit);
-        bool isKnown = false;
-        Primitive one = primitive(code, values, isKnown);
-        if (!isKnown) {
-            problem = "an aperture macro has a primitive that cannot be read; it was left out";
-            continue;
+        Primitive one = primitive(code, values);
+        if (!one.problem.empty()) {
+            problems.push_back(std::move(one.problem));
         }
         primitives.push_back(std::move(one));
     }
-    PadShape result = combined(std::move(primitives));
-    return result;
+    return combined(std::move(primitives));
 }
 
-PadShape standardAperture(char letter, std::span<const double> p, double nmPerUnit, std::string& problem,
+/// The last of its sizes is the height of a hole.
+std::size_t mostSizes(char letter) {
+    return letter == 'C' ? 3 : letter == 'P' ? 5 : 4;
+}
+
+PadShape standardAperture(char letter, std::span<const double> p, double nmPerUnit, std::vector<std::string>& problems,
                           bool& isKnown) {
     isKnown = letter == 'C' || letter == 'R' || letter == 'O' || letter == 'P';
     const std::size_t needed = letter == 'C' ? 1 : 2;
     if (!isKnown || p.size() < needed) {
-        problem = isKnown ? "an aperture lacks a size; it draws nothing" : "";
+        if (isKnown) {
+            problems.emplace_back("an aperture lacks a size; it draws nothing");
+        }
         return {};
     }
     const double width = p[0] * nmPerUnit;
     const double height = letter == 'R' || letter == 'O' ? p[1] * nmPerUnit : width;
     if (isAbsurd(width) || isAbsurd(height) || width < 0 || height < 0) {
-        problem = "an aperture has an absurd size; it draws nothing";
+        problems.emplace_back("an aperture has an absurd size; it draws nothing");
         return {};
+    }
+    if (p.size() > mostSizes(letter)) {
+        problems.emplace_back("an aperture has more sizes than its shape takes; the last ones are left out");
     }
     PadShape shape = letter == 'C'   ? sized(PadShape::Kind::Round, width, width)
                      : letter == 'O' ? sized(PadShape::Kind::Oval, width, height)
                      : letter == 'R' ? rectangle(width, height)
-                     : width > 0.5   ? regularPolygon(p, nmPerUnit)
+                     : width > 0.5   ? regularPolygon(p, nmPerUnit, problems)
                                      : PadShape();
     const std::size_t behind = letter == 'C' ? 1 : letter == 'P' ? 3 : 2;
     if (p.size() > behind && shape.kind != PadShape::Kind::Nothing) {
-        addHole(shape, p.subspan(behind), nmPerUnit);
+        addHole(shape, p.subspan(behind), nmPerUnit, problems);
     }
     return shape;
 }

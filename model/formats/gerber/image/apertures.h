@@ -16,10 +16,10 @@ public:
     /// `body` is what stands between the macro's name and the closing %.
     explicit Macro(std::string_view body);
 
-    /// What the macro draws with these parameters, lengths in units of `nmPerUnit`. What cannot be read is left out and
-    /// named in `problem`, a sentence without values.
+    /// What the macro draws with these parameters, lengths in units of `nmPerUnit`. What is not drawn as it is written
+    /// is named in `problems`, sentences without values.
     [[nodiscard]] formats::PadShape shape(std::span<const double> parameters, double nmPerUnit,
-                                          std::string& problem) const;
+                                          std::vector<std::string>& problems) const;
 
 private:
     std::vector<std::string> m_statements;
@@ -27,7 +27,7 @@ private:
 
 /// One of the standard apertures C, R, O and P with the parameters behind it. `isKnown` is false for other letters.
 [[nodiscard]] formats::PadShape standardAperture(char letter, std::span<const double> parameters, double nmPerUnit,
-                                                 std::string& problem, bool& isKnown);
+                                                 std::vector<std::string>& problems, bool& isKnown);
 
 /// The shape grown by a factor.
 [[nodiscard]] formats::PadShape scaled(const formats::PadShape& shape, double factor);

@@ -212,20 +212,20 @@ void ImageParser::define(std::string_view rest) {
         parameters.emplace();
     }
     formats::DrawnSymbol symbol{nameOf(name, *parameters), {}};
-    std::string problem;
+    std::vector<std::string> problems;
     const auto found = m_macros.find(name);
     bool isKnown = found != m_macros.end();
     if (isKnown) {
-        symbol.shape = found->second.shape(*parameters, m_format.nmPerUnit, problem);
+        symbol.shape = found->second.shape(*parameters, m_format.nmPerUnit, problems);
     } else if (name.size() == 1) {
-        symbol.shape = standardAperture(name[0], *parameters, m_format.nmPerUnit, problem, isKnown);
+        symbol.shape = standardAperture(name[0], *parameters, m_format.nmPerUnit, problems, isKnown);
     }
-    problem = problem.empty() ? symbol.shape.problem : problem;
-    symbol.shape.problem.clear();
     if (!isKnown) {
-        problem = "an aperture of a macro that is not defined; it draws nothing";
+        problems.emplace_back("an aperture of a macro that is not defined; it draws nothing");
+    } else if (!symbol.shape.problem.empty()) {
+        problems.push_back(std::exchange(symbol.shape.problem, {}));
     }
-    if (!problem.empty()) {
+    for (const std::string& problem : problems) {
         report(Severity::Warning, problem);
     }
     if (m_apertures.contains(*code)) {

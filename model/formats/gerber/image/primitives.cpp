@@ -16,7 +16,9 @@ namespace model::gerber {
 namespace {
 
 constexpr std::size_t kMostCorners = 100'000;
+constexpr int kMostPolygonCorners = 1000;
 constexpr int kMostRings = 100;
+constexpr double kSamePlace = 1000.0;  ///< nm: ends of an outline that differ by this much were rounded
 
 /// Turns points counter-clockwise about the macro's origin. Quarter turns are exact.
 class Turn {
@@ -93,29 +95,44 @@ std::vector<EdgeLoops> lowerLeftLine(PrimitiveValues v) {
 }
 
 /// exposure, n, n + 1 points of which the last one repeats the first, rotation.
-std::vector<EdgeLoops> outline(PrimitiveValues v) {
+std::vector<EdgeLoops> outline(PrimitiveValues v, std::string& problem) {
     const double n = at(v, 1);
-    if (!(n >= 2) || n > static_cast<double>(kMostCorners) || v.size() < 2 + 2 * static_cast<std::size_t>(n)) {
+    if (n > static_cast<double>(kMostCorners)) {
+        problem = "an aperture macro has an outline (4) of more than 100000 corners; it draws nothing";
         return {};
     }
-    const auto corners = static_cast<std::size_t>(n);
-    const Turn turn(at(v, 2 + 2 * (corners + 1)));
-    std::vector<PointD> points;
-    for (std::size_t i = 0; i < corners; ++i) {
-        points.push_back(turn(v[2 + 2 * i], v[3 + 2 * i]));
+    const auto corners = static_cast<std::size_t>(std::max(n, 0.0));
+    if (corners < 3 || v.size() < 2 + 2 * corners) {
+        problem = "an aperture macro has an outline (4) that lacks corners; it draws nothing";
+        return {};
     }
-    return {polygon(points)};
+    const bool hasLast = v.size() >= 4 + 2 * corners;
+    const std::size_t points = corners + (hasLast ? 1 : 0);
+    const Turn turn(at(v, 2 + 2 * points));
+    std::vector<PointD> loop;
+    for (std::size_t i = 0; i < points; ++i) {
+        loop.push_back(turn(v[2 + 2 * i], v[3 + 2 * i]));
+    }
+    const bool isBack = hasLast && std::hypot(loop.back().x - loop[0].x, loop.back().y - loop[0].y) <= kSamePlace;
+    if (isBack) {
+        loop.pop_back();
+    } else {
+        problem =
+            "an aperture macro has an outline (4) that does not end where it began; it is closed by a straight line";
+    }
+    return {polygon(loop)};
 }
 
-std::vector<EdgeLoops> regularPolygon(PrimitiveValues v) {
-    const int n = static_cast<int>(std::clamp(at(v, 1), 0.0, 1000.0));
-    if (n < 3 || at(v, 4) <= 0) {
+std::vector<EdgeLoops> regularPolygon(PrimitiveValues v, std::string& problem) {
+    CornerCount corners = cornersOfPolygon(at(v, 1));
+    problem = std::move(corners.problem);
+    if (corners.count == 0 || at(v, 4) <= 0) {
         return {};
     }
     const Turn turn(at(v, 5));
     std::vector<PointD> points;
-    for (int i = 0; i < n; ++i) {
-        const double angle = 2 * std::numbers::pi * i / n;
+    for (int i = 0; i < corners.count; ++i) {
+        const double angle = 2 * std::numbers::pi * i / corners.count;
         points.push_back(turn(at(v, 2) + at(v, 4) / 2 * std::cos(angle), at(v, 3) + at(v, 4) / 2 * std::sin(angle)));
     }
     return {polygon(points)};
@@ -130,14 +147,17 @@ EdgeLoops ring(PointD centre, double outer, double inner) {
 }
 
 /// x, y, outer diameter, thickness, gap, most rings, thickness and length of the cross, rotation.
-std::vector<EdgeLoops> moire(PrimitiveValues v) {
+std::vector<EdgeLoops> moire(PrimitiveValues v, std::string& problem) {
     const Turn turn(at(v, 8));
     std::vector<EdgeLoops> pieces;
     double outer = at(v, 2);
     const int rings = static_cast<int>(std::clamp(at(v, 5), 0.0, static_cast<double>(kMostRings)));
     for (int i = 0; i < rings && outer > 0 && at(v, 3) > 0; ++i) {
         pieces.push_back(ring(turn(at(v, 0), at(v, 1)), outer, outer - 2 * at(v, 3)));
-        outer -= 2 * (at(v, 3) + at(v, 4));
+        outer -= 2 * (at(v, 3) + std::max(at(v, 4), 0.0));
+    }
+    if (at(v, 5) > kMostRings && outer > 0) {
+        problem = "an aperture macro has a moire (6) of more than 100 rings; the inner ones are left out";
     }
     const double half = at(v, 7) / 2;
     const double thick = at(v, 6) / 2;
@@ -151,12 +171,22 @@ std::vector<EdgeLoops> moire(PrimitiveValues v) {
     return pieces;
 }
 
+/// What is left of the first, with arcs where the edges can be cut exactly.
+std::vector<EdgeLoops> without(const std::vector<EdgeLoops>& whole, const std::vector<EdgeLoops>& cut) {
+    std::optional<std::vector<EdgeLoops>> exact = subtract(whole, cut);
+    return exact ? std::move(*exact) : regionsOf(sketchOf(subtract(polygonsOf(whole), polygonsOf(cut))));
+}
+
 /// x, y, outer and inner diameter, gap, rotation.
-std::vector<EdgeLoops> thermal(PrimitiveValues v) {
+std::vector<EdgeLoops> thermal(PrimitiveValues v, std::string& problem) {
     const Turn turn(at(v, 5));
     const double outer = at(v, 2);
     const double gap = at(v, 4) / 2;
-    if (outer <= 0 || at(v, 3) >= outer || at(v, 4) >= outer * std::numbers::sqrt2 / 2) {
+    if (outer <= 0) {
+        return {};
+    }
+    if (at(v, 3) >= outer || at(v, 4) >= outer * std::numbers::sqrt2 / 2) {
+        problem = "an aperture macro has a thermal (7) whose hole or cuts take away all of it; it draws nothing";
         return {};
     }
     const std::vector whole{ring(turn(at(v, 0), at(v, 1)), outer, at(v, 3))};
@@ -164,7 +194,53 @@ std::vector<EdgeLoops> thermal(PrimitiveValues v) {
     for (EdgeLoops& bar : box(at(v, 0) - gap, at(v, 1) - outer, at(v, 0) + gap, at(v, 1) + outer, turn)) {
         cross.push_back(std::move(bar));
     }
-    return subtract(whole, cross).value_or(whole);
+    return without(whole, cross);
+}
+
+/// How many values a primitive has before its rotation; the one of an outline is in it.
+std::size_t valuesOf(int code, PrimitiveValues v) {
+    switch (code) {
+        case 1: return 4;
+        case 2:
+        case 20: return 6;
+        case 5:
+        case 7:
+        case 21:
+        case 22: return 5;
+        case 6: return 8;
+        case 4: return 4 + 2 * static_cast<std::size_t>(std::clamp(at(v, 1), 0.0, 1.0 * kMostCorners));
+        default: return 0;
+    }
+}
+
+/// Which of its values are sizes, which may not be below 0.
+std::vector<std::size_t> sizesOf(int code) {
+    switch (code) {
+        case 1:
+        case 2:
+        case 20: return {1};
+        case 21:
+        case 22: return {1, 2};
+        case 5: return {4};
+        case 6: return {2, 3, 4, 6, 7};
+        case 7: return {2, 3, 4};
+        default: return {};
+    }
+}
+
+/// What is wrong with the values whatever they mean.
+std::string problemOfValues(int code, PrimitiveValues v) {
+    constexpr double kRounding = -0.5;  // of expressions, in nm
+    const std::size_t count = valuesOf(code, v);
+    if (v.size() < count) {
+        return "an aperture macro has a primitive that lacks values; they are taken as 0";
+    }
+    if (std::ranges::any_of(sizesOf(code), [v](std::size_t index) { return at(v, index) < kRounding; })) {
+        return "an aperture macro has a primitive with a size below 0, which is taken as 0";
+    }
+    const bool hasMore = std::ranges::any_of(v.subspan(std::min(v.size(), count + 1)), [](double x) { return x != 0; });
+    return hasMore ? "an aperture macro has a primitive with more values than it takes; the last ones are left out"
+                   : "";
 }
 
 formats::PadShape painted(std::span<const Primitive> primitives) {
@@ -237,21 +313,41 @@ bool isWithin(std::span<const Primitive> primitives) {
 
 }  // namespace
 
-Primitive primitive(int code, PrimitiveValues values, bool& isKnown) {
-    isKnown = true;
+CornerCount cornersOfPolygon(double number) {
+    constexpr int kMostAllowed = 12;
+    if (!(number >= 3)) {
+        return {0, "an aperture has a polygon of fewer than 3 corners; it draws nothing"};
+    }
+    if (number > kMostPolygonCorners) {
+        return {kMostPolygonCorners, "an aperture has a polygon of more than 1000 corners; it is drawn with 1000"};
+    }
+    const int count = static_cast<int>(number);
+    if (count != number) {
+        return {count, "an aperture has a polygon whose number of corners is not whole; it is rounded down"};
+    }
+    return {count, count > kMostAllowed
+                       ? "an aperture has a polygon of more than the 12 corners that Gerber allows; it "
+                         "is drawn with all of them"
+                       : ""};
+}
+
+Primitive primitive(int code, PrimitiveValues values) {
     const bool hasExposure = code != 6 && code != 7;
-    Primitive result{!hasExposure || at(values, 0) != 0.0, {}};
+    Primitive result{!hasExposure || at(values, 0) != 0.0, {}, {}};
     switch (code) {
         case 1: result.pieces = circle(values); break;
         case 2:
         case 20: result.pieces = vectorLine(values); break;
         case 21: result.pieces = centreLine(values); break;
         case 22: result.pieces = lowerLeftLine(values); break;
-        case 4: result.pieces = outline(values); break;
-        case 5: result.pieces = regularPolygon(values); break;
-        case 6: result.pieces = moire(values); break;
-        case 7: result.pieces = thermal(values); break;
-        default: isKnown = false;
+        case 4: result.pieces = outline(values, result.problem); break;
+        case 5: result.pieces = regularPolygon(values, result.problem); break;
+        case 6: result.pieces = moire(values, result.problem); break;
+        case 7: result.pieces = thermal(values, result.problem); break;
+        default: result.problem = "an aperture macro has a primitive that cannot be read; it was left out";
+    }
+    if (result.problem.empty()) {
+        result.problem = problemOfValues(code, values);
     }
     return result;
 }
@@ -289,9 +385,10 @@ formats::PadShape combined(std::vector<Primitive> primitives) {
     std::erase_if(primitives, [](const Primitive& one) { return one.pieces.empty(); });
     formats::PadShape shape;
     if (!isWithin(primitives)) {
-        shape.problem = "has an absurd size; it draws nothing";
+        shape.problem = "an aperture has an absurd size; it draws nothing";
         return shape;
     }
+    const bool drawsSomething = std::ranges::any_of(primitives, &Primitive::isDark);
     const std::optional<std::vector<EdgeLoops>> regions = exact(primitives);
     if (!regions) {
         shape = painted(primitives);
@@ -300,6 +397,9 @@ formats::PadShape combined(std::vector<Primitive> primitives) {
     }
     if (!shape.region.isEmpty()) {
         shape.kind = formats::PadShape::Kind::Region;
+    }
+    if (shape.kind == formats::PadShape::Kind::Nothing && drawsSomething) {
+        shape.problem = "an aperture takes away all that it draws; it draws nothing";
     }
     return shape;
 }

@@ -121,6 +121,86 @@ private slots:
                  QByteArray::number(areaOf(shapeOf(image, 0))));
     }
 
+    void primitivesThatAreNotDrawnAsWrittenAreReported_data() {
+        QTest::addColumn<QString>("body");
+        QTest::addColumn<double>("area");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("outline without its corners")
+            << "4,1,5,-.5,-.5,.5,-.5,.5,.5,-.5,.5" << 0.0 << "an outline (4) that lacks corners";
+        QTest::newRow("outline that is not closed")
+            << "4,1,3,0,0,1,0,1,1,0,1,0" << 1.0 << "does not end where it began";
+        QTest::newRow("outline whose last corner is missing")
+            << "4,1,4,0,0,1,0,1,1,0,1,90" << 1.0 << "does not end where it began";
+        QTest::newRow("polygon of two corners") << "5,1,2,0,0,1,0" << 0.0 << "fewer than 3 corners";
+        QTest::newRow("polygon of 20 corners") << "5,1,20,0,0,2,0" << 3.0902 << "more than the 12 corners";
+        QTest::newRow("polygon of 5000 corners") << "5,1,5000,0,0,2,0" << 3.1416 << "drawn with 1000";
+        QTest::newRow("polygon of 4.5 corners") << "5,1,4.5,0,0,2,0" << 2.0 << "rounded down";
+        QTest::newRow("thermal of wide cuts") << "7,0,0,1,.6,.8,0" << 0.0 << "a thermal (7) whose hole or cuts";
+        QTest::newRow("thermal with too large a hole") << "7,0,0,1,1.2,.1,0" << 0.0 << "a thermal (7) whose hole";
+        QTest::newRow("moire of many rings") << "6,0,0,300,.1,.1,200,0,0,0" << -1.0 << "more than 100 rings";
+        QTest::newRow("values that lack") << "21,1,2" << 0.0 << "lacks values";
+        QTest::newRow("values without a meaning") << "1,1,2,0,0,0,7" << 3.1416 << "more values than it takes";
+        QTest::newRow("a size below 0") << "1,1,-2,0,0" << 0.0 << "a size below 0";
+        QTest::newRow("a code that does not exist") << "9,1,2,0,0" << 0.0 << "a primitive that cannot be read";
+        QTest::newRow("nothing is left") << "1,1,1,0,0*1,0,2,0,0" << 0.0 << "takes away all that it draws";
+    }
+    void primitivesThatAreNotDrawnAsWrittenAreReported() {
+        QFETCH(QString, body);
+        QFETCH(double, area);
+        QFETCH(QString, words);
+        const Image image = parse("%AMM*\n" + body.toStdString() + "*%\n%ADD10M*%D10*X0Y0D03*");
+        QVERIFY(isReported(image, words.toStdString()));
+        QCOMPARE(image.diagnostics.entries()[0].line, 3U);
+        const double drawn = areaOf(shapeOf(image, 0));
+        QVERIFY2(area < 0 || std::abs(drawn - area) < 0.01, QByteArray::number(drawn));
+    }
+
+    void everyProblemOfAMacroIsReported() {
+        const Image image = parse("%AMM*7,0,0,1,.6,.8,0*5,1,2,0,0,1,0*%%ADD10M*%D10*X0Y0D03*");
+        QVERIFY(isReported(image, "a thermal (7)"));
+        QVERIFY(isReported(image, "fewer than 3 corners"));
+    }
+
+    /// A zero is how programs leave a primitive out.
+    void primitivesOfNoSizeAreNotReported() {
+        const Image image = parse(
+            "%AMM*1,1,2,0,0*1,1,0,0,0*20,1,1,0,0,0,0,0*21,1,0,1,0,0,0*5,1,8,0,0,0,0*7,0,0,0,0,0,0*"
+            "4,1,3,0,0,1,0,1,1,0,0,0*%%ADD10M*%D10*X0Y0D03*");
+        QVERIFY(image.diagnostics.entries().empty());
+    }
+
+    /// The corners of the gaps lie on the circles, where booleans are hardest.
+    void thermalsKeepTheirGaps() {
+        for (int degrees = 0; degrees < 90; degrees += 5) {
+            const Image image =
+                parse("%AMM*7,0,0,4,2,1.414213562373095," + std::to_string(degrees) + "*%%ADD10M*%D10*X0Y0D03*");
+            const double area = areaOf(shapeOf(image, 0));
+            QVERIFY2(area > 2.5 && area < 5.5, QByteArray::number(area));
+        }
+    }
+
+    void standardAperturesThatAreNotDrawnAsWrittenAreReported_data() {
+        QTest::addColumn<QString>("aperture");
+        QTest::addColumn<double>("area");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("two corners") << "P,2X2" << 0.0 << "fewer than 3 corners";
+        QTest::newRow("20 corners") << "P,2X20" << 3.0902 << "more than the 12 corners";
+        QTest::newRow("a hole as large as the disc") << "C,1X1" << 0.0 << "takes away all";
+        QTest::newRow("a hole larger than the disc") << "C,1X2" << 0.0 << "takes away all";
+        QTest::newRow("a hole beyond two sides") << "R,4X1X2" << 2.0868 << "a hole that reaches beyond it";
+        QTest::newRow("a hole below 0") << "C,2X-1" << 3.1416 << "a hole of an absurd size";
+        QTest::newRow("sizes without a meaning") << "C,2X1X1X7" << 2.1416 << "more sizes than its shape takes";
+    }
+    void standardAperturesThatAreNotDrawnAsWrittenAreReported() {
+        QFETCH(QString, aperture);
+        QFETCH(double, area);
+        QFETCH(QString, words);
+        const Image image = parse("%ADD10" + aperture.toStdString() + "*%D10*X0Y0D03*");
+        QVERIFY(isReported(image, words.toStdString()));
+        const double drawn = areaOf(shapeOf(image, 0));
+        QVERIFY2(std::abs(drawn - area) < 0.01, QByteArray::number(drawn));
+    }
+
     void aRoundedBoxKeepsItsArcs() {
         const Image image = parse(
             "%AMR*4,1,4,1,1,-1,1,-1,-1,1,-1,1,1,0*1,1,1,1,1*1,1,1,-1,1*1,1,1,-1,-1*1,1,1,1,-1*"
