@@ -29,7 +29,10 @@ bool CoordinateFormat::readFormat(std::string_view text) {
         if ((c == 'X' || (c == 'Y' && !hasX)) && digit(text, i + 1) >= 0 && digit(text, i + 2) >= 0) {
             read.integers = digit(text, i + 1);
             read.decimals = digit(text, i + 2);
+            read.isAlikeInXAndY = true;
             hasX = true;
+        } else if (c == 'Y') {
+            read.isAlikeInXAndY = digit(text, i + 1) == read.integers && digit(text, i + 2) == read.decimals;
         }
     }
     read.hasFormat = true;

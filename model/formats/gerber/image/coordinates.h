@@ -14,7 +14,8 @@ struct CoordinateFormat {
     bool isIncremental = false;
     int integers = 2;  ///< digits before the point
     int decimals = 5;
-    bool hasFormat = false;  ///< the file says its digits
+    bool isAlikeInXAndY = true;  ///< those of y are the same
+    bool hasFormat = false;      ///< the file says its digits
     bool hasUnit = false;
     double nmPerUnit = base::kNmPerInch;
 

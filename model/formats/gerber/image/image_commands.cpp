@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "model/base/limits.h"
 #include "model/formats/gerber/image/image_parser.h"
@@ -38,6 +39,19 @@ std::optional<double> valueOf(std::string_view text, char letter) {
     }
     text.remove_prefix(at + 1);
     return takeReal(text);
+}
+
+/// "A1.5B0": does a number stand behind every letter that is there?
+bool isReadable(std::string_view text) {
+    return std::ranges::all_of(std::string_view("AB"), [text](char letter) {
+        return text.find(letter) == std::string_view::npos || valueOf(text, letter);
+    });
+}
+
+/// "A0B0" of an image that stays where it is; L and C push it to an edge or the middle of the film.
+bool isWithoutOffset(std::string_view text) {
+    return text.find_first_of("LC") == std::string_view::npos && isReadable(text) &&
+           valueOf(text, 'A').value_or(0.0) == 0.0 && valueOf(text, 'B').value_or(0.0) == 0.0;
 }
 
 std::string nameOf(std::string_view name, std::span<const double> parameters) {
@@ -116,6 +130,7 @@ bool ImageParser::parameter(std::string_view code, std::string_view rest) {
     } else if (code == "LM") {
         m_isMirroredX = rest.find('X') != std::string_view::npos;
         m_isMirroredY = rest.find('Y') != std::string_view::npos;
+        isGood = !rest.empty() && rest.find_first_not_of("NXY") == std::string_view::npos;
     } else if (code == "LR") {
         isGood = parseReal(rest).has_value();
         m_rotation = parseReal(rest).value_or(0.0);
@@ -127,7 +142,8 @@ bool ImageParser::parameter(std::string_view code, std::string_view rest) {
         return false;
     }
     if (!isGood) {
-        report(Severity::Warning, "a polarity, rotation or scale (LP, LR, LS) that cannot be read; none applies");
+        report(Severity::Warning,
+               "a polarity, mirroring, rotation or scale (LP, LM, LR, LS) that cannot be read; none applies");
     }
     if (code.front() == 'L') {
         m_flashed.placement = placementOf(m_isMirroredX, m_isMirroredY, m_rotation);
@@ -139,35 +155,77 @@ bool ImageParser::parameter(std::string_view code, std::string_view rest) {
 /// Commands for the image as a whole. Most of them are outdated.
 bool ImageParser::imageParameter(std::string_view code, std::string_view rest) {
     if (code == "FS" || code == "MO") {
-        return true;  // findFormat
-    }
-    if (code == "LN" || code == "IN") {
+        checkFormat(code, rest);
+    } else if (code == "LN" || code == "IN") {
         m_image.comments.emplace_back(rest);
-        return true;
-    }
-    if (code == "IP") {
+    } else if (code == "IP") {
         m_image.isNegative = rest.starts_with("NEG");
-        return true;
+        if (!m_image.isNegative && !rest.starts_with("POS")) {
+            report(Severity::Warning, "a polarity of the image (IP) that cannot be read; taken as positive");
+        }
+    } else if (code == "IJ" || code == "IO") {
+        if (!isWithoutOffset(rest)) {
+            report(Severity::Warning,
+                   "the image is moved on its film by an outdated command (IJ, IO), which was not applied");
+        }
+    } else if (code == "IF" || code == "KO") {
+        report(Severity::Warning, "included files and knockouts, long outdated, are not read");
+    } else {
+        return code == "IC" || code == "PF" || transformImage(code, rest);
     }
+    return true;
+}
+
+/// The first ones of the file have been found before it is read (findFormat).
+void ImageParser::checkFormat(std::string_view code, std::string_view rest) {
+    if (code == "MO") {
+        const bool isOther = m_format.hasUnit && (rest == "IN" || rest == "MM") &&
+                             m_format.nmPerUnit != (rest == "IN" ? base::kNmPerInch : base::kNmPerMm);
+        if (isOther) {
+            report(Severity::Warning, "the file names a second unit (MO); the first one is taken for all of it");
+        }
+        return;
+    }
+    CoordinateFormat format = m_format;
+    const bool isRead = format.readFormat(rest);
+    const bool isOther = format.integers != m_format.integers || format.decimals != m_format.decimals ||
+                         format.isTrailingOmitted != m_format.isTrailingOmitted;
+    if (m_format.hasFormat && (!isRead || isOther)) {
+        report(Severity::Warning,
+               "the file says a second time how its coordinates are written (FS); the first is taken for all of it");
+    } else if (isRead && !format.isAlikeInXAndY) {
+        report(Severity::Warning, "x and y are written with different digits (FS); both are read with those of x");
+    }
+}
+
+/// Moves, mirrors, rotates or scales all of the image. False for other commands.
+bool ImageParser::transformImage(std::string_view code, std::string_view rest) {
     const double a = valueOf(rest, 'A').value_or(0.0);
     const double b = valueOf(rest, 'B').value_or(0.0);
     bool isNeutral = true;
+    bool isGood = true;
     if (code == "OF") {
         isNeutral = a == 0.0 && b == 0.0;
-        m_imageTransform.placement.origin = {toNm(a * m_format.nmPerUnit).value_or(0),
-                                             toNm(b * m_format.nmPerUnit).value_or(0)};
+        const std::optional<Nm> x = toNm(a * m_format.nmPerUnit);
+        const std::optional<Nm> y = toNm(b * m_format.nmPerUnit);
+        isGood = x && y && isReadable(rest);
+        m_imageTransform.placement.origin = isGood ? Point{*x, *y} : Point{};
     } else if (code == "MI") {
         isNeutral = a == 0.0 && b == 0.0;
+        isGood = isReadable(rest);
         m_isImageMirroredA = a != 0.0;
         m_isImageMirroredB = b != 0.0;
     } else if (code == "IR") {
         m_imageRotation = parseReal(rest).value_or(0.0);
         isNeutral = m_imageRotation == 0.0;
+        isGood = parseReal(rest).has_value();
     } else if (code == "AS") {
         m_isAxesSwapped = rest.starts_with("AY");
         isNeutral = !m_isAxesSwapped;
+        isGood = m_isAxesSwapped || rest.starts_with("AX");
     } else if (code == "SF") {
         isNeutral = (a == 0.0 || a == 1.0) && (b == 0.0 || b == 1.0);
+        isGood = isReadable(rest);
         if (!isNeutral && a == b && a > 0.0 && a < 1e6) {
             m_imageTransform.scale = a;
         } else if (!isNeutral) {
@@ -175,13 +233,12 @@ bool ImageParser::imageParameter(std::string_view code, std::string_view rest) {
             return true;
         }
     } else {
-        const bool isHarmless = code == "IC" || code == "IJ" || code == "PF" || code == "KO" || code == "IO";
-        if (code == "IF" || code == "KO") {
-            report(Severity::Warning, "included files and knockouts, long outdated, are not read");
-        }
-        return isHarmless || code == "IF";
+        return false;
     }
-    if (!isNeutral) {
+    if (!isGood) {
+        report(Severity::Warning,
+               "a move, mirroring, rotation or scale of the image (OF, MI, IR, AS, SF) that cannot be read");
+    } else if (!isNeutral) {
         report(Severity::Info,
                "the image is moved, mirrored, rotated or scaled by an outdated command, which was applied");
     }
@@ -268,8 +325,8 @@ void ImageParser::repeat(std::string_view rest) {
     if (!m_frames.empty() && !m_frames.back().isBlock) {
         endFrame();
     }
-    const double nx = valueOf(rest, 'X').value_or(1.0);
-    const double ny = valueOf(rest, 'Y').value_or(1.0);
+    const double nx = valueOf(rest, 'X').value_or(rest.find('X') == std::string_view::npos ? 1.0 : 0.0);
+    const double ny = valueOf(rest, 'Y').value_or(rest.find('Y') == std::string_view::npos ? 1.0 : 0.0);
     if (rest.empty() || (nx == 1.0 && ny == 1.0)) {
         return;
     }

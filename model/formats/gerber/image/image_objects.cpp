@@ -337,8 +337,11 @@ void ImageParser::finish() {
         m_imageTransform.placement = turn;
     }
     if (!m_imageTransform.isIdentity()) {
-        std::erase_if(m_image.features,
-                      [&](DrawnFeature& feature) { return !m_mover.move(feature, m_imageTransform); });
+        const std::size_t gone = std::erase_if(
+            m_image.features, [&](DrawnFeature& feature) { return !m_mover.move(feature, m_imageTransform); });
+        if (gone > 0) {
+            report(Severity::Warning, "what the image draws beyond any board (1.07 m) is left out");
+        }
     }
 }
 

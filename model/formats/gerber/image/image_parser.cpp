@@ -73,6 +73,7 @@ Image ImageParser::run() {
         }
     }
     finish();
+    reportRest();
     m_image.isInInches = m_format.nmPerUnit == base::kNmPerInch;
     return std::move(m_image);
 }
@@ -192,12 +193,7 @@ void ImageParser::word() {
                 gCode(code);
                 break;
             }
-            case 'M': {
-                const int code = readInteger();
-                m_isDone = m_isDone || code == 0 || code == 2 || code == 30;
-                m_image.hasEnd = m_image.hasEnd || m_isDone;
-                break;
-            }
+            case 'M': mCode(readInteger()); break;
             case 'N': (void)readInteger(); break;
             case '\n': ++m_line; break;
             case ' ':
@@ -224,6 +220,26 @@ void ImageParser::select(int code) {
     m_aperture = found == m_apertures.end() ? nullptr : &found->second;
     if (m_aperture == nullptr) {
         report(Severity::Warning, "an aperture that is not defined; what is drawn with it is left out");
+    }
+}
+
+void ImageParser::mCode(int code) {
+    m_isDone = m_isDone || code == 0 || code == 2 || code == 30;
+    m_image.hasEnd = m_image.hasEnd || m_isDone;
+    if (!m_isDone && code != 1) {  // M01 is a stop that one may ignore
+        report(Severity::Warning, "an M code that has no meaning for images; it was left out");
+    }
+}
+
+/// Some programs fill the rest of the file with blanks, zeros or Ctrl-Z.
+void ImageParser::reportRest() {
+    constexpr std::string_view kFillers("*% \t\r\n\0\x1a", 8);
+    const std::string_view rest(m_at, static_cast<std::size_t>(m_end - m_at));
+    const std::size_t first = rest.find_first_not_of(kFillers);
+    if (first != std::string_view::npos) {
+        m_line += static_cast<std::uint32_t>(
+            std::count(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(first), '\n'));
+        report(Severity::Warning, "commands behind the end of the image (M00, M02) are not read");
     }
 }
 

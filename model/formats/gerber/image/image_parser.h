@@ -62,6 +62,8 @@ private:
     [[nodiscard]] double readLength();
     [[nodiscard]] int readInteger();
     void gCode(int code);
+    void mCode(int code);
+    void reportRest();
     void select(int code);
 
     // objects: image_objects.cpp
@@ -89,6 +91,8 @@ private:
     void command(std::string_view text);
     [[nodiscard]] bool parameter(std::string_view code, std::string_view rest);
     [[nodiscard]] bool imageParameter(std::string_view code, std::string_view rest);
+    void checkFormat(std::string_view code, std::string_view rest);
+    [[nodiscard]] bool transformImage(std::string_view code, std::string_view rest);
     void macro(std::string_view text);
     void define(std::string_view rest);
     void block(std::string_view rest);

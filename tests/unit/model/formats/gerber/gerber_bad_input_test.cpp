@@ -50,7 +50,7 @@ const Fault kFaults[] = {
      "the file does not say its unit (MO); taken as inch", 1},
     {"a rotation that is no number", "b.GTS",
      std::string(kHead) + "%ADD10C,1*%\n%LRhalf*%\nD10*\nX5000000Y5000000D03*\nM02*\n",
-     "a polarity, rotation or scale (LP, LR, LS) that cannot be read; none applies", 4},
+     "a polarity, mirroring, rotation or scale (LP, LM, LR, LS) that cannot be read; none applies", 4},
     {"a second file of one solder mask", "b_F_Mask.gbr",
      "%TF.FileFunction,Soldermask,Top*%\n" + std::string(kHead) + "%ADD10C,1*%\nD10*\nX5000000Y5000000D03*\nM02*\n",
      "another file claims the same top solder mask; both are shown", 0},

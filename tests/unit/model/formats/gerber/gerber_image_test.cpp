@@ -328,6 +328,59 @@ private slots:
         QVERIFY(!isReported(parse("%OFA0B0*%%SFA1B1*%%IR0*%" + body), "outdated"));
     }
 
+    void whatMovesTheImageOnItsFilmIsReported() {
+        for (const char* moving : {"IJAC.5B0", "IJALBL", "IJA0BC", "IOA1.0B1.0", "IOA0B.5", "IOAx"}) {
+            QVERIFY2(isReported(parse(std::string("%") + moving + "*%"), "moved on its film"), moving);
+        }
+        for (const char* neutral : {"IJA0B0", "IJ", "IOA0B0", "IOA0.0B0.0", "PFFILM", "ICAS"}) {
+            QVERIFY2(parse(std::string("%") + neutral + "*%").diagnostics.entries().empty(), neutral);
+        }
+    }
+
+    void whatTheHeadSaysTwiceIsReported() {
+        const std::string head = "%FSLAX46Y46*%%MOMM*%";
+        QVERIFY(parse("%FSLAX46Y46*%%MOMM*%", head).diagnostics.entries().empty());
+        QVERIFY(isReported(parse("%MOIN*%", head), "a second unit"));
+        QVERIFY(isReported(parse("%FSLAX25Y25*%", head), "a second time"));
+        QVERIFY(isReported(parse("%FSTAX46Y46*%", head), "a second time"));
+        QVERIFY(isReported(parse("", "%FSLAX46Y45*%%MOMM*%"), "different digits"));
+    }
+
+    void commandsThatCannotBeReadAreReported_data() {
+        QTest::addColumn<QString>("body");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("IP") << "%IPFOO*%"
+                            << "polarity of the image";
+        QTest::newRow("OF") << "%OFAxB1*%"
+                            << "of the image (OF, MI, IR, AS, SF) that cannot be read";
+        QTest::newRow("OF beyond any board") << "%OFA5000B0*%"
+                                             << "of the image (OF, MI, IR, AS, SF) that cannot be read";
+        QTest::newRow("IR") << "%IRx*%"
+                            << "of the image (OF, MI, IR, AS, SF) that cannot be read";
+        QTest::newRow("AS") << "%ASFOO*%"
+                            << "of the image (OF, MI, IR, AS, SF) that cannot be read";
+        QTest::newRow("LM") << "%LMQ*%"
+                            << "that cannot be read";
+        QTest::newRow("SR") << "%SRXaY2I1J1*%"
+                            << "repeated step whose counts cannot be read";
+        QTest::newRow("M") << "M64*"
+                           << "M code";
+        QTest::newRow("behind the end") << "M02*\nX0Y0D03*"
+                                        << "behind the end";
+        QTest::newRow("beyond any board, once moved") << "%OFA600B0*%%ADD10C,1*%D10*X600000000Y0D03*"
+                                                      << "draws beyond any board";
+    }
+    void commandsThatCannotBeReadAreReported() {
+        QFETCH(QString, body);
+        QFETCH(QString, words);
+        QVERIFY(isReported(parse(body.toStdString()), words.toStdString()));
+    }
+
+    void whatMayStandBehindTheEndIsNotReported() {
+        const std::string text = "%FSLAX46Y46*%%MOMM*%M01*M02*%\n*\n" + std::string(3, '\0') + "\x1a";
+        QVERIFY(model::gerber::parseImage(text, "test.gbr").diagnostics.entries().empty());
+    }
+
     void aFileThatIsCutOffIsReported() {
         const Image image = model::gerber::parseImage("%FSLAX46Y46*%%MOMM*%%ADD10C,1*%D10*X0Y0D03*", "test.gbr");
         QCOMPARE(image.features.size(), std::size_t{1});
