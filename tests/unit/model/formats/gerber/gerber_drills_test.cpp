@@ -19,6 +19,16 @@ model::Nm sizeOf(const Image& image, std::size_t feature) {
     return image.symbols[static_cast<std::size_t>(image.features[feature].symbol)].shape.width;
 }
 
+bool isReported(const Image& image, const std::string& words) {
+    return std::ranges::any_of(image.diagnostics.entries(),
+                               [&](const auto& entry) { return entry.text.find(words) != std::string::npos; });
+}
+
+/// The records with a head before them and an end behind.
+Image parseBody(const std::string& body) {
+    return parse("M48\nMETRIC\nT1C1.0\nT2C2.0\n%\nT1\n" + body + "\nM30\n");
+}
+
 }  // namespace
 
 class GerberDrillsTest : public QObject {
@@ -74,6 +84,90 @@ private slots:
         QCOMPARE(image.features[3].kind, DrawnKind::Pad);
     }
 
+    void arcsThatCannotBeDrawnAreReported() {
+        const Image without = parseBody("G00X2.0Y2.0\nM15\nG02X6.0Y2.0\nM16");
+        QCOMPARE(without.features.at(0).kind, DrawnKind::Line);
+        QVERIFY(isReported(without, "arc without a radius"));
+        QCOMPARE(without.diagnostics.entries()[0].line, 9U);
+        const Image small = parseBody("G00X6.0Y2.0\nM15\nG03X6.0Y6.0A1.0\nM16");
+        QCOMPARE(small.features.at(0).centre, (Point{6'000'000, 4'000'000}));
+        QVERIFY(isReported(small, "too small for its ends"));
+        QVERIFY(!isReported(parseBody("G00X6.0Y2.0\nM15\nG03X6.0Y6.005A2.0\nM16"), "too small"));  // rounding
+        const Image spiral = parseBody("G00X6.0Y2.0\nM15\nG03X9.0Y2.0I1.0J0\nM16");
+        QVERIFY(isReported(spiral, "spiral"));
+    }
+
+    void circlesNeedACentre() {
+        for (const char* place : {"X9.0Y5.0I2.0J0", "I2.0"}) {
+            const Image circle = parseBody(std::string("G00X9.0Y5.0\nM15\nG02") + place + "\nM16");
+            QCOMPARE(circle.features.size(), std::size_t{1});
+            QCOMPARE(circle.features[0].kind, DrawnKind::Arc);
+            QCOMPARE(circle.features[0].centre, (Point{11'000'000, 5'000'000}));
+            QCOMPARE(circle.features[0].a, circle.features[0].b);
+            QVERIFY(circle.diagnostics.entries().empty());
+        }
+        const Image lost = parseBody("G00X9.0Y5.0\nM15\nG02X9.0Y5.0A2.0\nM16");
+        QCOMPARE(lost.features.at(0).b, (Point{9'000'000, 5'000'000}));
+        QVERIFY(isReported(lost, "a radius (A) but no centre"));
+    }
+
+    void pathsBeforeRoutingBeginsAreReported() {
+        const Image image = parseBody("G01X1.0Y1.0");
+        QCOMPARE(image.features.at(0).kind, DrawnKind::Pad);
+        QVERIFY(isReported(image, "without G00"));
+    }
+
+    void aToolCountsForTheHoleOfItsRecord() {
+        const Image image = parseBody("T2X20.0Y5.0\nX8.0Y8.0T1\nX9.0Y9.0\nT2G00X1.0Y1.0");
+        QCOMPARE(image.features.size(), std::size_t{3});
+        QCOMPARE(image.features[0].a, (Point{20'000'000, 5'000'000}));
+        QCOMPARE(sizeOf(image, 0), 2'000'000);
+        QCOMPARE(image.features[1].a, (Point{8'000'000, 8'000'000}));
+        QCOMPARE(sizeOf(image, 1), 1'000'000);
+        QCOMPARE(sizeOf(image, 2), 1'000'000);
+        QVERIFY(image.diagnostics.entries().empty());
+    }
+
+    void aToolThatIsDefinedAgainDrillsTheNewSize() {
+        const Image image = parseBody("X1.0Y1.0\nT1C3.0\nX2.0Y2.0");
+        QCOMPARE(sizeOf(image, 0), 1'000'000);
+        QCOMPARE(sizeOf(image, 1), 3'000'000);
+        QCOMPARE(image.tools.size(), std::size_t{2});
+        QVERIFY(isReported(image, "defined again"));
+    }
+
+    void whatIsNotReadIsReported_data() {
+        QTest::addColumn<QString>("body");
+        QTest::addColumn<int>("holes");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("cycle") << "X1.0Y1.0G84X2.0" << 0 << "canned cycle";
+        QTest::newRow("cycle with its place behind it") << "G32X1.0Y1.0A2.0" << 0 << "canned cycle";
+        QTest::newRow("text") << "M97,TXT1X5" << 0 << "text to drill";
+        QTest::newRow("letter") << "X1.0Y1.0Q4" << 1 << "word that is not of Excellon's";
+        QTest::newRow("second unit") << "INCH\nX1.0Y1.0" << 1 << "two units";
+        QTest::newRow("second unit by a code") << "M72\nX1.0Y1.0" << 1 << "two units";
+        QTest::newRow("format 1") << "FMAT,1" << 0 << "FMAT,1";
+        QTest::newRow("behind the end") << "X1.0Y1.0\nM30\n%\nX2.0Y1.0" << 1 << "behind the end";
+        QTest::newRow("pattern") << "M25\nX900.0Y0\nM01\nM02X500.0" << 1 << "pattern of holes goes beyond any board";
+        QTest::newRow("repeated path") << "G00X1.0Y1.0\nM15\nG01X2.0\nM16\nR2X1.0" << 1 << "behind a routed path";
+    }
+    void whatIsNotReadIsReported() {
+        QFETCH(QString, body);
+        QFETCH(int, holes);
+        QFETCH(QString, words);
+        const Image image = parseBody(body.toStdString());
+        QVERIFY(isReported(image, words.toStdString()));
+        QCOMPARE(image.features.size(), static_cast<std::size_t>(holes));
+    }
+
+    void whatIsHarmlessIsNotReported() {
+        const Image image = parse(
+            "M48\nFMAT,2\nICI,OFF\nMETRIC,TZ,000.000\nM71,TZ\nT1F00S00C1.0\nT2C2.0B100H500Z-1.6\n%\nM71\n"
+            "N1G90\nM47,TOOL 1 X5\nT01M06\nN2X1.0Y1.0\nS65F200\nM30\n;done\n%\n\x1a");
+        QCOMPARE(image.features.size(), std::size_t{1});
+        QVERIFY(image.diagnostics.entries().empty());
+    }
+
     void bothEndsOfASlotMayStandBehindItsCode() {
         const Image image = parse(
             "M48\nMETRIC,TZ\nT1C0.8\n%\nT1\nX9000Y9000\nG85X2000Y5000X6000Y4000\nG85X2000Y5000Y7000\n"
@@ -112,6 +206,16 @@ private slots:
         QCOMPARE(image.features.size(), std::size_t{5});
         QCOMPARE(image.features[2].a, (Point{2'000'000, 1'000'000}));
         QCOMPARE(image.features[4].a, (Point{10'000'000, 5'000'000}));
+    }
+
+    void slotsAreRepeatedAsSlots() {
+        const Image image = parseBody("X2.0Y2.0G85X4.0Y3.0\nR2Y5.0\nX1.0Y1.0\nR1X1.0");
+        QCOMPARE(image.features.size(), std::size_t{5});
+        QCOMPARE(image.features[2].kind, DrawnKind::Line);
+        QCOMPARE(image.features[2].a, (Point{2'000'000, 12'000'000}));
+        QCOMPARE(image.features[2].b, (Point{4'000'000, 13'000'000}));
+        QCOMPARE(image.features[4].kind, DrawnKind::Pad);
+        QCOMPARE(image.features[4].a, (Point{2'000'000, 1'000'000}));
     }
 
     void repetitionsEndWhereBoardsEnd() {
