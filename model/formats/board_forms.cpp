@@ -8,6 +8,7 @@
 
 #include "model/base/limits.h"
 #include "model/formats/gerber/gerber_reader.h"
+#include "model/formats/kicad/kicad_reader.h"
 
 namespace model {
 
@@ -54,6 +55,11 @@ std::vector<BoardForm> packedForms(BoardInput& input, int row, base::Progress& p
     std::error_code error;
     const bool isFile = fs::is_directory(input.path, error);
     return isFile ? openForms(*inner, input.path / member, {}) : openForms(*inner, input.path, member);
+}
+
+/// A project that was begun beside the files of another system says nothing of the board.
+bool isEmpty(const BoardForm& form) {
+    return form.contents.starts_with(kicad::kEmptyBoard);
 }
 
 bool isGerberFile(const fs::path& path) {
@@ -106,7 +112,9 @@ base::Result<std::vector<BoardForm>> formsIn(BoardInput& input, base::Progress& 
             form.path = isFile ? form.path / std::exchange(form.member, {}) : form.path;
         }
     }
-    std::ranges::stable_sort(forms, {}, &BoardForm::format);  // rows of one table
+    std::ranges::stable_sort(forms, {}, [](const BoardForm& form) {
+        return std::pair(isEmpty(form), form.format);  // rows of one table
+    });
     return forms;
 }
 

@@ -12,8 +12,9 @@
 namespace model {
 
 /// All forms in the folder or archive of the input and in archives in it, the richest format first, within a format
-/// what lies open before what is packed once more. Safety copies of CAD systems do not count. Archives that cannot be
-/// unpacked hold nothing. Errors: Cancelled. What was not looked into is reported in `input.unpacking`.
+/// what lies open before what is packed once more, empty boards last. Safety copies of CAD systems do not count.
+/// Archives that cannot be unpacked hold nothing. Errors: Cancelled. What was not looked into is reported in
+/// `input.unpacking`.
 [[nodiscard]] base::Result<std::vector<BoardForm>> formsIn(BoardInput& input, base::Progress& progress);
 
 /// The file of the form below `path` for people: "export/board-odb.tgz"; empty where it is all that lies there.

@@ -73,13 +73,35 @@ std::string_view valueOf(std::string_view text, std::string_view key) {
     return value.substr(0, value.find_first_of(isQuoted ? "\"" : " )\n"));
 }
 
+/// Has it no item that draws anything? Layers, plot settings and the like fill a few kilobytes of such a board; longer
+/// ones are taken for drawn without a look at them.
+bool isEmpty(std::string_view text) {
+    constexpr std::size_t kMostBytes = 64'000;
+    constexpr std::string_view kItems[] = {"(footprint", "(module", "(segment", "(arc",    "(via",       "(zone",
+                                           "(dimension", "(image",  "(table",   "(target", "(generated", "(barcode"};
+    const auto isThere = [text](std::string_view item) {
+        constexpr std::string_view kBehind = " \t\r\n)";  // "(via_size" is a setting
+        for (std::size_t at = text.find(item); at != std::string_view::npos; at = text.find(item, at + 1)) {
+            const std::size_t end = at + item.size();
+            if (end < text.size() && kBehind.find(text[end]) != std::string_view::npos) {
+                return true;
+            }
+        }
+        return false;
+    };
+    return text.size() < kMostBytes && text.find("(gr_") == std::string_view::npos &&
+           std::ranges::none_of(kItems, isThere);
+}
+
 /// "by KiCad 9.0, format 20241229"; older versions do not say themselves which they are.
 std::string contentsOf(std::string_view text) {
     constexpr std::size_t kHeadBytes = 1000;
     const std::string_view head = text.substr(0, kHeadBytes);
     const std::string version(valueOf(head, "generator_version"));
     const std::string format(valueOf(head, "version"));
-    return (version.empty() ? "" : "by KiCad " + version + ", ") + "format " + (format.empty() ? "unknown" : format);
+    const std::string empty = isEmpty(text) ? std::string(kEmptyBoard) + ", " : "";
+    return empty + (version.empty() ? "" : "by KiCad " + version + ", ") + "format " +
+           (format.empty() ? "unknown" : format);
 }
 
 }  // namespace

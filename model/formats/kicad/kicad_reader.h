@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "model/base/progress.h"
@@ -13,6 +14,9 @@
 
 /// Boards of KiCad 4 to 10: .kicad_pcb, with the .kicad_pro beside it.
 namespace model::kicad {
+
+/// What the contents of a board begin with that nothing was drawn on yet: a project beside what another system made.
+inline constexpr std::string_view kEmptyBoard = "empty";
 
 /// The boards among the files, as readBoard prefers them, each with the version that wrote it.
 [[nodiscard]] std::vector<formats::FormPart> boardsOf(const formats::Archive& archive);

@@ -147,6 +147,24 @@ private slots:
         QVERIFY(model::readAnyBoard(both, options, progress).ok());
     }
 
+    void anEmptyBoardIsNotReadBeforeAJobThatDraws() {
+        const QByteArray head =
+            "(kicad_pcb (version 20241229) (generator \"pcbnew\") (setup (via_size 0.8)) "
+            "(layers (0 \"F.Cu\" signal) (2 \"B.Cu\" signal))";
+        QTemporaryDir folder;
+        write(folder, "board-F_Cu.gbr",
+              "%TF.FileFunction,Copper,L1,Top*%\n%FSLAX46Y46*%\n%MOMM*%\n%ADD10C,1*%\nD10*\nX0Y0D03*\nM02*\n");
+        base::Progress progress;
+        for (const char* items : {"", "(via (at 1 1) (size 1) (drill 0.4) (layers \"F.Cu\" \"B.Cu\"))",
+                                  "(gr_line (start 0 0) (end 1 0) (layer \"Edge.Cuts\") (width 0.1))"}) {
+            write(folder, "board.kicad_pcb", head + items + ")\n");
+            const auto board = model::readAnyBoard(folder.path().toStdString(), {}, progress);
+            QVERIFY2(board.ok(), board ? "" : board.error().text.c_str());
+            QCOMPARE(board->format->key, std::string_view(*items == '\0' ? "gerber" : "kicad"));
+            QCOMPARE(board->forms.size(), std::size_t{2});
+        }
+    }
+
     void aFormatThatIsNotThereIsSaid() {
         base::Progress progress;
         model::ReadOptions options;
