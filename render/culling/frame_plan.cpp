@@ -156,26 +156,33 @@ std::vector<shader::LayerState> layerStates(const SceneLayers& scene, const View
     return states;
 }
 
-/// What stands out is darker the more copper lies over it: through the openings of a plane one sees how deep the next
-/// one is. The first steps are the largest.
-constexpr float kBrightest = 0.8F;  // leaves room for what is mirrored
-constexpr float kDarkest = 0.3F;
-constexpr float kPerCopper = 0.62F;
+/// How bright what stands out is: `brightest` with no copper over it, darker with each layer more, by the share that is
+/// left of what is above `darkest`.
+struct DepthShades {
+    float brightest;
+    float darkest;
+    float perCopper;
+};
+constexpr DepthShades kSolidShades{0.8F, 0.3F, 0.62F};  // leaves room for what is mirrored
+constexpr DepthShades kFlatShades{1.0F, 0.25F, 0.45F};
 
+/// Through the openings of a plane one sees how deep the next one is, and in 2D what lies over a plane of its own net.
+/// The first steps are the largest.
 void shadeByDepth(const SceneLayers& scene, bool is2d, bool isSeenFromAbove, std::vector<shader::LayerState>& states) {
+    const auto& [brightest, darkest, perCopper] = is2d ? kFlatShades : kSolidShades;
     const auto height = [&](std::uint32_t i) { return isSeenFromAbove ? states[i].z1 : -states[i].z0; };
     std::vector<std::uint32_t> copper;
     for (std::uint32_t i = 0; i < states.size(); ++i) {
-        states[i].colour.a = is2d ? 1.0F : kBrightest;
-        if (!is2d && scene.layers[i].isCopper && (states[i].flags & shader::kLayerVisible) != 0) {
+        states[i].colour.a = brightest;
+        if (scene.layers[i].isCopper && (states[i].flags & shader::kLayerVisible) != 0) {
             copper.push_back(i);
         }
     }
     std::ranges::stable_sort(copper, std::greater(), height);
     float rest = 1.0F;
     for (const std::uint32_t i : copper) {
-        states[i].colour.a = kDarkest + (kBrightest - kDarkest) * rest;
-        rest *= kPerCopper;
+        states[i].colour.a = darkest + (brightest - darkest) * rest;
+        rest *= perCopper;
     }
 }
 

@@ -1,7 +1,10 @@
 #include "ui/views/element_styles.h"
 
 #include <QAction>
+#include <algorithm>
 
+#include "model/board/single_element.h"
+#include "ui/views/element_outlines.h"
 #include "ui/views/nearby_highlight.h"
 
 namespace ui {
@@ -16,6 +19,16 @@ std::vector<glm::vec3> coloursOf(const std::vector<QRgb>& palette) {
                              static_cast<float>(qBlue(colour)) / kMost);
     }
     return colours;
+}
+
+/// A plane, or a pour of a good part of the board.
+bool isWide(const model::Document& step, model::ElementId element) {
+    constexpr double kWide = 0.25;  // of the board
+    const auto areaOf = [](const model::Box& box) {
+        return static_cast<double>(box.width()) * static_cast<double>(box.height());
+    };
+    return step.elements.kind[element.row()] == model::ElementKind::Area && !step.board.isEmpty() &&
+           areaOf(step.boxOf(element)) >= kWide * areaOf(step.board);
 }
 
 }  // namespace
@@ -78,8 +91,24 @@ void ElementStyles::addColourOfNearby(ElementStateLists& states) const {
     }
 }
 
+/// Filled, a plane that was clicked would cover all that lies over it: its outline (ui/views/element_outlines.h) shows
+/// it well enough. That of a highlighted net is filled, as somebody asks where all of it goes.
+void ElementStyles::leaveOutlinesAlone(std::vector<std::vector<model::ElementId>>& highlighted) const {
+    const auto& selected = m_selection.selected();
+    for (std::size_t i = 0; selected.size() <= ElementOutlines::kMostOutlined && i < selected.size(); ++i) {
+        const model::Document& step = m_selection.stepOf(selected[i]);
+        const model::ElementId element = selected[i].element;
+        const auto net = m_selection.netOf(selected[i]);
+        const bool isOfNet = net && std::ranges::find(m_selection.nets(), *net) != m_selection.nets().end();
+        if (!isOfNet && isWide(step, element) && model::nodeCountOf(step, element) <= ElementOutlines::kMostNodes) {
+            std::erase(highlighted[m_selection.tree().copies[selected[i].copy].step], element);
+        }
+    }
+}
+
 void ElementStyles::apply() {
-    const auto highlighted = m_selection.highlight();
+    auto highlighted = m_selection.highlight();
+    leaveOutlinesAlone(highlighted);
     ElementStateLists states = m_ofNets;
     states.resize(highlighted.size());
     for (std::size_t step = 0; step < highlighted.size(); ++step) {
@@ -88,7 +117,8 @@ void ElementStyles::apply() {
     addColoursOfHighlightedNets(states);
     addColourOfNearby(states);
     m_views.setStates(std::move(states));
-    const bool standsOut = !m_selection.isEmpty() || m_nets.hasColours();
+    const bool isAny = std::ranges::any_of(highlighted, [](const auto& ofStep) { return !ofStep.empty(); });
+    const bool standsOut = isAny || m_nets.hasColours();
     m_views.setDim(m_dimOthers.isChecked() && standsOut ? m_nets.dim() : 0.0F);
 }
 

@@ -24,6 +24,7 @@ private:
     void onDimChanged();
     void onNetsChanged();
     void onHighlightChanged();
+    void leaveOutlinesAlone(std::vector<std::vector<model::ElementId>>& highlighted) const;
     void apply();
     void addColoursOfHighlightedNets(ElementStateLists& states) const;
     void addColourOfNearby(ElementStateLists& states) const;

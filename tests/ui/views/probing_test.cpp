@@ -10,6 +10,7 @@
 #include "ui/common/table_view.h"
 #include "ui/element/element_panel.h"
 #include "ui/nets/nets_panel.h"
+#include "ui/views/element_outlines.h"
 
 using model::BoardElement;
 using ui::ActionId;
@@ -53,15 +54,30 @@ private slots:
     }
 
     void selectingLightsTheElementUpInBothViews() {
+        const model::ElementId pad = aPad();
+        for (BoardView* view : views().both()) {
+            view->controller().show(boxMin(pad), boxMax(pad));
+        }
         const QImage before[] = {picture(views().flat()), picture(views().solid())};
-        const model::ElementId plane = largestElement();
-        window().selection().select({{0, plane}});
+        window().selection().select({{0, pad}});
         QVERIFY(differingPixels(before[0], picture(views().flat())) > 20);
         QVERIFY(differingPixels(before[1], picture(views().solid())) > 20);
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(window().selection().selected().empty());
         QCOMPARE(differingPixels(before[0], picture(views().flat())), 0);
         QCOMPARE(differingPixels(before[1], picture(views().solid())), 0);
+    }
+
+    /// Filled it would cover all that lies over it.
+    void aPlaneThatIsSelectedIsOutlinedAloneAndFilledWithItsNet() {
+        const BoardElement plane{0, largestElement()};
+        const QImage before = picture(views().flat());
+        window().selection().select({plane});
+        QCOMPARE(differingPixels(before, picture(views().flat())), 0);
+        QTRY_VERIFY(!window().find<ui::ElementOutlines>().strokesOver(views().flat()).lines().empty());
+        m_fixture->key(Qt::Key_N);
+        QVERIFY(!window().selection().nets().empty());
+        QVERIFY(differingPixels(before, picture(views().flat())) > 1000);
     }
 
     void tabWalksThroughWhatLiesBeneathAndComesBack() {
