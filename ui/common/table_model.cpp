@@ -1,5 +1,6 @@
 #include "ui/common/table_model.h"
 
+#include <QColor>
 #include <QLocale>
 
 namespace ui {
@@ -67,7 +68,8 @@ QVariant TableModel::data(const QModelIndex& index, int role) const {
         case Qt::DecorationRole: return at.decoration;
         case Qt::FontRole: return at.font;
         case kChoicesRole: return at.choices;
-        case Qt::AccessibleTextRole: return value.userType() == QMetaType::QColor ? value.value<QColor>().name() : QVariant();
+        case Qt::AccessibleTextRole:
+            return value.userType() == QMetaType::QColor ? value.value<QColor>().name() : QVariant();
         default: return {};
     }
 }
