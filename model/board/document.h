@@ -175,7 +175,8 @@ enum class Plating : std::uint8_t { NotSaid, Plated, NonPlated, Via };
     return plating == Plating::Plated || plating == Plating::Via;
 }
 
-/// What a hole is for. `Plated` is one that has a barrel and of which the job does not say whether a pin or a via is in it.
+/// What a hole is for. `Plated` is one that has a barrel and of which the job does not say whether a pin or a via is in
+/// it.
 enum class HoleKind : std::uint8_t { Via, Component, Plated, NonPlated };
 
 /// Of an element with kHole.

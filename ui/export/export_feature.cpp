@@ -161,10 +161,10 @@ void ExportFeature::reportWritten() {
     if (m_isOfThisBoard) {  // else they would name elements of another one
         m_workspace.listExported(messagesOf(summary->missing, m_path));
     }
-    const QString missing = summary->missing.empty() ? QString()
-                            : m_isOfThisBoard        ? tr(". Elements that are not in it: %L1, listed in Messages")
-                                                    .arg(summary->missing.size())
-                                              : tr(". Elements that are not in it: %L1").arg(summary->missing.size());
+    const QString missing =
+        summary->missing.empty() ? QString()
+        : m_isOfThisBoard ? tr(". Elements that are not in it: %L1, listed in Messages").arg(summary->missing.size())
+                          : tr(". Elements that are not in it: %L1").arg(summary->missing.size());
     m_workspace.report(tr("Saved %1: %2, %3%4")
                            .arg(m_path, QString::fromStdString(summary->content),
                                 sizeText(static_cast<double>(summary->bytes)), missing));

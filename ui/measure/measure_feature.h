@@ -94,7 +94,7 @@ private:
     BoardView* m_hoverView = nullptr;  ///< null: the cursor is on no view
     QPointF m_hoverAt;
     QAction* m_showing = nullptr;  ///< whether the list is drawn
-    bool m_isLatestFull = false;  ///< the last of the list was measured just now: all is told of it
+    bool m_isLatestFull = false;   ///< the last of the list was measured just now: all is told of it
     std::optional<model::LocalSpacing> m_shownSpacing;
 
     /// A length being followed.

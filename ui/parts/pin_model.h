@@ -41,6 +41,7 @@ private:
         model::LayerId top;  ///< copper that its pads and hole are on; none if there is none
         model::LayerId bottom;
     };
+
     [[nodiscard]] int rows() const override { return static_cast<int>(m_rows.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] QString tip(int row, int column) const override;
@@ -53,7 +54,7 @@ private:
     [[nodiscard]] Cell layerCell(const Row& row) const;
 
     std::shared_ptr<const model::BoardIndex> m_board;
-    std::vector<std::vector<std::uint32_t>> m_pinRanks;                ///< LoadedBoard::pinRanks
+    std::vector<std::vector<std::uint32_t>> m_pinRanks;               ///< LoadedBoard::pinRanks
     std::vector<std::shared_ptr<const model::NetStatistics>> m_nets;  ///< LoadedBoard::nets
     std::vector<Row> m_rows;
     std::optional<std::vector<Row>> m_all;  ///< once they were listed

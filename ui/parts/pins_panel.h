@@ -19,7 +19,7 @@ class PinsPanel : public QWidget {
 public:
     PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& selection, QWidget* parent = nullptr);
 
-    /// The selection must be of this board already; null as in PinModel.
+    /// The selection must be of this board already.
     void setBoard(const LoadedBoard& board);
     /// Whether choosing a row also shows the pin in the views.
     void setShowsChosen(bool isOn) { m_showsChosen = isOn; }

@@ -27,8 +27,8 @@ bool isPanelKey(const QKeyEvent& event) {
 
 /// Outside panels: what is pressed, chosen from or moved with such keys.
 bool isControl(const QWidget* widget) {
-    return qobject_cast<const QAbstractButton*>(widget) != nullptr || qobject_cast<const QComboBox*>(widget) != nullptr ||
-           qobject_cast<const QAbstractSlider*>(widget) != nullptr;
+    return qobject_cast<const QAbstractButton*>(widget) != nullptr ||
+           qobject_cast<const QComboBox*>(widget) != nullptr || qobject_cast<const QAbstractSlider*>(widget) != nullptr;
 }
 
 bool canTakeKeys(const QWidget& widget) {

@@ -286,7 +286,8 @@ void MainWindow::onFilesChanged() {
 
 void MainWindow::connectHistory() {
     QUndoStack& history = m_workspace.history();
-    const auto connectWay = [&](ActionId id, auto go, auto text, auto textChanged, auto isPossible, const QString& done) {
+    const auto connectWay = [&](ActionId id, auto go, auto text, auto textChanged, auto isPossible,
+                                const QString& done) {
         QAction& action = m_actions[id];
         action.setEnabled(false);
         m_features.on(id, &history, [this, &history, go, text, done] {

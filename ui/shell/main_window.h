@@ -81,8 +81,8 @@ private:
     BoardWatch* m_watch;
     StatusLine* m_statusLine;
     Keyboard* m_keyboard = nullptr;
-    QPointer<QDialog> m_nextBoard;  ///< in which another one is chosen
-    bool m_mayStopWriting = false;  ///< the user said so
+    QPointer<QDialog> m_nextBoard;                    ///< in which another one is chosen
+    bool m_mayStopWriting = false;                    ///< the user said so
     std::optional<PanelArrangements> m_arrangements;  ///< once the panels are there
 };
 

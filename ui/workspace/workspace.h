@@ -131,7 +131,7 @@ private:
     model::LayerId m_currentLayer;
     SelectionModel m_selection;
     QUndoStack m_history;
-    std::vector<Work> m_works;                            ///< watched, loading first
+    std::vector<Work> m_works;                              ///< watched, loading first
     std::optional<model::SetThicknesses> m_asOpeningBegan;  ///< of the board on the screen
     Loader m_loader;
 };

@@ -1,4 +1,5 @@
-// What is begun on one board, and what is shown of it, does not reach the next; what was edited of one that is read anew stays.
+// What is begun on one board, and what is shown of it, does not reach the next; what was edited of one that is read
+// anew stays.
 
 #include <QFileDialog>
 #include <QMenu>

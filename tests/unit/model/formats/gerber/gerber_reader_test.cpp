@@ -53,8 +53,8 @@ private slots:
             const auto drawing = [](const std::string& unit) {
                 return "%MO" + unit + "*%%FSLAX26Y26*%%ADD10C,0.02*%D10*X1000000Y1000000D03*X2000000Y2000000D03*M02*";
             };
-            const Job job({{"b.gtl", drawing(top)}, {"b.gbl", drawing(bottom)}, {"b.gto", drawing("IN")},
-                           {"b.drl", kDrills}});
+            const Job job(
+                {{"b.gtl", drawing(top)}, {"b.gbl", drawing(bottom)}, {"b.gto", drawing("IN")}, {"b.drl", kDrills}});
             const Board board = job.open();
             return board.ok() ? (*board)->job.units : std::string("not read");
         };
