@@ -304,15 +304,27 @@ double angleTo(PointD from, PointD to) {
     return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
+/// How far an arc has turned when it comes by a point, 0 to 2π.
+double turnTo(const Edge& arc, PointD on) {
+    const PointD start = minus(arc.a, arc.centre);
+    const PointD end = minus(on, arc.centre);
+    return arc.isClockwise ? angleTo(end, start) : angleTo(start, end);
+}
+
 }  // namespace
 
 double lengthTo(const Edge& edge, PointD on) {
     if (!edge.isArc()) {
         return length(minus(on, edge.a));
     }
-    const PointD start = minus(edge.a, edge.centre);
-    const PointD end = minus(on, edge.centre);
-    return edge.radius * (edge.isClockwise ? angleTo(end, start) : angleTo(start, end));
+    const double turn = turnTo(edge, on);
+    if (edge.isFullCircle()) {
+        return edge.radius * turn;
+    }
+    // By rounding a point may lie a little beyond either end; before the first one it would seem nearly once around.
+    const double whole = turnTo(edge, edge.b);
+    const bool isBeforeStart = turn > whole && 2 * std::numbers::pi - turn < turn - whole;
+    return edge.radius * (isBeforeStart ? 0.0 : std::min(turn, whole));
 }
 
 double lengthOf(const Edge& edge) {
