@@ -14,6 +14,7 @@
 #include "app/commands/interaction_command.h"
 #include "app/commands/measure_command.h"
 #include "app/commands/misspelt_command.h"
+#include "app/commands/option_checks.h"
 #include "app/commands/render_command.h"
 #include "app/commands/section_command.h"
 #include "app/commands/verify_command.h"
@@ -574,8 +575,11 @@ Command parseCommandLine(int argc, char** argv) {
         const int code = parser->exit(error) == 0 ? kDone : kWrongUsage;
         return [code] { return code; };
     }
-    const auto misspelt = misspeltCommand(*parser);
-    return misspelt ? refusal(*misspelt) : chosen;
+    if (const auto misspelt = misspeltCommand(*parser)) {
+        return refusal(*misspelt);
+    }
+    const auto unusable = unusableOption(*parser);
+    return unusable ? refusal(*unusable) : chosen;
 }
 
 }  // namespace app

@@ -171,6 +171,40 @@ private slots:
         QVERIFY2(text.contains(" " + QByteArray::number(expected) + "\n"), text.constData());
     }
 
+    void whatIsReadIsNotWrittenOver() {
+        const QTemporaryDir folder;
+        const QString board = folder.filePath("board.tgz");
+        const QString link = folder.filePath("link.tgz");
+        QVERIFY(QFile::copy(locations::kSample, board) && QFile::link(board, link));
+        const auto bytes = [&board] {
+            QFile file(board);
+            return file.open(QFile::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        const QByteArray before = bytes();
+        for (const QString& out : {board, link}) {
+            const Outcome run = copperscope({"clearance", board, "--worst", "1", "-o", out});
+            QCOMPARE(run.exitCode, 1);
+            QVERIFY2(run.err.contains("is read, so it is not written over"), run.err.constData());
+        }
+        QCOMPARE(copperscope({"clearance", board, "--rules", "default", "--write-waivers", board, "--reason", "x",
+                              "--author", "y"})
+                     .exitCode,
+                 1);
+        QCOMPARE(bytes(), before);
+    }
+
+    void numbersAreFinite() {
+        const QStringList commands[] = {{"agree", locations::kSample, locations::kSample, "--allow", "nan"},
+                                        {"info", locations::kSample, "--chord", "nan"},
+                                        {"export", locations::kSample, "-o", "x.svg", "--window", "nan,0,1,1"},
+                                        {"section", locations::kSample, "--line", "0,0,1,1", "--scale", "-nan"}};
+        for (const QStringList& arguments : commands) {
+            const Outcome run = copperscope(arguments, QDir::tempPath());
+            QCOMPARE(run.exitCode, 1);
+            QVERIFY2(run.err.contains("nan is no number") || run.err.contains("not in range"), run.err.constData());
+        }
+    }
+
     void aMisspeltCommandIsNamed() {
         const auto errorOf = [](const QStringList& arguments) {
             const Outcome run = copperscope(arguments, QDir::tempPath());
