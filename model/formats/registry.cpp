@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 
+#include "model/base/ascii.h"
 #include "model/formats/board_forms.h"
 #include "model/formats/file_kinds.h"
 #include "model/formats/gerber/gerber_reader.h"
@@ -60,18 +61,28 @@ bool isKicad(const BoardInput& input) {
     return kicad::looksLikeBoard(input.head);
 }
 
-Board readKicad(const BoardInput& input, const ReadOptions&, base::Progress& progress) {
-    return input.archive ? kicad::readBoard(*input.archive, input.path, input.unpacking, progress, input.reading)
-                         : kicad::readBoard(input.path, input.unpacking, progress, input.reading);
+/// Of formats whose boards are one step.
+Board ofStep(Board board, const std::string& wanted) {
+    if (!board || wanted.empty() || base::equalsIgnoringCase((*board)->job.step, wanted)) {
+        return board;
+    }
+    return base::Error{base::ErrorCode::BadUsage,
+                       "the job has no step \"" + wanted + "\"; it has: " + (*board)->job.step};
+}
+
+Board readKicad(const BoardInput& input, const ReadOptions& options, base::Progress& progress) {
+    return ofStep(input.archive ? kicad::readBoard(*input.archive, input.path, input.unpacking, progress, input.reading)
+                                : kicad::readBoard(input.path, input.unpacking, progress, input.reading),
+                  options.step);
 }
 
 bool isPaper(const BoardInput& input) {
     return paper::looksLikeModel(input.head);
 }
 
-Board readPaper(const BoardInput& input, const ReadOptions&, base::Progress& progress) {
+Board readPaper(const BoardInput& input, const ReadOptions& options, base::Progress& progress) {
     ASSIGN_OR_RETURN(std::string text, readWholeFile(input.path));
-    return paper::readModel(std::move(text), input.path, progress);
+    return ofStep(paper::readModel(std::move(text), input.path, progress), options.step);
 }
 
 // ---- choosing one ----

@@ -24,6 +24,26 @@ class ReaderTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void aStepThatIsNotThereIsAnErrorWhateverTheFormat() {
+        base::Progress progress;
+        const std::filesystem::path data = locations::kTestData;
+        for (const std::filesystem::path& board :
+             {data / "odb" / "panel", data / "kicad" / "small.kicad_pcb", data / "formats" / "small.xml"}) {
+            if (!std::filesystem::exists(board)) {
+                continue;
+            }
+            model::ReadOptions options;
+            options.step = "nope";
+            const auto result = model::readBoard(board, options, progress);
+            QVERIFY2(!result && result.error().code == base::ErrorCode::BadUsage, board.c_str());
+            QVERIFY2(QByteArray(result.error().text.c_str()).contains("\"nope\"; it has: "),
+                     result.error().text.c_str());
+        }
+        model::ReadOptions options;
+        options.step = "PCB";
+        QVERIFY(model::readBoard(data / "kicad" / "small.kicad_pcb", options, progress).ok());
+    }
+
     void missingPathIsNamed() {
         base::Progress progress;
         const auto result = model::readBoard("/nowhere/board.tgz", {}, progress);
