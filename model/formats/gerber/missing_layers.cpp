@@ -26,10 +26,12 @@ void reportCopper(const std::vector<ReadFile>& files, const BoardFiles& board, D
     const ReadFile* last = nullptr;
     for (const std::size_t row : board.files) {
         const FileRole& role = files[row].role;
-        const bool isCounted = files[row].isImage() && role.kind == FileRole::Kind::Copper && role.isCountedFromTop;
-        if (isCounted && role.order > 0 && role.order <= kMostCopper) {
-            last = numbers.empty() || role.order > *numbers.rbegin() ? &files[row] : last;
+        const bool isCopper = files[row].isImage() && role.kind == FileRole::Kind::Copper;
+        if (isCopper && role.isCountedFromTop && role.order > 0 && role.order <= kMostCopper) {
+            last = last == nullptr || role.order > last->role.order ? &files[row] : last;
             numbers.insert(role.order);
+        } else if (isCopper && role.side == LayerSide::Top) {
+            numbers.insert(1);  // its name says where it is, without a number
         }
     }
     std::vector<std::string> missing;

@@ -56,7 +56,7 @@ const Fault kFaults[] = {
      "another file claims the same top solder mask; both are shown", 0},
     {"copper layers that are not there", "b-In.gbr",
      "%TF.FileFunction,Copper,L6,Inr*%\n" + std::string(kHead) + "%ADD10C,1*%\nD10*\nX5000000Y5000000D03*\nM02*\n",
-     "the file draws copper layer 6, but no file draws copper layer 1, 2, 3, 4, 5", 0},
+     "the file draws copper layer 6, but no file draws copper layer 2, 3, 4, 5", 0},
     {"images of a job file that are not there", "b.gbrjob",
      R"({"FilesAttributes": [{"Path": "b-Mask.gbr", "FileFunction": "Soldermask,Top"}]})",
      "the job file lists images that the job does not hold: b-mask.gbr", 0},
