@@ -208,6 +208,11 @@ void ElementMaker::addArea(const ElementSource& source, ShapeId shape, const Pla
     addArea(source, shape, placement, 0);
 }
 
+void ElementMaker::addPadArea(const ElementSource& source, ShapeId shape, const Placement& placement) {
+    endChain();
+    addArea(source, shape, placement, kPad);
+}
+
 void ElementMaker::addArea(const ElementSource& source, ShapeId shape, const Placement& placement, int flags) {
     DocumentBuilder::Origin origin = originOf(source, flags);
     const Box box = m_builder.shapes().shapes[shape.row()].box;

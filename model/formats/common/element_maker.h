@@ -38,6 +38,8 @@ public:
     /// The shape must stay where it is.
     void addPad(const ElementSource& source, const PadShape& shape, const Placement& placement);
     void addArea(const ElementSource& source, ShapeId shape, const Placement& placement);
+    /// One that is a pad.
+    void addPadArea(const ElementSource& source, ShapeId shape, const Placement& placement);
     /// Of a text that `placement` lays on the board.
     void addStrokes(const ElementSource& source, std::span<const TextStroke> strokes, const Placement& placement);
     /// Ends the chain of tracks; to be called before whatever else breaks it and when all is added.

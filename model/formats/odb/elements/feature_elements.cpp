@@ -36,6 +36,7 @@ public:
           m_diagnostics(diagnostics),
           m_source(source),
           m_file(*source.file),
+          m_isOfHoles(holes != nullptr),
           m_maker(builder, diagnostics, source.path, holes),
           m_resolved(m_file.symbols.size()),
           m_attributes(m_file.attributes.sets.size()) {}
@@ -129,7 +130,9 @@ private:
             return report(Severity::Error, feature,
                           "a contour of " + base::moreThan(base::kMostCorners, "corners") + "; it was left out");
         }
-        m_maker.addArea(sourceOf(row), m_builder.addShape(std::move(sketch)), {});
+        const ShapeId shape = m_builder.addShape(std::move(sketch));
+        const bool isPad = !m_isOfHoles && row < m_source.links.size() && m_source.links[row].isOfPin;
+        isPad ? m_maker.addPadArea(sourceOf(row), shape, {}) : m_maker.addArea(sourceOf(row), shape, {});
     }
 
     void addText(std::size_t row) {
@@ -171,6 +174,7 @@ private:
     Diagnostics& m_diagnostics;
     const FeatureSource& m_source;
     const FeatureFile& m_file;
+    bool m_isOfHoles;
     formats::ElementMaker m_maker;
     std::vector<Resolved> m_resolved;
     std::vector<AttributeSetId> m_attributes;  ///< by set of the file; made when first needed

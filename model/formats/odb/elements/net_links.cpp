@@ -63,7 +63,7 @@ void NetLinks::link(const Matrix& matrix, const StepData& step, Diagnostics& dia
             }
             m_features[layer].resize(count);
             NetLink& link = m_features[layer][record.feature];
-            const NetLink wanted{m_nets[subnet.net], m_subnets[row]};
+            const NetLink wanted{m_nets[subnet.net], m_subnets[row], subnet.kind == SubnetKind::PinPads};
             if (link.net.isValid() && link.net != wanted.net) {
                 warn(record.line, "FID: the feature is in another net already; it stays there");
                 continue;

@@ -11,6 +11,7 @@ namespace model::odb {
 struct NetLink {
     NetId net;
     SubnetId subnet;
+    bool isOfPin = false;  ///< a TOP subnet has it, of `$NONE$` too: it is copper of a pin, whatever it is drawn as
     constexpr bool operator==(const NetLink&) const = default;
 };
 

@@ -1,6 +1,7 @@
 // Components, their pins and bodies, and netlists: from the files to the document.
 #include "model/formats/odb/components/components.h"
 #include "model/formats/odb/components/netlist.h"
+#include "model/index/pin_finder.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
 
 using namespace odb_testing;
@@ -196,6 +197,24 @@ private slots:
         QCOMPARE(d->subnets[d->elements.subnet[elementOf(*d, "top", 1).row()].row()].kind, model::SubnetKind::Via);
         QVERIFY(!d->elements.subnet[elementOf(*d, "top", 2).row()].isValid());
         QVERIFY(!d->subnets[1].pin.isValid());  // the job names a component that is not there
+    }
+
+    /// As custom pads are exported: the copper of the pin is a surface.
+    void surfacesOfPinsArePads() {
+        const Folder folder;
+        writeParts(folder, "CMP 0 10 20 0 N U1 c\nTOP 0 9 20 0 N 0 0 1\n", "");
+        const auto square = [](int x) {
+            const std::string left = std::to_string(x) + " ";
+            const std::string right = std::to_string(x + 2) + " ";
+            return "S P 0\nOB " + left + "19 I\nOS " + right + "19\nOS " + right + "21\nOS " + left + "21\nOS " + left +
+                   "19\nOE\nSE\n";
+        };
+        folder.write("steps/board/layers/top/features", "UNITS=MM\n" + square(8) + square(50));
+        const auto d = read(folder.path());
+        const model::ElementId pad = elementOf(*d, "top", 0);
+        QVERIFY((d->elements.flags[pad.row()] & model::kPad) != 0);
+        QVERIFY2((d->elements.flags[elementOf(*d, "top", 1).row()] & model::kPad) == 0, "that of a via subnet is none");
+        QCOMPARE(model::PinFinder(*d).elementsOf(model::PinId{0}), std::vector{pad});
     }
 
     void groupsNameElements() {
