@@ -145,6 +145,13 @@ std::optional<double> nmPer(const QString& unit, LengthUnit otherwise) {
                                                                        : std::nullopt;
 }
 
+constexpr std::uint32_t kDownwards = 1;  // Found::row of a location
+
+bool isOnBoard(const model::Document& board, base::PointD nm) {
+    const model::Box& box = board.board;
+    return nm.x >= box.min.x && nm.x <= box.max.x && nm.y >= box.min.y && nm.y <= box.max.y;
+}
+
 QString ownersOf(const model::AttributeValue& attribute) {
     const bool isOne = attribute.count == 1;
     return attribute.owner == model::AttributeValue::Owner::Components
@@ -202,6 +209,10 @@ std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::
     std::vector<Found> found = matcher.best(most);
     if (const std::optional<base::PointD> location = parsePlace(text, unit)) {
         found.insert(found.begin(), {FoundKind::Location, 0, 0, *location});
+        if (const base::PointD mirrored{location->x, -location->y};
+            !isOnBoard(*m_board, *location) && isOnBoard(*m_board, mirrored)) {
+            found.insert(found.begin(), {FoundKind::Location, kDownwards, 0, mirrored});
+        }
     }
     return found;
 }
@@ -230,7 +241,9 @@ QString BoardSearch::detailOf(const Found& found) const {
 
 QString BoardSearch::whatIs(const Found& found) const {
     switch (found.kind) {
-        case FoundKind::Location: return BoardSearch::tr("Location");
+        case FoundKind::Location:
+            return found.row == kDownwards ? BoardSearch::tr("Location, with Y counted downwards, as KiCad does")
+                                           : BoardSearch::tr("Location");
         case FoundKind::Layer: return BoardSearch::tr("Layer, %1").arg(layerTypeText(m_board->layers[found.row].type));
         case FoundKind::Component: {
             const model::Component& part = stepOf(found).components[found.row];

@@ -18,7 +18,8 @@ enum class FoundKind : std::uint8_t { Location, Component, Pin, Net, Layer, Attr
 /// Something on the board that a text names.
 struct Found {
     FoundKind kind = FoundKind::Net;
-    std::uint32_t row = 0;   ///< of the kind's table in the document of the step; of BoardSearch::attribute
+    std::uint32_t row = 0;   ///< of the kind's table in the document of the step; of BoardSearch::attribute; of
+                             ///< locations 1 if Y was taken to count downwards
     std::uint32_t step = 0;  ///< row of model::StepTree::steps; of layers and locations the board itself
     base::PointD location;   ///< of locations, nm in the board's coordinates
 };
@@ -33,7 +34,8 @@ public:
     /// Null for no board.
     void setBoard(std::shared_ptr<const model::Document> board);
     /// Locations first, then names that are the text, that begin with it, that hold it; short ones before long ones.
-    /// Coordinates without a unit are in `unit`.
+    /// Coordinates without a unit are in `unit`; beside the board they may be those of a program that counts Y
+    /// downwards, which is offered first where it is on the board.
     [[nodiscard]] std::vector<Found> find(const QString& text, LengthUnit unit, std::size_t most) const;
     [[nodiscard]] const model::AttributeValue& attribute(const Found& found) const {
         return m_attributes[found.step][found.row];

@@ -90,6 +90,18 @@ private slots:
         QCOMPARE(m_search.find(text, LengthUnit::Millimetre, 5).front().kind, FoundKind::Location);
     }
 
+    /// Locations of KiCad, which counts Y downwards: the sample lies above its origin.
+    void aPlaceBesideTheBoardIsOfferedTheOtherWayUp() {
+        const auto found = m_search.find("10, -20 mm", LengthUnit::Millimetre, 5);
+        QVERIFY(found.size() >= 2 && found[0].kind == FoundKind::Location && found[1].kind == FoundKind::Location);
+        QCOMPARE(found[0].location.y, 20e6);
+        QCOMPARE(found[1].location.y, -20e6);
+        QVERIFY(m_search.detailOf(found[0]).contains("downwards"));
+        QCOMPARE(m_search.detailOf(found[1]), QString("Location"));
+        QCOMPARE(m_search.find("10, 20 mm", LengthUnit::Millimetre, 5).front().location.y, 20e6);
+        QCOMPARE(m_search.find("10, -2000 mm", LengthUnit::Millimetre, 5).front().location.y, -2e9);
+    }
+
     void whatIsNoPlaceIsNone() {
         for (const char* text : {"", "1", "1,2,3", "1 km, 2 km", "a b", "1,", "--1, 2"}) {
             QVERIFY2(!ui::parsePlace(text, LengthUnit::Millimetre), text);
