@@ -9,6 +9,7 @@ namespace ui {
 namespace {
 
 constexpr int kStrength = 175;  // of 255
+constexpr QColor kEdge(168, 172, 184, 190);
 
 QPainterPath pathOf(const model::PolygonSet& region, const BoardPosition& position) {
     QPainterPath path;
@@ -43,28 +44,43 @@ void OutlineVeil::setOn(bool isOn) {
 void OutlineVeil::setBoard(const LoadedBoard& board) {
     m_outline.clear();
     const model::Document& document = *board.document;
-    if (document.profile.isValid() && board.model && !board.model->milled.empty()) {
+    m_isAnythingMilled = board.model && !board.model->milled.empty();
+    if (document.profile.isValid()) {
         m_outline = pathOf(model::discretise(document.shapes, document.profile, {}), m_view.position());
     }
 }
 
-void OutlineVeil::paint(QPainter& painter) const {
-    if (!m_isOn || m_outline.isEmpty() || !m_view.hasScene()) {
-        return;
-    }
+std::optional<QTransform> OutlineVeil::toCanvas() const {
     const CameraController& controller = m_view.controller();
     const auto origin = controller.screenOf({0.0F, 0.0F, 0.0F});
     const auto right = controller.screenOf({1.0F, 0.0F, 0.0F});
     const auto up = controller.screenOf({0.0F, 1.0F, 0.0F});
     if (!origin || !right || !up) {
-        return;
+        return std::nullopt;
     }
     const QPointF x = *right - *origin;
     const QPointF y = *up - *origin;
+    return QTransform(x.x(), x.y(), y.x(), y.y(), origin->x(), origin->y());
+}
+
+void OutlineVeil::fadeBeyond(QPainter& painter, const QPainterPath& outline) const {
     QPainterPath beyond;  // odd-even: all of the canvas but the board
-    beyond.addRect(QRectF({0.0, 0.0}, controller.viewport()));
-    beyond.addPath(QTransform(x.x(), x.y(), y.x(), y.y(), origin->x(), origin->y()).map(m_outline));
+    beyond.addRect(QRectF({0.0, 0.0}, m_view.controller().viewport()));
+    beyond.addPath(outline);
     painter.fillPath(beyond, backgroundOf(m_view.background()));
+}
+
+void OutlineVeil::paint(QPainter& painter) const {
+    const std::optional<QTransform> transform = m_outline.isEmpty() || !m_view.hasScene() ? std::nullopt : toCanvas();
+    if (!transform) {
+        return;
+    }
+    const QPainterPath outline = transform->map(m_outline);
+    if (m_isOn && m_isAnythingMilled) {
+        fadeBeyond(painter, outline);
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.strokePath(outline, QPen(kEdge, 1.0));
 }
 
 }  // namespace ui

@@ -2,27 +2,34 @@
 
 #include <QObject>
 #include <QPainterPath>
+#include <QTransform>
+#include <optional>
 
 #include "ui/views/board_view.h"
 #include "ui/workspace/workspace.h"
 
 namespace ui {
 
-/// Lets what lies beyond the board outline fade into the background of a 2D view: drawing frames, stray texts, and all
-/// else that a fabricator mills away (model/solids/milling.h). Nothing fades where 3D mills nothing.
+/// The board outline in a 2D view, as a thin line. What lies beyond it fades into the background: drawing frames, stray
+/// texts, and all else that a fabricator mills away (model/solids/milling.h). Nothing fades where 3D mills nothing.
 class OutlineVeil : public QObject {
 public:
     /// Paints over `view` from now on, which must live as long.
     OutlineVeil(BoardView& view, Workspace& workspace, QObject* parent = nullptr);
 
+    /// Whether it fades.
     void setOn(bool isOn);
 
 private:
     void setBoard(const LoadedBoard& board);
     void paint(QPainter& painter) const;
+    /// From mm of the board model to the canvas; none where the view has no camera yet.
+    [[nodiscard]] std::optional<QTransform> toCanvas() const;
+    void fadeBeyond(QPainter& painter, const QPainterPath& outline) const;
 
     BoardView& m_view;
     QPainterPath m_outline;  ///< mm of the board model
+    bool m_isAnythingMilled = false;
     bool m_isOn = true;
 };
 
