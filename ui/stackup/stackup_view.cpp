@@ -187,13 +187,19 @@ void StackupView::paintBore(QPainter& painter, std::size_t row) const {
     painter.drawText(QRectF(hole.center().x() - 20.0, kMargin, 40.0, lineHeight()), Qt::AlignCenter, boreNumber(row));
 }
 
+/// Where there is no room the layer's name is cut, not how many holes there are.
 void StackupView::paintCaption(QPainter& painter, std::size_t row) const {
     const double top = kMargin + m_drawing.height + lineHeight() * (static_cast<double>(row) + 1.5);
-    const QString text =
-        boreNumber(row) + "  " + QString::fromStdString(model::boreText(*m_document, m_drawing.bores[row]));
+    const int room = static_cast<int>(width() - 2 * kMargin);
+    const QString name = QString::fromStdString(m_document->layer(m_drawing.bores[row].layer).name);
+    const QString text = QString::fromStdString(model::boreText(*m_document, m_drawing.bores[row]));
+    const QString number = boreNumber(row) + QStringLiteral("  ");
+    const QString rest = text.mid(name.size());
+    const int left = room - fontMetrics().horizontalAdvance(number + rest);
+    const QString cut = fontMetrics().elidedText(name, Qt::ElideMiddle, std::max(left, 0));
     painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(QRectF(kMargin, top, width() - 2 * kMargin, lineHeight()), Qt::AlignVCenter,
-                     fontMetrics().elidedText(text, Qt::ElideMiddle, static_cast<int>(width() - 2 * kMargin)));
+    painter.drawText(QRectF(kMargin, top, room, lineHeight()), Qt::AlignVCenter,
+                     fontMetrics().elidedText(number + cut + rest, Qt::ElideRight, room));
 }
 
 std::size_t StackupView::boreAt(QPointF at) const {
