@@ -98,6 +98,12 @@ QString ClearanceModel::foundOf(std::span<const Location> locations) const {
                : m_isComplete        ? tr("All rules pass")
                                      : tr("No rule is broken, but not everything could be checked");
     }
+    if (!m_rules.rules.empty()) {  // a smallest value of widths, rings and spacings would say nothing
+        return (m_isCut                 ? tr("at least %L1 locations break a rule")
+                : locations.size() == 1 ? tr("%L1 location breaks a rule")
+                                        : tr("%L1 locations break a rule"))
+            .arg(locations.size());
+    }
     const auto smallest =
         std::ranges::min_element(locations, {}, [](const Location& p) { return p.found.spacing.distance; });
     const QString spacing = lengthText(smallest->found.spacing.distance, unit());

@@ -51,7 +51,7 @@ PartModel::PartModel(QObject* parent)
                    tr("Position of its origin, in the coordinates of the step; in italics: not in the job, the middle "
                       "of its pins"),
                    kNumber | kLength},
-                  {tr("Rotation"), tr("Clockwise, as the job states it; empty where it does not"), kNumber},
+                  {tr("Rotation cw"), tr("Clockwise, as the job states it; empty where it does not"), kNumber},
                   {tr("Height"), tr("As the job states it; empty where it does not"), kNumber | kLength},
                   {tr("Pins"), tr("Pins of the component"), kNumber},
                   {tr("Fitted"), tr("Whether it is assembled: the job may say that it is not populated")},

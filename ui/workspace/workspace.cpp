@@ -138,7 +138,8 @@ void Workspace::restack(std::shared_ptr<const model::Document> document, model::
 void Workspace::setUnit(LengthUnit unit) {
     m_unit = unit;
     emit unitChanged(unit);
-    report(tr("Lengths are in %1").arg(QLatin1String(unitName(unit))));
+    const QString names[] = {tr("millimetres"), tr("mils"), tr("inches")};  // in the order of LengthUnit
+    report(tr("Lengths are in %1").arg(names[static_cast<std::size_t>(unit)]));
 }
 
 void Workspace::setCurrentLayer(model::LayerId layer) {
