@@ -26,7 +26,6 @@ constexpr PresetKeys kPresetKeys[] = {
     {KeyPreset::KiCad, PreviousLayer, "-"},
     {KeyPreset::KiCad, TopCopper, "PgUp"},
     {KeyPreset::KiCad, BottomCopper, "PgDown"},
-    {KeyPreset::KiCad, HighlightNet, "` N"},
     {KeyPreset::KiCad, Contrast, "H Ctrl+H"},
     {KeyPreset::KiCad, SoloLayer, "Shift+H"},
     {KeyPreset::KiCad, ViewTop, "Z T"},
