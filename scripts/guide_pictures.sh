@@ -89,7 +89,7 @@ shrink() {
 
 # take NAME [GEOMETRY]: once the picture has settled.
 take() {
-    xdotool mousemove 640 796  # what it rests on is outlined
+    xdotool mousemove 900 8  # what it rests on in a view is outlined, and elsewhere has a tip
     sleep "${settle:-3}"
     import -window root -silent "$scratch/screen.png"
     shrink "$@"

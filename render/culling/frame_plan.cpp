@@ -164,7 +164,7 @@ struct DepthShades {
     float perCopper;
 };
 constexpr DepthShades kSolidShades{0.8F, 0.3F, 0.62F};  // leaves room for what is mirrored
-constexpr DepthShades kFlatShades{1.0F, 0.25F, 0.45F};
+constexpr DepthShades kFlatShades{1.0F, 0.35F, 0.45F};
 
 /// Through the openings of a plane one sees how deep the next one is, and in 2D what lies over a plane of its own net.
 /// The first steps are the largest.
