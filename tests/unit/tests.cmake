@@ -2,8 +2,8 @@
 # needs no line here.
 add_library(copperscope_tri_oracle STATIC unit/tri/gpu/oracle.cpp)  # shaders/tri on the processor, which devices are compared with
 target_link_libraries(copperscope_tri_oracle PUBLIC copperscope_tri_gpu)
-# Shaders index vectors by uint, as they must, which Clang takes for a conversion of sign where they are C++.
-target_compile_options(copperscope_tri_oracle PRIVATE $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
+# Shaders index vectors by uint, as they must, which Clang takes for a conversion of sign where they are C++. Options of a source follow all others.
+set_source_files_properties(unit/tri/gpu/oracle.cpp PROPERTIES COMPILE_OPTIONS $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 
 set(links_model copperscope_model)
 set(links_render copperscope_render copperscope_model)
