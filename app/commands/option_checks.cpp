@@ -20,6 +20,11 @@ bool isRead(const CLI::Option* option) {
     return !isWritten(option) && (option->get_positional() || option->get_type_name() == "FILE");
 }
 
+/// Waivers are added to a file of waivers, which is read before.
+bool isAddedTo(const CLI::Option& out, const CLI::Option& in) {
+    return out.check_lname("write-waivers") && in.check_lname("waivers");
+}
+
 bool isSameFile(const std::string& a, const std::string& b) {
     std::error_code error;
     return fs::equivalent(fs::path(a), fs::path(b), error) && !error;
@@ -30,7 +35,7 @@ std::optional<std::string> overwrittenInput(const CLI::App& command) {
         for (const CLI::Option* in : command.get_options(isRead)) {
             for (const std::string& written : out->results()) {
                 for (const std::string& read : in->results()) {
-                    if (isSameFile(written, read)) {
+                    if (!isAddedTo(*out, *in) && isSameFile(written, read)) {
                         return written + " is read, so it is not written over; name another file for " +
                                out->get_name();
                     }

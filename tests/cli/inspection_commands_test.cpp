@@ -192,6 +192,9 @@ private slots:
         QCOMPARE(check({}).exitCode, 4);
         QCOMPARE(check({"--write-waivers", waivers, "--reason", "as built"}).exitCode, 1);  // by whom?
         QCOMPARE(check({"--write-waivers", waivers, "--reason", "as built", "--author", "Me"}).exitCode, 0);
+        QCOMPARE(
+            check({"--waivers", waivers, "--write-waivers", waivers, "--reason", "again", "--author", "Me"}).exitCode,
+            0);
         const Outcome waived = check({"--waivers", waivers, "--format", "json"});
         QCOMPARE(waived.exitCode, 0);
         const QJsonValue rule = QJsonDocument::fromJson(waived.out)["steps"][0]["rules"][0];

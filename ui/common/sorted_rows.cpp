@@ -6,13 +6,13 @@
 namespace ui {
 
 SortedRows::SortedRows(TableModel& model, QObject* parent) : QSortFilterProxyModel(parent), m_model(model) {
-    const auto forget = [this] { m_texts.clear(); };  // before this model hears of it
-    connect(&model, &QAbstractItemModel::modelAboutToBeReset, this, forget);
-    connect(&model, &QAbstractItemModel::dataChanged, this, forget);
-    connect(&model, &QAbstractItemModel::layoutAboutToBeChanged, this, forget);
-    connect(&model, &QAbstractItemModel::rowsInserted, this, forget);
-    connect(&model, &QAbstractItemModel::rowsRemoved, this, forget);
-    connect(&model, &QAbstractItemModel::rowsMoved, this, forget);
+    const auto dropTexts = [this] { m_texts.clear(); };  // before this model hears of it
+    connect(&model, &QAbstractItemModel::modelAboutToBeReset, this, dropTexts);
+    connect(&model, &QAbstractItemModel::dataChanged, this, dropTexts);
+    connect(&model, &QAbstractItemModel::layoutAboutToBeChanged, this, dropTexts);
+    connect(&model, &QAbstractItemModel::rowsInserted, this, dropTexts);
+    connect(&model, &QAbstractItemModel::rowsRemoved, this, dropTexts);
+    connect(&model, &QAbstractItemModel::rowsMoved, this, dropTexts);
     setSourceModel(&model);
     setSortRole(TableModel::kSortRole);
     setSortCaseSensitivity(Qt::CaseInsensitive);

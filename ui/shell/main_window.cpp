@@ -429,10 +429,7 @@ void MainWindow::askBeforeClosing(const QString& file) {
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setTextFormat(Qt::PlainText);
     question->setDefaultButton(QMessageBox::Cancel);
-    connect(&m_workspace, &Workspace::idle, question, [this, question] {  // it is written now
-        question->reject();
-        close();
-    });
+    connect(&m_workspace, &Workspace::idle, question, &QDialog::reject);  // written, or not: the status bar says it
     connect(question, &QMessageBox::buttonClicked, this, [this, question](QAbstractButton* button) {
         if (question->standardButton(button) == QMessageBox::Close) {
             m_mayStopWriting = true;

@@ -131,6 +131,11 @@ void LayerList::read(XmlCursor& at, const Specs& specs, ShapeReader& shapes) {
             layer.to = at.value("toLayer");
         } else if (at.name() == "Profile") {
             const ShapeSketch outline = shapes.sketch(at, {}, m_reading.unitNm());
+            const bool areApart = layer.drawn.outline.isEmpty() || !boxOf(layer.drawn.outline).meets(boxOf(outline));
+            if (!areApart && !outline.isEmpty()) {
+                m_reading.report(Severity::Info, at.line(),
+                                 "outlines of a layer that may meet are united, with straight edges within 1 µm");
+            }
             layer.drawn.outline = layer.drawn.outline.isEmpty() ? outline : united(layer.drawn.outline, outline);
         } else if (at.name() == "SpecRef") {
             const Spec* const spec = specs.find(at);
