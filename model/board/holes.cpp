@@ -252,7 +252,7 @@ std::vector<bool> microviasOf(const Document& document) {
     return isMicrovia;
 }
 
-std::vector<BoardElement> holesOf(const Document& board, const DrillRow& row) {
+std::vector<BoardElement> holesOf(const Document& board, std::span<const DrillRow> rows) {
     const StepTree tree = unfoldCopies(board);
     std::vector<std::vector<DrillRow>> tables;
     for (const Document* step : tree.steps) {
@@ -263,7 +263,8 @@ std::vector<BoardElement> holesOf(const Document& board, const DrillRow& row) {
         const StepCopy& copy = tree.copies[i];
         const Document& step = *tree.steps[copy.step];
         for (const DrillRow& own : tables[copy.step]) {
-            if (areAlike(ofCopy(step, own, copy.isFlipped), row)) {
+            const DrillRow drilled = ofCopy(step, own, copy.isFlipped);
+            if (std::ranges::any_of(rows, [&](const DrillRow& row) { return areAlike(drilled, row); })) {
                 addHoles(step, own, i, holes);
             }
         }

@@ -56,7 +56,7 @@ struct DrillRow {
 [[nodiscard]] HoleSpan spanOf(const Document& document, ElementId hole);
 /// Which elements are plated holes with HoleSpan::Micro, by element.
 [[nodiscard]] std::vector<bool> microviasOf(const Document& document);
-/// The holes that a row of `drillTableWithCopies` counts, in rising order.
-[[nodiscard]] std::vector<BoardElement> holesOf(const Document& board, const DrillRow& row);
+/// The holes that rows of `drillTableWithCopies` count, in rising order.
+[[nodiscard]] std::vector<BoardElement> holesOf(const Document& board, std::span<const DrillRow> rows);
 
 }  // namespace model

@@ -1,6 +1,7 @@
 #include "ui/statistics/drill_model.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace ui {
 
@@ -23,13 +24,10 @@ void DrillModel::setDocument(std::shared_ptr<const model::Document> document) {
 }
 
 std::vector<model::BoardElement> DrillModel::holesIn(const std::vector<int>& rows) const {
-    std::vector<model::BoardElement> holes;
-    for (const int row : rows) {
-        const auto ofRow = model::holesOf(*m_document, m_rows[static_cast<std::size_t>(row)]);
-        holes.insert(holes.end(), ofRow.begin(), ofRow.end());
-    }
-    std::ranges::sort(holes);
-    return holes;
+    std::vector<model::DrillRow> chosen;
+    std::ranges::transform(rows, std::back_inserter(chosen),
+                           [&](int row) { return m_rows[static_cast<std::size_t>(row)]; });
+    return chosen.empty() ? std::vector<model::BoardElement>() : model::holesOf(*m_document, chosen);
 }
 
 Cell DrillModel::cell(int at, int column) const {
