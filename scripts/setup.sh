@@ -115,10 +115,11 @@ announce() {
 
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
 
-# Never removes a package to make room for ours, waits for another apt to finish, asks nothing.
+# Never removes a package to make room for ours, waits for another apt to finish, asks nothing, and keeps files of settings that were changed.
 apt_get() {
     as_root env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 \
-        apt-get -y -q --no-remove -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 "$@" \
+        apt-get -y -q --no-remove -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 \
+        -o Dpkg::Options::=--force-confdef -o Dpkg::Options::=--force-confold "$@" \
         >>"$root/build/setup.log" 2>&1 </dev/null
 }
 
