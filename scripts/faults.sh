@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Refuses memory of host and device, fills disks and loses devices at one moment after another: scripts/faults.sh [--thorough] [--write]
+# Refuses memory of host and device, fills disks, lets reads fail and loses devices at one moment after another: scripts/faults.sh [--thorough] [--write]
 # Fails where something is lost, left or only half there. --thorough tries each moment, otherwise a sample of them. With --write how many
 # faults were injected goes into docs/reliability.md.
 set -euo pipefail
@@ -7,7 +7,7 @@ root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 # shellcheck source-path=SCRIPTDIR
 . "$root/scripts/reliability.sh"
 
-readonly tests=(scarce_memory_test whole_or_nothing_test faults_test)
+readonly tests=(scarce_memory_test whole_or_nothing_test failing_reads_test faults_test)
 writes="" how=""
 while [ $# -gt 0 ]; do
     case $1 in

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <optional>
 
 #include "model/base/ascii.h"
+#include "model/base/limits.h"
 #include "model/formats/board_forms.h"
 #include "model/formats/file_kinds.h"
 #include "model/formats/gerber/gerber_reader.h"
@@ -124,11 +126,18 @@ base::Status putChosenFirst(Forms& forms, const ReadOptions& options, const fs::
     return base::Done{};
 }
 
-std::string readHead(const fs::path& path) {
+/// How a file begins; nothing of a folder. Errors: BadInput for a file that cannot be read.
+base::Result<std::string> readHead(const fs::path& path) {
     std::error_code error;
-    std::string head(fs::is_regular_file(path, error) ? kHeadBytes : 0, '\0');
+    if (!fs::is_regular_file(path, error)) {
+        return std::string();
+    }
+    std::string head(kHeadBytes, '\0');
     std::ifstream in(path, std::ios::binary);
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    if (!in.is_open() || in.bad()) {
+        return badInput(path, "the file cannot be read");
+    }
     head.resize(static_cast<std::size_t>(in.gcount()));
     return head;
 }
@@ -137,7 +146,28 @@ bool isArchive(std::string_view head) {
     return likelyKind(head).ends_with("archive");
 }
 
+/// Why one of the first files of a folder cannot be read: it may have been the board.
+std::optional<base::Error> unreadFileOf(const formats::Archive& folder) {
+    constexpr std::size_t kFirst = 64;
+    constexpr std::uint64_t kMostBytes = 16 * base::kMiB;
+    std::size_t count = 0;
+    for (const auto& [path, row] : folder.rows()) {
+        if (++count > kFirst) {
+            break;
+        }
+        const base::Result<formats::Bytes> bytes =
+            folder.storedSize(row) <= kMostBytes ? folder.bytes(row) : formats::Bytes();
+        if (!bytes) {
+            return bytes.error();
+        }
+    }
+    return std::nullopt;
+}
+
 base::Error unknown(const BoardInput& input) {
+    if (const auto unread = input.archive ? unreadFileOf(*input.archive) : std::nullopt) {
+        return *unread;
+    }
     std::error_code error;
     const bool isFolder = fs::is_directory(input.path, error);
     std::string kind = isFolder                                  ? "a folder"
@@ -206,7 +236,8 @@ base::Result<std::shared_ptr<const Document>> readPart(BoardInput& input, const 
 base::Result<std::shared_ptr<const Document>> readForm(BoardInput& input, const BoardForm& form,
                                                        const ReadOptions& options, base::Progress& progress) {
     if (form.path != input.path) {
-        BoardInput inner{form.path, readHead(form.path), {}, std::move(input.unpacking), input.reading, input.limits};
+        ASSIGN_OR_RETURN(std::string head, readHead(form.path));
+        BoardInput inner{form.path, std::move(head), {}, std::move(input.unpacking), input.reading, input.limits};
         if (isOf(*form.format, inner)) {
             return form.format->read(inner, options, progress);
         }
@@ -232,7 +263,8 @@ base::Result<ReadBoard> readAsItIs(const fs::path& path, const ReadOptions& opti
     if (!fs::exists(path, error)) {
         return badInput(path, "there is no such file or folder");
     }
-    BoardInput input{path, readHead(path), {}, {}, {}, options.limits};
+    ASSIGN_OR_RETURN(std::string head, readHead(path));
+    BoardInput input{path, std::move(head), {}, {}, {}, options.limits};
     if (const BoardFormat* format = formatOf(input)) {
         Forms itself{{format, path}};
         RETURN_IF_ERROR(putChosenFirst(itself, options, path));

@@ -87,17 +87,27 @@ base::Status applyMap(const fs::path& path, const formats::ReadOptions& options,
     return base::Done{};
 }
 
+/// Why there is no image. What is neither image nor netlist is not parsed: an error of such a file is that it cannot be
+/// read.
+base::Error noImage(const std::vector<ReadFile>& files, const fs::path& path) {
+    bool hasJobFile = false;
+    for (const ReadFile& file : files) {
+        if (file.kind == ReadFile::Kind::Other && file.diagnostics.count(Severity::Error) > 0) {
+            return {base::ErrorCode::BadInput, file.diagnostics.entries().front().text};
+        }
+        hasJobFile = hasJobFile || file.kind == ReadFile::Kind::Job;
+    }
+    return {base::ErrorCode::BadInput, path.string() + ": " +
+                                           (hasJobFile ? "the job file lists images, but none of them is beside it"
+                                                       : "there is no Gerber image and no drill file in it")};
+}
+
 /// `options`: none if no layer map counts.
 base::Result<AssignedFiles> assign(std::vector<ReadFile> files, const fs::path& path,
                                    const formats::ReadOptions* options) {
     AssignedFiles job{std::move(files), {}, {}};
     if (std::ranges::none_of(job.files, &ReadFile::isImage)) {
-        const bool hasJobFile =
-            std::ranges::any_of(job.files, [](const ReadFile& file) { return file.kind == ReadFile::Kind::Job; });
-        return base::Error{base::ErrorCode::BadInput,
-                           path.string() + ": " +
-                               (hasJobFile ? "the job file lists images, but none of them is beside it"
-                                           : "there is no Gerber image and no drill file in it")};
+        return noImage(job.files, path);
     }
     assignRoles(job.files, factsOf(job.files));
     if (options != nullptr) {
