@@ -402,6 +402,9 @@ void MainWindow::restoreSettings() {
     restoreGeometry(m_settings.windowGeometry());
     std::ranges::for_each(m_features.restorers, [](const auto& restore) { restore(); });
     statusBar()->clearMessage();
+    if (!m_settings.areKept()) {
+        m_workspace.report(tr("Settings cannot be saved: %1 cannot be written").arg(m_settings.place()));
+    }
 }
 
 void MainWindow::resetSettings() {

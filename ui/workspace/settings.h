@@ -69,6 +69,11 @@ public:
     [[nodiscard]] bool knowsOfSoftwareDevice() const { return m_store.value("window/knows software device").toBool(); }
     void setKnowsOfSoftwareDevice() { m_store.setValue("window/knows software device", true); }
 
+    /// False: the system does not let them be written, so they end with the program.
+    [[nodiscard]] bool areKept() const { return m_store.isWritable(); }
+    /// Where they are kept, in words of the system.
+    [[nodiscard]] QString place() const { return m_store.fileName(); }
+
     /// Forgets everything.
     void reset() { m_store.clear(); }
 

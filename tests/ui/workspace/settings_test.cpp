@@ -44,6 +44,15 @@ private slots:
         QCOMPARE(settings.lastFolder(), "/boards");
     }
 
+    void whatCannotBeWrittenIsKeptForThisRunAlone() {
+        QVERIFY(Settings(iniFile()).areKept());
+        Settings settings(QStringLiteral("/dev/null/folder/settings.ini"));
+        QVERIFY(!settings.areKept());
+        QCOMPARE(settings.place(), "/dev/null/folder/settings.ini");
+        settings.choose(ui::Theme::Dark);
+        QCOMPARE(settings.choice<ui::Theme>(), ui::Theme::Dark);
+    }
+
     void unknownWordsFallBackToTheDefault() {
         {
             QSettings store(iniFile(), QSettings::IniFormat);
