@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <span>
 #include <vector>
 
 #include "tests/soak/action_log.h"
@@ -16,6 +17,9 @@ namespace {
 /// A cycle may leave this much; what is kept once (lists of fonts, of recent boards) is spread over few cycles.
 constexpr double kHeapBytesPerCycle = 16e3;
 constexpr double kResidentBytesPerCycle = 100e3;
+/// Of the most that the first half took on the device. Which frames are drawn and which are left out differs on a busy
+/// machine, and so do the lists that are made as large as the largest frame needs.
+constexpr double kDeviceShare = 0.01;
 constexpr std::size_t kLeastCycles = 8;
 
 /// The middle of the slopes between all pairs (Theil and Sen): a cycle that happened to end with more or less than the
@@ -34,14 +38,9 @@ double growthPerCycle(const std::vector<Resources>& cycles, const Value& valueOf
     return *middle;
 }
 
-/// By how much the most in the second half is above the most in the first: whether a board is on the device when a
-/// cycle ends differs, and what it takes there does not.
-double growthOfMost(const std::vector<Resources>& cycles) {
-    const auto middle = cycles.begin() + static_cast<std::ptrdiff_t>(cycles.size() / 2);
-    const auto mostOf = [](auto from, auto end) {
-        return static_cast<double>(std::ranges::max_element(from, end, {}, &Resources::deviceBytes)->deviceBytes);
-    };
-    return mostOf(middle, cycles.end()) - mostOf(cycles.begin(), middle);
+/// The most that these cycles took on the device: whether a board is there when a cycle ends differs.
+double mostOnDevice(std::span<const Resources> cycles) {
+    return static_cast<double>(std::ranges::max_element(cycles, {}, &Resources::deviceBytes)->deviceBytes);
 }
 
 std::string deviceName(Driver& driver) {
@@ -82,7 +81,9 @@ private:
     bool print() {
         const double heap = growthPerCycle(m_kept, [](const Resources& now) { return now.heapBytes; });
         const double resident = growthPerCycle(m_kept, [](const Resources& now) { return now.residentBytes; });
-        const double device = growthOfMost(m_all);
+        const std::span<const Resources> all(m_all);
+        const double firstHalf = mostOnDevice(all.first(all.size() / 2));
+        const double device = mostOnDevice(all.subspan(all.size() / 2)) - firstHalf;
         const double handles = growthPerCycle(m_kept, [](const Resources& now) { return now.handles; });
         const double threads = growthPerCycle(m_kept, [](const Resources& now) { return now.threads; });
         std::printf("cycles: %zu of %zu boards on %s\n", m_all.size(), m_options.boards.size(),
@@ -94,8 +95,8 @@ private:
             resident / 1e3, heap / 1e3, handles, threads, device / 1e3);
         return isAtMost("the heap grows", heap, kHeapBytesPerCycle) &&
                isAtMost("memory grows", resident, kResidentBytesPerCycle) &&
-               isAtMost("device memory grows", device, 0.0) && isAtMost("handles are left open", handles, 0.01) &&
-               isAtMost("threads are left", threads, 0.01);
+               isAtMost("device memory grows", device, firstHalf * kDeviceShare) &&
+               isAtMost("handles are left open", handles, 0.01) && isAtMost("threads are left", threads, 0.01);
     }
 
     static bool isAtMost(const char* otherwise, double value, double limit) {
