@@ -1,7 +1,10 @@
 #include "ui/nets/nets_feature.h"
 
 #include <QSlider>
+#include <QStatusBar>
 #include <algorithm>
+
+#include "ui/nets/hidden_nets_badge.h"
 
 namespace ui {
 
@@ -17,6 +20,8 @@ NetsFeature::NetsFeature(FeatureContext& context)
     m_nets.setStyles(m_styles);
     m_panel = new NetsPanel(m_nets, m_selection, m_styles, context.actions);
     context.addPanel({ActionId::ShowNetsDock, "nets", tr("Nets"), Qt::LeftDockWidgetArea}, *m_panel);
+    context.window.statusBar()->addPermanentWidget(
+        new HiddenNetsBadge(m_styles, context.actions[ActionId::ShowAllNets]));
     connectCommands(context);
     connectPanel(context);
     connectDimming(context.actions[ActionId::DimOthers]);

@@ -8,6 +8,7 @@
 #include <QSlider>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolButton>
 #include <QtTest>
 
 #include "tests/locations.h"
@@ -222,6 +223,24 @@ private slots:
         QCOMPARE(window().netStyles().state().size(), window().document()->nets.size() - 1);
         window().actions()[ActionId::Undo].trigger();
         QVERIFY(window().netStyles().state().empty());
+    }
+
+    void thatNetsAreHiddenIsSeenAlsoWhenTheBoardIsOpenedAgain() {
+        openCopy();
+        const auto badge = [&] { return window().findChild<QToolButton*>("hiddenNets"); };
+        QVERIFY(!badge()->isVisible());
+        window().selection().setNets({gnd()});
+        m_fixture->key(Qt::Key_I, Qt::ShiftModifier);
+        const QString text = QString("%L1 nets hidden").arg(window().document()->nets.size() - 1);
+        QVERIFY(badge()->isVisible());
+        QCOMPARE(badge()->text(), text);
+        m_fixture->restart();
+        open(QString::fromStdString(m_job.string()));
+        QVERIFY(badge()->isVisible());
+        QCOMPARE(badge()->text(), text);
+        QTest::mouseClick(badge(), Qt::LeftButton);
+        QVERIFY(window().netStyles().state().empty());
+        QVERIFY(!badge()->isVisible());
     }
 
     void theContextMenuHasTheCommandsForTheRows() {
