@@ -40,6 +40,11 @@ Probing::Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, Layer
             [this](base::PointD nm, model::LayerId layer) { showPosition(nm, layer); });
     m_rest.setSingleShot(true);
     connect(&m_rest, &QTimer::timeout, this, &Probing::hover);
+    connect(&m_selection, &SelectionModel::hoverChanged, this, [this] {
+        if (!m_selection.hovered()) {
+            QToolTip::hideText();
+        }
+    });
     qApp->installEventFilter(this);
     connect(&nets, &NetStyles::changed, this, &Probing::hideNets);
     connect(&nets, &NetStyles::changed, this, &Probing::endHiddenHover);
@@ -198,7 +203,6 @@ void Probing::hover() {
     const std::vector<model::Hit> hits = hitsAt(*m_hoverView, m_hoverAt);
     if (hits.empty()) {
         m_selection.hover(std::nullopt);
-        QToolTip::hideText();
         return;
     }
     m_selection.hover(hits.front().at);
@@ -215,7 +219,6 @@ void Probing::endStaleHover(BoardView& view) {
         const std::vector<model::Hit> hits = hitsAt(view, m_hoverAt);
         if (hits.empty() || hits.front().at != *before) {
             m_selection.hover(std::nullopt);
-            QToolTip::hideText();
         }
     }
 }
@@ -239,12 +242,12 @@ void Probing::hoverAgain(const BoardView& view) {
         return;
     }
     m_selection.hover(std::nullopt);
-    QToolTip::hideText();
     if (view.controller().isDragging()) {
         m_rest.stop();
         m_hoverView = nullptr;
     } else {
         m_rest.start(view.isSlow() ? kSlowRestMs : kRestMs);
+        announceLocation(view, m_hoverAt);
     }
 }
 
@@ -343,7 +346,7 @@ void Probing::show(BoardView& view, std::span<const model::BoardElement> element
         const model::StepCopy& copy = m_selection.tree().copies[at.copy];
         const model::Document& step = m_selection.stepOf(at);
         const model::Box box = copy.placement.boxOf(step.boxOf(at.element));
-        const model::LayerId layer = step.layerOfCopy(step.elements.layer[at.element.row()], copy.isFlipped);
+        const model::LayerId layer = m_selection.layerOf(at);
         const render::ZRange z = layer.row() < heights.size() ? heights[layer.row()] : render::ZRange{};
         const glm::vec3 a = position().toModel(base::toDouble(box.min));
         const glm::vec3 b = position().toModel(base::toDouble(box.max));

@@ -237,6 +237,19 @@ private slots:
         QVERIFY(window().label("position").isEmpty());
     }
 
+    void thePositionIsThatUnderThePointerHoweverTheBoardMoves() {
+        BoardView& view = views().flat();
+        const QPointF at(view.width() * 0.4, view.height() * 0.4);
+        mouse(view, QEvent::MouseMove, Qt::NoButton, at);
+        for (const ActionId id : {ActionId::Flip, ActionId::ZoomIn, ActionId::ViewTop}) {
+            const QString before = window().label("position");
+            window().actions()[id].trigger();
+            const base::PointD nm = view.locationAt(at);
+            QVERIFY(window().label("position") != before);
+            QVERIFY(window().label("position").startsWith(ui::positionText(nm.x, nm.y, ui::LengthUnit::Millimetre)));
+        }
+    }
+
     void hoveringEndsWhenThePointerOrTheBoardMovesAway() {
         const model::ElementId pad = aPad();
         BoardView& view = views().flat();
@@ -402,7 +415,7 @@ private slots:
     }
 
     void nothingIsPickedInViewsThatWaitForTheirBoard() {
-        QObject other;  // something else has the device
+        QObject other;                                           // something else has the device
         QTRY_VERIFY(m_fixture->context().turns().begin(other));  // after the picture that is being made, if any
         views().setArrangement(ui::Arrangement::Solid);  // the flat view would show the board without the device
         window().open(m_fixture->copyOfJob("everything"));
