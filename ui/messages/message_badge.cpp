@@ -5,6 +5,7 @@
 #include <QPixmap>
 
 #include "ui/common/severity_colour.h"
+#include "ui/common/trouble_text.h"
 #include "ui/messages/message_model.h"
 
 namespace ui {
@@ -20,17 +21,6 @@ QIcon dot(const QColor& colour, int pixels) {
     painter.setBrush(colour);
     painter.drawEllipse(QRectF(0.5, 0.5, pixels - 1.0, pixels - 1.0));
     return picture;
-}
-
-QString countText(std::size_t errors, std::size_t warnings) {
-    QStringList parts;
-    if (errors > 0) {
-        parts += errors == 1 ? MessageBadge::tr("1 error") : MessageBadge::tr("%L1 errors").arg(errors);
-    }
-    if (warnings > 0) {
-        parts += warnings == 1 ? MessageBadge::tr("1 warning") : MessageBadge::tr("%L1 warnings").arg(warnings);
-    }
-    return parts.isEmpty() ? MessageBadge::tr("No warnings") : parts.join(QStringLiteral(", "));
 }
 
 }  // namespace
@@ -53,7 +43,7 @@ MessageBadge::MessageBadge(const MessageModel& messages, QAction& panel, QWidget
 void MessageBadge::refresh() {
     const std::size_t errors = m_messages.count(model::Severity::Error);
     const std::size_t warnings = m_messages.count(model::Severity::Warning);
-    setText(countText(errors, warnings));
+    setText(errors + warnings == 0 ? tr("No warnings") : troubleText(errors, warnings));
     setToolTip(tr("What was skipped, repaired or assumed while the board was opened or exported, or left out of "
                   "its rules: %L1 messages. Click to list them")
                    .arg(m_messages.rowCount()));

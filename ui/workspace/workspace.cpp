@@ -7,6 +7,7 @@
 
 #include "ui/common/paths.h"
 #include "ui/common/texts.h"
+#include "ui/common/trouble_text.h"
 
 namespace ui {
 
@@ -17,10 +18,8 @@ QString timeText(double seconds) {
                          : Workspace::tr("%1 s").arg(QLocale().toString(seconds, 'f', 1));
 }
 
-/// Errors count as warnings: the board is open after all.
-std::size_t warningsOf(const model::Diagnostics& diagnostics) {
-    const auto isWarning = [](const model::Diagnostic& entry) { return entry.severity != model::Severity::Info; };
-    return static_cast<std::size_t>(std::ranges::count_if(diagnostics.entries(), isWarning));
+std::size_t countOf(const LoadedBoard& board, model::Severity severity) {
+    return board.document->diagnostics.count(severity) + board.model->diagnostics.count(severity);
 }
 
 /// Those of the job, without what we add (board body, bodies of components, solder mask).
@@ -38,12 +37,12 @@ QString summaryOf(const LoadedBoard& board) {
     const auto counted = [](std::size_t count, const QString& one, const QString& many) {
         return (count == 1 ? one : many).arg(QLocale().toString(static_cast<qulonglong>(count)));
     };
-    const std::size_t warnings = warningsOf(board.document->diagnostics) + warningsOf(board.model->diagnostics);
     return Workspace::tr("Opened %1: %2, %3, %4, in %5")
         .arg(displayName(board.request.path),
              counted(layersOfJob(*board.document), Workspace::tr("%1 layer"), Workspace::tr("%1 layers")),
              counted(elementsOfJob(*board.document), Workspace::tr("%1 element"), Workspace::tr("%1 elements")),
-             counted(warnings, Workspace::tr("%1 warning"), Workspace::tr("%1 warnings")), timeText(board.seconds));
+             troubleText(countOf(board, model::Severity::Error), countOf(board, model::Severity::Warning)),
+             timeText(board.seconds));
 }
 
 }  // namespace
