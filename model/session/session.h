@@ -95,6 +95,7 @@ struct Desk {
     Pose solid;
     std::string unit;  ///< of lengths: "mm", "mil", "in"
     std::vector<LayerState> layers;
+    std::string solo{};  ///< the layer that is shown alone; empty: none
     bool operator==(const Desk&) const = default;
 };
 

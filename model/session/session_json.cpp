@@ -160,15 +160,20 @@ Desk deskFrom(const Json& json) {
     Desk desk{json.at("step"), poseFrom(json.at("flat")), poseFrom(json.at("solid")), json.at("unit"),
               listFrom(json.at("layers"), layerFrom)};
     require(desk.unit == "mm" || desk.unit == "mil" || desk.unit == "in");
+    desk.solo = json.value("solo", std::string());
     return desk;
 }
 
 Json toJson(const Desk& desk) {
-    return {{"step", desk.step},
-            {"flat", toJson(desk.flat)},
-            {"solid", toJson(desk.solid)},
-            {"unit", desk.unit},
-            {"layers", listJson(desk.layers, [](const LayerState& layer) { return toJson(layer); })}};
+    Json json = {{"step", desk.step},
+                 {"flat", toJson(desk.flat)},
+                 {"solid", toJson(desk.solid)},
+                 {"unit", desk.unit},
+                 {"layers", listJson(desk.layers, [](const LayerState& layer) { return toJson(layer); })}};
+    if (!desk.solo.empty()) {
+        json["solo"] = desk.solo;
+    }
+    return json;
 }
 
 SectionPosition positionFrom(const Json& at, const std::string& on) {

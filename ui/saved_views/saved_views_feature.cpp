@@ -184,9 +184,17 @@ void SavedViewsFeature::saveDesk() {
                             QString::fromStdString(session::sessionPath(board.request.path).string()));
 }
 
+std::string SavedViewsFeature::nameOf(model::LayerId layer) const {
+    return layer.isValid() ? m_workspace.board()->document->layer(layer).name : std::string();
+}
+
 session::Desk SavedViewsFeature::desk() const {
-    return {m_workspace.board()->document->job.step, poseOf(m_views.flat().controller()),
-            poseOf(m_views.solid().controller()), unitName(m_workspace.unit()), m_layers.states()};
+    return {m_workspace.board()->document->job.step,
+            poseOf(m_views.flat().controller()),
+            poseOf(m_views.solid().controller()),
+            unitName(m_workspace.unit()),
+            m_layers.states(),
+            nameOf(m_layers.soloLayer())};
 }
 
 void SavedViewsFeature::keep(const LoadedBoard& next) {
@@ -197,15 +205,7 @@ void SavedViewsFeature::keep(const LoadedBoard& next) {
         board.format != next.format || !m_workspace.isOpen(next.document->job.step)) {
         return;
     }
-    const auto nameOf = [&](model::LayerId layer) {
-        return layer.isValid() ? board.document->layer(layer).name : std::string();
-    };
-    m_kept = Kept{desk(),
-                  {},
-                  selection.title(),
-                  nameOf(m_workspace.currentLayer()),
-                  nameOf(m_layers.soloLayer()),
-                  board.model->origin};
+    m_kept = Kept{desk(), {}, selection.title(), nameOf(m_workspace.currentLayer()), board.model->origin};
     const bool isFew = selection.selected().size() <= session::kMostSavedElements;
     m_kept->selection = session::saveSelection(
         selection.tree(), isFew ? selection.selected() : std::vector<model::BoardElement>{}, selection.nets());
@@ -220,15 +220,15 @@ void SavedViewsFeature::keep(const LoadedBoard& next) {
         rename(element.layer);
     }
     rename(m_kept->currentLayer);
-    rename(m_kept->soloLayer);
+    rename(m_kept->desk.solo);
 }
 
-void SavedViewsFeature::restoreLayers(const model::Document& board, const Kept& kept) {
-    m_layers.setStates(kept.desk.layers);
+void SavedViewsFeature::restoreLayers(const model::Document& board, const session::Desk& desk) {
+    m_layers.setStates(desk.layers);
     LayerSettings settings = m_layers.settings();
-    settings.solo = board.findLayer(kept.soloLayer);
+    settings.solo = board.findLayer(desk.solo);
     m_layers.setSettings(settings);
-    m_workspace.setCurrentLayer(board.findLayer(kept.currentLayer));
+    m_workspace.setCurrentLayer(settings.solo);
 }
 
 void SavedViewsFeature::restoreKept(const LoadedBoard& board) {
@@ -238,7 +238,8 @@ void SavedViewsFeature::restoreKept(const LoadedBoard& board) {
         pose.target[1] += base::toMm(static_cast<double>(kept.origin.y - board.model->origin.y));
         return pose;
     };
-    restoreLayers(*board.document, kept);
+    restoreLayers(*board.document, kept.desk);
+    m_workspace.setCurrentLayer(board.document->findLayer(kept.currentLayer));
     setCameras(moved(kept.desk.flat), moved(kept.desk.solid));
     SelectionModel& selection = m_workspace.selection();
     session::FoundSelection found = session::findSelection(selection.tree(), kept.selection);
@@ -257,7 +258,7 @@ void SavedViewsFeature::restoreDesk(const LoadedBoard& board) {
     }
     const std::optional<session::Desk>& desk = board.session.desk;
     if (desk && m_workspace.isOpen(desk->step)) {
-        m_layers.setStates(desk->layers);
+        restoreLayers(*board.document, *desk);
         setCameras(desk->flat, desk->solid);
         showUnit(unitNamed(desk->unit));
     } else {

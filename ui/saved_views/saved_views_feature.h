@@ -31,7 +31,6 @@ private:
         model::session::SavedSelection selection;
         QString title;             ///< of the selection
         std::string currentLayer;  ///< its name; empty for none
-        std::string soloLayer;     ///< likewise
         base::Point origin;        ///< nm of the board, that the cameras count from
     };
 
@@ -42,10 +41,12 @@ private:
     /// Shows what was saved for this step of the board, or what was shown before the same board was read anew.
     void restoreDesk(const LoadedBoard& board);
     [[nodiscard]] model::session::Desk desk() const;
+    /// Empty for none.
+    [[nodiscard]] std::string nameOf(model::LayerId layer) const;
     /// Keeps what is shown and selected if the next board is the same one, read anew.
     void keep(const LoadedBoard& next);
     void restoreKept(const LoadedBoard& board);
-    void restoreLayers(const model::Document& board, const Kept& kept);
+    void restoreLayers(const model::Document& board, const model::session::Desk& desk);
     void showUnit(LengthUnit unit);
     void setCameras(const model::session::Pose& flat, const model::session::Pose& solid);
     void select(const model::session::SavedView& saved);

@@ -137,6 +137,16 @@ private slots:
         QVERIFY(window().layers().effectiveStyles()[0].colour != QColor(10, 20, 30));
     }
 
+    void aLayerShownAloneIsSavedToo() {
+        const model::LayerId top = window().document()->findLayer("TOP");
+        window().layers().toggleSolo(top);
+        m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QCOMPARE(window().layers().soloLayer(), top);
+        QCOMPARE(window().workspace().currentLayer(), top);
+    }
+
     void aSelectionIsKeptAndSelectedAgain() {
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(names().isEmpty());  // nothing is selected

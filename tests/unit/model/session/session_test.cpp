@@ -44,7 +44,8 @@ model::session::Desk desk() {
             {{1.5, -2.25, 0.1}, 30.0, 0.0, -90.0, true},
             {{0, 0, 0}, 80.5, 33.0, -40.0, false},
             "mil",
-            {{"TOP", false, 40, 0x0a80ffU}, {"SMT", true, 100, std::nullopt}}};
+            {{"TOP", false, 40, 0x0a80ffU}, {"SMT", true, 100, std::nullopt}},
+            "SMT"};
 }
 
 SavedView selectionOf(std::vector<model::session::SavedElement> elements) {
