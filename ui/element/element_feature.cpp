@@ -12,16 +12,11 @@ namespace {
 void follow(ElementPanel::Link link, Workspace& workspace, PartPicking& parts) {
     SelectionModel& selection = workspace.selection();
     const model::BoardElement at = *selection.current();
-    const model::Document& step = selection.stepOf(at);
     switch (link) {
         case ElementPanel::Link::Net: selection.setNets({*selection.netOf(at)}); break;
         case ElementPanel::Link::Pin: parts.selectPinOf(at); break;
         case ElementPanel::Link::Component: parts.selectComponentOf(at); break;
-        case ElementPanel::Link::Layer: {
-            const bool isFlipped = selection.tree().copies[at.copy].isFlipped;
-            workspace.setCurrentLayer(step.layerOfCopy(step.elements.layer[at.element.row()], isFlipped));
-            break;
-        }
+        case ElementPanel::Link::Layer: workspace.setCurrentLayer(selection.layerOf(at)); break;
     }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/layers/board_colour_menu.h"
+#include "ui/layers/current_layer.h"
 #include "ui/layers/layer_sets.h"
 #include "ui/layers/layer_step.h"
 #include "ui/layers/layers_panel.h"
@@ -55,10 +56,12 @@ void addLayers(FeatureContext& context) {
     addComponentSwitch(context);
     context.on(ActionId::RestoreLayers, [&layers] { layers.restoreDefaults(); });
     context.on(ActionId::SoloLayer, [&layers, &workspace] {
-        if (!workspace.currentLayer().isValid() && !layers.soloLayer().isValid()) {
+        const bool isSolo = layers.soloLayer().isValid();
+        const model::LayerId layer = isSolo ? workspace.currentLayer() : takeCurrentLayer(workspace);
+        if (!isSolo && !layer.isValid()) {
             workspace.report(LayersPanel::tr("Choose in Layers which one to show alone"));
         }
-        layers.toggleSolo(workspace.currentLayer());
+        layers.toggleSolo(layer);
     });
     context.on(ActionId::NextLayer, panel, [panel] { panel->step(1); });
     context.on(ActionId::PreviousLayer, panel, [panel] { panel->step(-1); });
@@ -66,6 +69,9 @@ void addLayers(FeatureContext& context) {
     context.on(ActionId::BottomCopper, panel, [panel] { panel->goToOuterCopper(false); });
     QObject::connect(&layers, &LayerModel::edited, &workspace, [&layers, &workspace](const LayerEdit& edit) {
         workspace.history().push(new LayerStep(layers, edit));
+        if (layers.soloLayer().isValid()) {
+            workspace.setCurrentLayer(layers.soloLayer());
+        }
     });
     const auto report = [panel, &workspace] { workspace.setCurrentLayer(panel->currentLayer()); };
     QObject::connect(panel, &LayersPanel::currentChanged, &workspace, report);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "model/board/layers.h"
 #include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
 #include "ui/layers/layer_name_delegate.h"
@@ -162,11 +163,14 @@ void LayersPanel::makeCurrent(model::LayerId layer) {
 }
 
 void LayersPanel::step(int by) {
+    if (!currentLayer().isValid()) {
+        goToOuterCopper(true);
+        return;
+    }
     const bool isSolo = m_model.soloLayer().isValid();
     const std::vector<bool> isVisible = m_model.visibility();
     const auto count = static_cast<int>(isVisible.size());
-    const model::LayerId current = currentLayer();
-    for (int row = current.isValid() ? static_cast<int>(current.row()) + by : 0; row >= 0 && row < count; row += by) {
+    for (int row = static_cast<int>(currentLayer().row()) + by; row >= 0 && row < count; row += by) {
         if (isVisible[static_cast<std::size_t>(row)] || isSolo) {
             makeCurrent(model::LayerId{static_cast<std::size_t>(row)});
             return;
@@ -178,14 +182,8 @@ void LayersPanel::goToOuterCopper(bool isTop) {
     if (m_model.document() == nullptr) {
         return;
     }
-    model::LayerId outer;
-    const auto& layers = m_model.document()->layers;
-    for (std::size_t row = 0; row < layers.size(); ++row) {
-        if (layers[row].isCopper() && !(isTop && outer.isValid())) {
-            outer = model::LayerId{row};
-        }
-    }
-    if (outer.isValid()) {
+    const auto face = isTop ? model::LayerSide::Top : model::LayerSide::Bottom;
+    if (const model::LayerId outer = model::outerCopper(*m_model.document(), face); outer.isValid()) {
         m_model.show(outer);
         makeCurrent(outer);
     }

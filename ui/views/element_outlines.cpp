@@ -85,8 +85,7 @@ ElementOutlines::Outline ElementOutlines::outlineOf(const model::BoardElement& a
     const model::Document& step = m_selection.stepOf(at);
     const model::StepCopy& copy = m_selection.tree().copies[at.copy];
     return {OutlineRuns(model::placed(loopsOf(step, at.element, pointsToUnite), copy.placement)),
-            step.layerOfCopy(step.elements.layer[at.element.row()], copy.isFlipped),
-            bodyHeights(step, at.element, copy.isFlipped), false};
+            m_selection.layerOf(at), bodyHeights(step, at.element, copy.isFlipped), false};
 }
 
 void ElementOutlines::updateHovered() {

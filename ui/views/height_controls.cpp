@@ -31,8 +31,7 @@ constexpr QColor kInk(255, 205, 90);
 /// The layer of what is selected; of a highlighted net, its first copper.
 model::LayerId layerOfSelection(const SelectionModel& selection) {
     if (const auto at = selection.current()) {
-        const model::Document& step = selection.stepOf(*at);
-        return step.layerOfCopy(step.elements.layer[at->element.row()], selection.tree().copies[at->copy].isFlipped);
+        return selection.layerOf(*at);
     }
     for (const model::BoardNet& net : selection.nets()) {
         const model::Document& step = *selection.tree().steps[net.step];

@@ -50,10 +50,7 @@ void addElements(QMenu& menu, Workspace& workspace, const std::vector<model::Hit
 }
 
 void addLayer(QMenu& menu, FeatureContext& context, const model::BoardElement& at) {
-    const SelectionModel& selection = context.workspace.selection();
-    const model::Document& step = selection.stepOf(at);
-    const model::LayerId layer =
-        step.layerOfCopy(step.elements.layer[at.element.row()], selection.tree().copies[at.copy].isFlipped);
+    const model::LayerId layer = context.workspace.selection().layerOf(at);
     const QString name = plain(QString::fromStdString(context.workspace.board()->document->layer(layer).name));
     menu.addSeparator();
     menu.addAction(Probing::tr("Only layer %1").arg(name), &context.workspace, [&context, layer] {

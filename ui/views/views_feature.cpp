@@ -3,6 +3,7 @@
 #include <QInputDialog>
 #include <algorithm>
 
+#include "ui/layers/current_layer.h"
 #include "ui/parts/part_picking.h"
 #include "ui/views/element_outlines.h"
 #include "ui/views/element_styles.h"
@@ -42,11 +43,14 @@ void connectBoard(FeatureContext& context) {
     QObject::connect(&views, &BoardViews::deviceGoes, &workspace, &Workspace::deviceGoes);
     const auto setContrast = [&context] {
         const bool isOn = context.actions[ActionId::Contrast].isChecked();
-        context.views.setContrastLayer(isOn ? context.workspace.currentLayer() : model::LayerId{});
+        const model::LayerId solo = context.layers.soloLayer();
+        const model::LayerId layer = solo.isValid() ? solo : context.workspace.currentLayer();
+        context.views.setContrastLayer(isOn ? layer : model::LayerId{});
     };
     context.on(ActionId::Contrast, [&context, setContrast](bool isOn) {
+        const bool hasLayer = isOn && takeCurrentLayer(context.workspace).isValid();
         setContrast();
-        if (isOn && !context.workspace.currentLayer().isValid()) {
+        if (isOn && !hasLayer) {
             context.workspace.report(BoardViews::tr("All layers but the current one fade: choose one in Layers"));
         }
     });

@@ -160,6 +160,11 @@ bool SelectionModel::clearStep() {
     return hadNets;
 }
 
+model::LayerId SelectionModel::layerOf(const model::BoardElement& element) const {
+    const model::Document& step = stepOf(element);
+    return step.layerOfCopy(step.elements.layer[element.element.row()], m_tree.copies[element.copy].isFlipped);
+}
+
 std::uint32_t SelectionModel::firstCopyOf(std::uint32_t step) const {
     return static_cast<std::uint32_t>(std::ranges::find(m_tree.copies, step, &model::StepCopy::step) -
                                       m_tree.copies.begin());

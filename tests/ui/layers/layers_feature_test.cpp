@@ -95,6 +95,36 @@ private slots:
         QCOMPARE(window().layers().boardColours().finish, std::optional(model::SurfaceFinish::Tin));
     }
 
+    void commandsAboutTheCurrentLayerTakeOneWhereThereIsNone() {
+        const model::LayerId top = window().document()->findLayer("TOP");
+        const model::LayerId bottom = window().document()->findLayer("BOTTOM");
+        for (const ActionId id : {ActionId::SoloLayer, ActionId::NextLayer, ActionId::Contrast}) {
+            m_fixture->restart();
+            QVERIFY(m_fixture->openAndWait(m_job));
+            QVERIFY(!window().workspace().currentLayer().isValid());
+            trigger(id);
+            QCOMPARE(window().workspace().currentLayer(), top);
+            QCOMPARE(window().layers().soloLayer().isValid(), id == ActionId::SoloLayer);
+        }
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(m_job));
+        window().selection().select({{0, elementOn(bottom)}});
+        trigger(ActionId::SoloLayer);
+        QCOMPARE(window().layers().soloLayer(), bottom);
+    }
+
+    void theLayerShownAloneIsTheCurrentOneAndStandsOut() {
+        window().layersPanel().select(window().document()->findLayer("TOP"));
+        trigger(ActionId::Contrast);
+        const model::LayerId bottom = window().document()->findLayer("BOTTOM");
+        window().layers().toggleSolo(bottom);
+        QCOMPARE(window().workspace().currentLayer(), bottom);
+        const auto& styles = window().views().flat().styles();
+        for (std::size_t row = 0; row < styles.size(); ++row) {
+            QCOMPARE(styles[row].isVisible, row == bottom.row());
+        }
+    }
+
     void kiCadsKeysGoToOuterCopper() {
         trigger(ActionId::KeysKiCad);
         m_fixture->key(Qt::Key_PageDown);
@@ -170,6 +200,10 @@ private:
         return id;
     }
     void trigger(ActionId id) { window().actions()[id].trigger(); }
+    model::ElementId elementOn(model::LayerId layer) {
+        const auto& layers = window().document()->elements.layer;
+        return model::ElementId{static_cast<std::size_t>(std::ranges::find(layers, layer) - layers.begin())};
+    }
     /// `part`: 0 = solder mask, 1 = silkscreen, 2 = finish.
     void chooseBoardColour(int part, const QString& text) {
         QMenu& menu = *window().findChild<QToolButton*>("boardColours")->menu();
