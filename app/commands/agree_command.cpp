@@ -32,13 +32,19 @@ base::Result<model::AgreementRequest> requestFrom(const AgreeArguments& argument
     return request;
 }
 
-base::Result<std::shared_ptr<const model::Document>> open(const AgreeArguments& arguments, const std::string& path,
-                                                          const std::string& format, base::Progress& progress) {
-    BoardArguments board = arguments.board;
-    board.request.path = path;
-    board.request.noSession = true;
-    board.request.format = format.empty() ? board.request.format : format;
-    return openDocument(board, progress);
+base::Result<model::OpenedBoard> open(const AgreeArguments& arguments, const std::string& path,
+                                      const std::string& format, base::Progress& progress) {
+    model::OpenRequest request = arguments.board.request;
+    request.path = path;
+    request.noSession = true;
+    request.format = format.empty() ? request.format : format;
+    return model::openBoard(request, progress);
+}
+
+/// One of them is enough: a Gerber job is often compared with a board of another format.
+base::Status checkLayerMaps(const model::OpenedBoard& a, const model::OpenedBoard& b) {
+    const base::Status ofA = checkLayerMap(a);
+    return ofA ? ofA : checkLayerMap(b);
 }
 
 // ---- JSON ----
@@ -153,7 +159,9 @@ Outcome runAgree(const AgreeArguments& arguments) {
     ASSIGN_OR_RETURN(const model::AgreementRequest request, requestFrom(arguments));
     ASSIGN_OR_RETURN(const auto a, open(arguments, arguments.a, arguments.formatA, console.progress()));
     ASSIGN_OR_RETURN(const auto b, open(arguments, arguments.b, arguments.formatB, console.progress()));
-    ASSIGN_OR_RETURN(const Agreement agreement, model::compareBoards(*a, *b, request, console.progress()));
+    RETURN_IF_ERROR(checkLayerMaps(a, b));
+    ASSIGN_OR_RETURN(const Agreement agreement,
+                     model::compareBoards(*a.document, *b.document, request, console.progress()));
     arguments.asJson ? printJson(arguments, agreement) : printText(arguments, agreement);
     return agreement.isAgreed() ? int{kDone} : int{kTooClose};
 }

@@ -289,14 +289,16 @@ Outcome runClearance(const ClearanceArguments& arguments) {
     if (arguments.printsRules) {
         ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments, nullptr));
         const model::RulePreset* preset = arguments.tolerance.empty() ? model::findPreset(arguments.rules) : nullptr;
-        print(preset != nullptr ? preset->text : model::commentedJson(table));
+        RETURN_IF_ERROR(deliver(arguments, preset != nullptr ? preset->text : model::commentedJson(table)));
         return int{kDone};
     }
     RETURN_IF_ERROR(checkUsage(arguments));
     ConsoleProgress console;
     ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
     if (arguments.isThroughStackup) {
-        return runThroughStackup(arguments, *board, console.progress());
+        ASSIGN_OR_RETURN(const ThroughStackup found, runThroughStackup(arguments, *board, console.progress()));
+        RETURN_IF_ERROR(deliver(arguments, found.report));
+        return found.code;
     }
     if (!arguments.map.file.empty()) {
         return runClearanceMap(arguments.map, *board, arguments.layer, console.progress());

@@ -119,11 +119,9 @@ void addInputOptions(CLI::App& command, model::OpenRequest& request) {
     addSize(command, "--max-memory", "how much memory may be taken, as 2G; default: what the machine has", limitMemory);
 }
 
-void addModellingOptions(CLI::App& command, BoardArguments& board) {
-    addStep(command, board.request);
+void addChords(CLI::App& command, BoardArguments& board) {
     addNumber(command, "--chord", board.chordUm, 0.5, 50.0,
               "largest distance between a curve and its chords, in micrometres");
-    addNetOptions(command, board.request);
     command.add_flag("--paper-segments", board.paperSegments,
                      "50 segments per circle and 20 per arc, as the paper does");
 }
@@ -133,7 +131,13 @@ void addBoardOptions(CLI::App& command, BoardArguments& board) {
     command.add_flag("--save-session", board.saveSession,
                      "save the set thicknesses in the session file beside the board");
     command.add_option("BOARD", board.request.path, model::describeFormats() + "; default: the sample");
-    addModellingOptions(command, board);
+    addStep(command, board.request);
+    addNetOptions(command, board.request);
+}
+
+/// Of commands that make triangles of a board.
+void addModellingOptions(CLI::App& command, BoardArguments& board) {
+    addChords(command, board);
     addChoice(command, "--triangulator", board.triangulator, {"auto", "cpu", "parallel", "cgal", "gpu"},
               ": what triangulates areas; the triangles are the same");
 }
@@ -143,6 +147,7 @@ void addInfo(CLI::App& parent, Command& chosen) {
         *parent.add_subcommand("info", "Report what a board holds: layers, stackup, nets, elements, messages");
     InfoArguments& arguments = argumentsOf(command, chosen, runInfo);
     addBoardOptions(command, arguments.board);
+    addModellingOptions(command, arguments.board);
     command.add_flag("--json", arguments.asJson, "as JSON");
     command.add_flag("--check-nets", arguments.checkNets, "compare the nets with the copper: opens and shorts");
     command.add_flag("--print-layer-map", arguments.printsLayerMap,
@@ -174,7 +179,7 @@ void addPictureOptions(CLI::App& command, RenderArguments& arguments) {
     command.add_option_function<std::string>(
         "--size", [&arguments](const std::string& text) { parseSize(text, arguments); },
         "WIDTHxHEIGHT in pixels [1600x1000]");
-    addChoice(command, "--mode", arguments.mode, {"2d", "3d"});
+    addChoice(command, "--mode", arguments.mode, {"2d", "3d"}, "; default: 3d, with --window 2d");
     addChoice(command, "--backend", arguments.backend, {"auto", "mesh", "pull", "impostor", "raster"},
               "; raster does not smooth");
     addChoice(command, "--pipeline", arguments.pipeline, {"hybrid", "standard"},
@@ -192,6 +197,7 @@ void addRender(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("render", "Draw a board to a picture");
     RenderArguments& arguments = argumentsOf(command, chosen, runRender);
     addBoardOptions(command, arguments.board);
+    addModellingOptions(command, arguments.board);
     addPictureOptions(command, arguments);
     addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
     addBoardColours(command, arguments);
@@ -260,9 +266,6 @@ void addMapOptions(CLI::App& command, ClearanceMapArguments& map) {
     CLI::Option* file = addFile(command, "--map", map.file,
                                 "writes the spacings between nets of a --layer as a picture (.png) or table (.csv)");
     file->needs(command.get_option("--layer"));
-    for (const char* listing : {"--rules", "--below", "--nets"}) {
-        file->excludes(command.get_option(listing));
-    }
     command.add_option("--reach", map.reach, "of the map: the largest spacing shown, up to 10mm")
         ->capture_default_str()
         ->needs(file);
@@ -331,6 +334,7 @@ void addExport(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("export", "Write a board as solids or drawings for other programs");
     ExportArguments& arguments = argumentsOf(command, chosen, runExport);
     addBoardOptions(command, arguments.board);
+    addChords(command, arguments.board);
     addFile(command, "-o,--output", arguments.output, "the file to write (" + model::exportEndings() + ")")->required();
     addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
     addList(command, "--nets", arguments.nets, "only copper of these nets, separated by commas");
@@ -428,9 +432,6 @@ void addTriangulationBench(CLI::App& command, bool& isWanted, TriangulationBench
     CLI::Option* wanted =
         command.add_flag("--triangulation", isWanted,
                          "all triangulators instead, over areas of boards and generated ones (the paper's Table 6)");
-    for (const char* drawing : {"--pipeline", "--frames"}) {
-        wanted->excludes(command.get_option(drawing));
-    }
     addList(command, "--triangulators", arguments.triangulators,
             "only these of cgal, cpu, parallel and gpu, separated by commas; default: all, gpu only if it is hardware")
         ->check(CLI::IsMember({"cgal", "cpu", "parallel", "gpu"}))
@@ -451,10 +452,6 @@ void addInteractionBench(CLI::App& command, bool& isWanted, InteractionArguments
     CLI::Option* wanted = command.add_flag(
         "--interactive", isWanted,
         "the window instead: how long pan, zoom, orbit, hover, highlight and layers take until they are seen");
-    for (const char* other :
-         {"--pipeline", "--lod", "--only-culled", "--components", "--stages", "--triangulation", "--chord"}) {
-        wanted->excludes(command.get_option(other));
-    }
     command
         .add_option_function<std::string>(
             "--size", [&arguments](const std::string& text) { parseSize(text, arguments.request); },
@@ -468,13 +465,8 @@ void addInteractionBench(CLI::App& command, bool& isWanted, InteractionArguments
 
 /// What it measures, and saves, with --calibrate.
 void addCalibrationBench(CLI::App& command, bool& isWanted) {
-    CLI::Option* wanted = command.add_flag(
-        "--calibrate", isWanted,
-        "the device instead: which back end auto takes for tilted views from now on; the answer is saved");
-    for (const char* other : {"BOARD", "--pipeline", "--lod", "--only-culled", "--components", "--stages", "--frames",
-                              "--triangulation", "--interactive", "--chord"}) {
-        wanted->excludes(command.get_option(other));
-    }
+    command.add_flag("--calibrate", isWanted,
+                     "the device instead: which back end auto takes for tilted views from now on; the answer is saved");
 }
 
 void addBench(CLI::App& parent, Command& chosen) {
@@ -492,7 +484,9 @@ void addBench(CLI::App& parent, Command& chosen) {
     CLI::App& command =
         *parent.add_subcommand("bench", "Measure modelling, memory and frame times (the paper's Tables 2, 4 and 5)");
     command.add_option("BOARD", arguments.boards, "boards, as for info");
-    addModellingOptions(command, arguments.modelling);
+    addStep(command, arguments.modelling.request);
+    addNetOptions(command, arguments.modelling.request);
+    addChords(command, arguments.modelling);
     addChoice(command, "--pipeline", arguments.pipeline, {"both", "hybrid", "standard"});
     addLevels(command, arguments.levels);
     command.add_flag("--only-culled", arguments.onlyCulled, "no frames without culling and level of detail");
@@ -559,6 +553,7 @@ std::shared_ptr<CLI::App> makeCommandLine(int argc, char** argv, Command& chosen
     for (const auto addCommand : kCommands) {
         addCommand(*parser, chosen);
     }
+    limitCombinations(*parser);
     parser->footer(kExitCodes);
     return parser;
 }

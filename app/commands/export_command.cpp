@@ -121,6 +121,18 @@ base::Status sayEstimate(const Document& board, const model::ExportFormat& forma
     return base::Done{};
 }
 
+/// Curves are exact where there are no triangles.
+base::Status checkChords(const model::ExportFormat& format, const ExportArguments& arguments) {
+    const bool isOfTriangles = format.isSolid && !format.isStep;
+    const bool isGiven = arguments.board.paperSegments || arguments.board.chordUm != BoardArguments{}.chordUm;
+    if (isGiven && !isOfTriangles) {
+        return base::Error{ErrorCode::BadUsage, std::string(format.name) +
+                                                    " has the exact curves: --chord and --paper-segments are for files "
+                                                    "of triangles (.glb, .stl, .obj)"};
+    }
+    return base::Done{};
+}
+
 }  // namespace
 
 Outcome runExport(const ExportArguments& arguments) {
@@ -130,6 +142,7 @@ Outcome runExport(const ExportArguments& arguments) {
             ErrorCode::BadUsage,
             arguments.output + ": what the name ends with is the format; it is one of " + model::exportEndings()};
     }
+    RETURN_IF_ERROR(checkChords(*format, arguments));
     ConsoleProgress console;
     const Interrupt interrupt(console.progress());
     ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));

@@ -62,10 +62,91 @@ std::optional<std::string> endlessNumber(const CLI::App& command) {
     return {};
 }
 
+/// What stands before the command is for the workbench.
+std::optional<std::string> misplacedOption(const CLI::App& parser, const CLI::App& command) {
+    for (const CLI::Option* option : parser.get_options()) {
+        if (option->count() > 0) {
+            const std::string what = option->get_positional() ? option->results().front() : option->get_name();
+            return what + " stands before " + command.get_name() + ", which takes what stands behind it";
+        }
+    }
+    return {};
+}
+
+struct Combination {
+    const char* command;
+    const char* option;
+    std::vector<const char*> others;
+};
+
+/// The option does what the others would have no part in.
+const std::vector<Combination>& exclusions() {
+    static const std::vector<Combination> kRows = {
+        {"info",
+         "--print-layer-map",
+         {"--step", "--set-thickness", "--no-session", "--save-session", "--chord", "--infer-nets", "--paper-segments",
+          "--triangulator", "--json", "--check-nets"}},
+        {"info", "--paper-segments", {"--chord"}},
+        {"render", "--paper-segments", {"--chord"}},
+        {"render", "--layers", {"--components"}},
+        {"render", "--mono", {"--transparent", "--net", "--mask-colour", "--silkscreen-colour", "--finish"}},
+        {"export", "--paper-segments", {"--chord"}},
+        {"clearance",
+         "--print",
+         {"--step", "--infer-nets", "--worst", "--through", "--allow-incomplete", "--below", "--layer", "--nets",
+          "--format", "--waivers", "--write-waivers"}},
+        {"clearance", "--through", {"--layer", "--rules", "--map"}},
+        {"clearance", "--map", {"--rules", "--below", "--nets", "--worst", "--format", "--output"}},
+        {"clearance", "--write-waivers", {"--below", "--worst", "--format", "--output", "--allow-incomplete"}},
+        {"bench", "--paper-segments", {"--chord"}},
+        {"bench",
+         "--triangulation",
+         {"--pipeline", "--frames", "--lod", "--only-culled", "--components", "--step", "--infer-nets", "--chord",
+          "--paper-segments", "--input-format", "--layer-map"}},
+        {"bench",
+         "--interactive",
+         {"--pipeline", "--lod", "--only-culled", "--components", "--stages", "--triangulation", "--chord",
+          "--paper-segments"}},
+        {"bench",
+         "--calibrate",
+         {"BOARD", "--pipeline", "--lod", "--only-culled", "--components", "--stages", "--frames", "--triangulation",
+          "--interactive", "--chord", "--paper-segments", "--step", "--infer-nets", "--input-format", "--layer-map",
+          "--max-unpacked"}},
+    };
+    return kRows;
+}
+
+/// The option says how the others do what they do, and is nothing without them.
+const std::vector<Combination>& needs() {
+    static const std::vector<Combination> kRows = {
+        {"clearance", "--tolerance", {"--rules"}},
+        {"clearance", "--allow-incomplete", {"--rules"}},
+    };
+    return kRows;
+}
+
 }  // namespace
+
+void limitCombinations(CLI::App& parser) {
+    for (const Combination& row : exclusions()) {
+        CLI::App& command = *parser.get_subcommand(row.command);
+        for (const char* other : row.others) {
+            command.get_option(row.option)->excludes(command.get_option(other));
+        }
+    }
+    for (const Combination& row : needs()) {
+        CLI::App& command = *parser.get_subcommand(row.command);
+        for (const char* other : row.others) {
+            command.get_option(row.option)->needs(command.get_option(other));
+        }
+    }
+}
 
 std::optional<std::string> unusableOption(const CLI::App& parser) {
     for (const CLI::App* command : parser.get_subcommands()) {
+        if (auto why = misplacedOption(parser, *command)) {
+            return why;
+        }
         if (auto why = overwrittenInput(*command)) {
             return why;
         }

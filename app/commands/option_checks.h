@@ -9,8 +9,13 @@ class App;
 
 namespace app {
 
-/// After parsing: why the command that was chosen cannot be done as it is given, a sentence. A number is not finite, or
-/// a file that is read would be written over. Else none.
+/// For a parser with all its commands: what of an option would do nothing beside or without another one is refused, so
+/// that nobody takes it for done. What follows from values (`--mode 2d`) the commands refuse themselves.
+void limitCombinations(CLI::App& parser);
+
+/// After parsing: why the command that was chosen cannot be done as it is given, a sentence. An option stands
+/// before the command, which would not see it; a number is not finite; a file that is read would be written over. Else
+/// none.
 [[nodiscard]] std::optional<std::string> unusableOption(const CLI::App& parser);
 
 }  // namespace app

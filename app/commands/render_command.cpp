@@ -255,6 +255,55 @@ Result<std::shared_ptr<const Document>> readDocument(const RenderArguments& argu
     return openDocument(arguments.board, console.progress());
 }
 
+/// What only the other kind of picture has.
+base::Status checkMode(const RenderArguments& arguments) {
+    const bool is2d = arguments.mode == "2d";
+    const struct {
+        const char* name;
+        bool isGiven;
+        bool isOf2d;
+    } options[] = {
+        {"--window", !arguments.window.empty(), true},
+        {"--outlines", arguments.isOutlined, true},
+        {"--clip", !arguments.clip.empty(), false},
+        {"--explode", arguments.explode != 0.0F, false},
+        {"--z-scale", !arguments.zScale.empty(), false},
+        {"--mask-colour", !arguments.maskColour.empty(), false},
+        {"--silkscreen-colour", !arguments.silkscreenColour.empty(), false},
+        {"--finish", !arguments.finish.empty(), false},
+        {"--as-designed", arguments.isAsDesigned, false},
+    };
+    for (const auto& option : options) {
+        if (option.isGiven && option.isOf2d != is2d) {
+            return base::Error{ErrorCode::BadUsage,
+                               std::string(option.name) + " is for pictures in " +
+                                   (is2d ? "3D, and --mode 2d or --window draws in 2D" : "2D, which --mode 2d draws")};
+        }
+    }
+    return base::Done{};
+}
+
+/// What the standard pipeline has no use for.
+base::Status checkPipeline(const RenderArguments& arguments) {
+    const RenderArguments usual;
+    const struct {
+        const char* name;
+        bool isGiven;
+    } options[] = {
+        {"--backend", arguments.backend != usual.backend},
+        {"--lod", arguments.levels != usual.levels},
+        {"--triangulator", arguments.board.triangulator != usual.board.triangulator},
+    };
+    for (const auto& option : options) {
+        if (arguments.pipeline == "standard" && option.isGiven) {
+            return base::Error{ErrorCode::BadUsage, std::string(option.name) +
+                                                        " is of the hybrid pipeline; the standard one draws all "
+                                                        "elements alike"};
+        }
+    }
+    return base::Done{};
+}
+
 /// What is wrong with the arguments themselves, before a board is read.
 base::Status checkArguments(const RenderArguments& arguments) {
     const std::string extension = std::filesystem::path(arguments.output).extension().string();
@@ -265,13 +314,8 @@ base::Status checkArguments(const RenderArguments& arguments) {
         (arguments.window[0] == arguments.window[2] || arguments.window[1] == arguments.window[3])) {
         return base::Error{ErrorCode::BadUsage, "the window is empty"};
     }
-    if (arguments.isMono && arguments.isTransparent) {
-        return base::Error{ErrorCode::BadUsage, "--mono is white on black; it cannot be transparent"};
-    }
-    if (!arguments.clip.empty() && arguments.mode == "2d") {
-        return base::Error{ErrorCode::BadUsage, "--clip sets a section plane in 3D; see copperscope section"};
-    }
-    return base::Done{};
+    RETURN_IF_ERROR(checkMode(arguments));
+    return checkPipeline(arguments);
 }
 
 base::Status renderToFile(const RenderArguments& arguments) {
@@ -291,8 +335,8 @@ base::Status renderToFile(const RenderArguments& arguments) {
 
 Outcome runRender(const RenderArguments& arguments) {
     RenderArguments effective = arguments;
-    if (!effective.window.empty()) {
-        effective.mode = "2d";
+    if (effective.mode.empty()) {
+        effective.mode = effective.window.empty() ? "3d" : "2d";
     }
     RETURN_IF_ERROR(renderToFile(effective));
     return int{kDone};

@@ -16,7 +16,7 @@ struct RenderArguments {
     std::string view;  ///< top, bottom, iso; empty: iso in 3D, top in 2D
     std::uint32_t width = 1600;
     std::uint32_t height = 1000;
-    std::string mode = "3d";
+    std::string mode;  ///< 2d, 3d; empty: 3d, or 2d with a window
     std::string backend = "auto";
     std::string pipeline = "hybrid";  ///< or "standard"
     std::vector<std::string> layers;  ///< only these, fully opaque; empty: as in the window
@@ -27,7 +27,7 @@ struct RenderArguments {
     float explode = 0.0F;
     std::vector<float> zScale;     ///< of copper and of everything else; empty: as it is
     std::string levels = "error";  ///< of detail; or "paper", "coarse"
-    std::vector<double> window;    ///< x0, y0, x1, y1 in millimetres of the job's coordinates; implies 2D
+    std::vector<double> window;    ///< x0, y0, x1, y1 in millimetres of the job's coordinates, in 2D
     std::vector<double> clip;  ///< x0, y0, x1, y1 likewise: cut by a section plane there, what is to the left is gone
     bool isMono = false;
     bool isOutlined = false;

@@ -94,6 +94,9 @@ base::Result<std::string> sectionText(const SectionArguments& arguments) {
 }  // namespace
 
 Outcome runSection(const SectionArguments& arguments) {
+    if (arguments.format != "svg" && (arguments.scale != 0.0 || arguments.heightTimes != 0.0)) {
+        return base::Error{ErrorCode::BadUsage, "--scale and --height-times are of drawings: they need --format svg"};
+    }
     ASSIGN_OR_RETURN(const std::string text, sectionText(arguments));
     std::fwrite(text.data(), 1, text.size(), stdout);
     return int{kDone};

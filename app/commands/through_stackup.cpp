@@ -52,19 +52,16 @@ void noteWithoutNets(const model::Document& board) {
 
 }  // namespace
 
-Outcome runThroughStackup(const ClearanceArguments& arguments, const model::Document& board, base::Progress& progress) {
-    if (!arguments.layer.empty() || !arguments.rules.empty()) {
-        return base::Error{base::ErrorCode::BadUsage,
-                           "--through measures all layers and goes without --layer and --rules"};
-    }
+base::Result<ThroughStackup> runThroughStackup(const ClearanceArguments& arguments, const model::Document& board,
+                                               base::Progress& progress) {
     ASSIGN_OR_RETURN(const model::StackupClearanceRequest request, requestFor(board, arguments));
     ASSIGN_OR_RETURN(const std::vector<model::StackupClearance> found,
                      model::smallestThroughStackup(board, request, progress));
-    const std::string report = model::stackupClearanceReport(
-        board, found, model::reportFormatOf(arguments.format).value_or(model::ReportFormat::Text));
-    std::fwrite(report.data(), 1, report.size(), stdout);
     noteWithoutNets(board);
-    return int{!arguments.below.empty() && !found.empty() ? kTooClose : kDone};
+    return ThroughStackup{
+        model::stackupClearanceReport(board, found,
+                                      model::reportFormatOf(arguments.format).value_or(model::ReportFormat::Text)),
+        !arguments.below.empty() && !found.empty() ? kTooClose : kDone};
 }
 
 }  // namespace app

@@ -4,10 +4,14 @@
 
 namespace app {
 
+struct ThroughStackup {
+    std::string report;
+    int code = kDone;  ///< kTooClose if --below was given and anything is closer
+};
+
 /// `copperscope clearance BOARD --through [--nets A,B] [--below LENGTH]`: the smallest distances between nets in space,
-/// on panels across copies, on stdout. Errors: BadUsage with --rules or --layer, or for a net that no step has.
-/// kTooClose if --below was given and anything is closer.
-[[nodiscard]] Outcome runThroughStackup(const ClearanceArguments& arguments, const model::Document& board,
-                                        base::Progress& progress);
+/// on panels across copies. Errors: BadUsage for a net that no step has.
+[[nodiscard]] base::Result<ThroughStackup> runThroughStackup(const ClearanceArguments& arguments,
+                                                             const model::Document& board, base::Progress& progress);
 
 }  // namespace app

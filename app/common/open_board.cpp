@@ -19,8 +19,24 @@ model::OpenRequest orSample(model::OpenRequest request) {
     return request;
 }
 
+base::Status checkLayerMap(const model::OpenedBoard& board) {
+    if (board.request.layerMap.empty() || board.format == "gerber") {
+        return base::Done{};
+    }
+    return base::Error{base::ErrorCode::BadUsage,
+                       board.request.path.string() +
+                           ": --layer-map says what the files of a Gerber job draw, and this "
+                           "was read as " +
+                           board.format + ", where they say it themselves"};
+}
+
 base::Result<model::OpenedBoard> openWithSession(const BoardArguments& arguments, base::Progress& progress) {
+    if (arguments.saveSession && arguments.request.thicknesses.empty() && !arguments.request.noSession) {
+        return base::Error{base::ErrorCode::BadUsage,
+                           "--save-session saves what --set-thickness sets, and nothing is set"};
+    }
     ASSIGN_OR_RETURN(model::OpenedBoard board, model::openBoard(orSample(arguments.request), progress));
+    RETURN_IF_ERROR(checkLayerMap(board));
     for (const std::string& note : board.notes) {
         std::fprintf(stderr, "copperscope: %s\n", note.c_str());
     }

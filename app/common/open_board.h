@@ -22,8 +22,11 @@ struct BoardArguments {
 /// (../share/copperscope), which in a build tree leads to the sources.
 [[nodiscard]] model::OpenRequest orSample(model::OpenRequest request);
 
-/// model::openBoard; what of the session is not used is said on stderr. Errors: OutputFailed too, when the session
-/// cannot be saved.
+/// Errors: BadUsage if a layer map is named and the board is none of Gerber, which alone has a use for it.
+[[nodiscard]] base::Status checkLayerMap(const model::OpenedBoard& board);
+
+/// model::openBoard; what of the session is not used is said on stderr. Errors: also those of checkLayerMap; BadUsage
+/// if there is nothing to save in the session; OutputFailed when that cannot be saved.
 [[nodiscard]] base::Result<std::shared_ptr<const model::Document>> openDocument(const BoardArguments& arguments,
                                                                                 base::Progress& progress);
 /// The same with all that is known of it.

@@ -245,6 +245,70 @@ private slots:
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
+    /// Nobody may take something for done that was not.
+    void optionsThatWouldDoNothingAreRefused_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("why");
+        const auto row = [](const char* arguments, const char* why) {
+            QStringList words = QString(arguments).split(' ');
+            words.insert(1, locations::kSample);
+            QTest::newRow(arguments) << words << QString(why);
+        };
+        const auto ofRender = [&row](const char* options, const char* why) {
+            row(qPrintable("render -o x.png " + QString(options)), why);
+        };
+        row("clearance --tolerance 0.3um", "--tolerance requires --rules");
+        row("clearance --allow-incomplete", "--allow-incomplete requires --rules");
+        row("clearance --rules default --write-waivers w.json --reason x --author y -o r.txt", "excludes");
+        row("clearance --rules default --print --below 1mm", "excludes");
+        row("clearance --through --layer L01-TOP_LAYER", "excludes");
+        row("clearance --through --map x.png --layer L01-TOP_LAYER", "excludes");
+        row("clearance --map x.png --layer L01-TOP_LAYER --format csv", "excludes");
+        row("info --print-layer-map --json", "excludes");
+        row("info --chord 3 --paper-segments", "excludes");
+        row("info --save-session", "nothing is set");
+        row("measure --from edge --to net:GND --chord 3", "--chord");
+        row("measure --from edge --to net:GND --triangulator cgal", "--triangulator");
+        row("section --line 0,0,9,9 --chord 3", "--chord");
+        row("section --line 0,0,9,9 --format csv --scale 2", "need --format svg");
+        row("section --line 0,0,9,9 --format json --height-times 2", "need --format svg");
+        row("export -o x.step --triangulator cgal", "--triangulator");
+        row("export -o x.step --chord 3", "has the exact curves");
+        row("export -o x.svg --paper-segments", "has the exact curves");
+        row("export -o x.svg --as-designed", "whole layers");
+        ofRender("--mode 3d --window 1,1,5,5", "--window is for pictures in 2D");
+        ofRender("--outlines", "--outlines is for pictures in 2D");
+        ofRender("--mode 2d --clip 0,0,9,9", "--clip is for pictures in 3D");
+        ofRender("--mode 2d --explode 1", "--explode is for pictures in 3D");
+        ofRender("--window 1,1,5,5 --z-scale 10,5", "--z-scale is for pictures in 3D");
+        ofRender("--mode 2d --mask-colour blue", "--mask-colour is for pictures in 3D");
+        ofRender("--mode 2d --silkscreen-colour blue", "--silkscreen-colour is for pictures in 3D");
+        ofRender("--mode 2d --finish tin", "--finish is for pictures in 3D");
+        ofRender("--mode 2d --as-designed", "--as-designed is for pictures in 3D");
+        ofRender("--components --layers L01-TOP_LAYER", "excludes");
+        ofRender("--mono --net GND", "excludes");
+        ofRender("--mono --finish tin", "excludes");
+        ofRender("--pipeline standard --backend pull", "--backend is of the hybrid pipeline");
+        ofRender("--pipeline standard --lod paper", "--lod is of the hybrid pipeline");
+        ofRender("--pipeline standard --triangulator cgal", "--triangulator is of the hybrid pipeline");
+        row("bench --triangulation --chord 3", "excludes");
+        row("bench --interactive --paper-segments", "excludes");
+        QTest::newRow("before the command")
+            << QStringList{"--infer-nets", "info"} << QStringLiteral("--infer-nets stands before info");
+        QTest::newRow("board before the command")
+            << QStringList{locations::kSample, "info"} << QStringLiteral("stands before info");
+    }
+
+    void optionsThatWouldDoNothingAreRefused() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, why);
+        QTemporaryDir folder;
+        const Outcome run = copperscope(arguments, folder.path());
+        QVERIFY2(run.exitCode == 1 && run.out.isEmpty(), run.err.constData());
+        QVERIFY2(run.err.contains(why.toUtf8()), run.err.constData());
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
     void unreadableInputAnswersTwo_data() {
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QString>("name");

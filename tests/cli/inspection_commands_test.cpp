@@ -36,6 +36,11 @@ private slots:
         const Outcome two = through({"--nets", nets[0].toString() + ',' + nets[1].toString(), "--below", "1mm"});
         QCOMPARE(two.exitCode, 4);
         QCOMPARE(QJsonDocument::fromJson(two.out)["through_stackup"][0]["distance_um"].toDouble(), smallest);
+        const QTemporaryDir folder;
+        const Outcome written = through({"--worst", "2", "-o", folder.filePath("report.json")});
+        QFile report(folder.filePath("report.json"));
+        QVERIFY(written.exitCode == 0 && written.out.isEmpty() && report.open(QFile::ReadOnly));
+        QCOMPARE(report.readAll(), all.out);
         QCOMPARE(through({"--layer", "top"}).exitCode, 1);
         QCOMPARE(through({"--rules", "default"}).exitCode, 1);
         QCOMPARE(through({"--nets", "nowhere,nothing"}).exitCode, 1);
@@ -91,7 +96,10 @@ private slots:
         QVERIFY(told.out.contains("map.txt:3: The layer map names \"three.gbr\""));
         QVERIFY(copperscope({"info", job, "--layer-map", map, "--print-layer-map"}).out.contains("# the layer map\n"));
         QCOMPARE(copperscope({"info", job, "--layer-map", folder.filePath("none.txt")}).exitCode, 2);
-        QVERIFY(copperscope({"info", locations::kSample, "--layer-map", map}).out.contains("layer map is not used"));
+        const Outcome unused = copperscope({"info", locations::kSample, "--layer-map", map});
+        QVERIFY2(unused.exitCode == 1 && unused.err.contains("this was read as odb"), unused.err.constData());
+        QCOMPARE(copperscope({"agree", locations::kSample, locations::kSample, "--layer-map", map}).exitCode, 1);
+        QCOMPARE(copperscope({"agree", locations::kSample, job, "--layer-map", map}).exitCode, 4);
     }
 
     void aChangedJobDiffersInTheLayerThatChanged() {
@@ -235,6 +243,10 @@ private slots:
         QCOMPARE(printed.exitCode, 0);
         QTemporaryDir folder;
         QFile file(folder.filePath("rules.json"));
+        QCOMPARE(copperscope({"clearance", "--rules", "default", "--print", "-o", file.fileName()}).exitCode, 0);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), printed.out);
+        file.close();
         file.open(QIODevice::WriteOnly);
         file.write(printed.out.replace("100.0", "5000.0"));
         file.close();

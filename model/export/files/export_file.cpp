@@ -156,7 +156,7 @@ std::vector<std::string> endingsOf(const ExportFormat& format) {
 base::Status checkKnown(const ExportFormat& format, const ExportRequest& request) {
     const SolidChoice& choice = request.choice;
     const bool isOnlyForSolids = !choice.nets.empty() || choice.window || choice.minHole > 0 || choice.isOuterOnly ||
-                                 choice.isMerged || choice.isOnePart || choice.hasFittedArcs;
+                                 choice.isMerged || choice.isOnePart || choice.hasFittedArcs || choice.isAsDesigned;
     if (!format.isSolid && isOnlyForSolids) {
         return base::Error{ErrorCode::BadUsage,
                            std::string(format.name) + " shows whole layers: it can be limited to layers only"};
