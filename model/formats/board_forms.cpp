@@ -8,7 +8,6 @@
 
 #include "model/base/limits.h"
 #include "model/formats/gerber/gerber_reader.h"
-#include "model/formats/kicad/kicad_reader.h"
 
 namespace model {
 
@@ -31,8 +30,8 @@ std::vector<BoardForm> openForms(const formats::Archive& archive, const fs::path
             continue;
         }
         for (formats::FormPart& part : format.parts(archive)) {
-            forms.push_back(
-                {&format, path, member.empty() ? std::move(part.member) : member, std::move(part.contents)});
+            forms.push_back({&format, path, member.empty() ? std::move(part.member) : member, std::move(part.contents),
+                             part.isEmpty});
             if (!member.empty()) {
                 break;  // its reader chooses among them
             }
@@ -55,11 +54,6 @@ std::vector<BoardForm> packedForms(BoardInput& input, int row, base::Progress& p
     std::error_code error;
     const bool isFile = fs::is_directory(input.path, error);
     return isFile ? openForms(*inner, input.path / member, {}) : openForms(*inner, input.path, member);
-}
-
-/// A project that was begun beside the files of another system says nothing of the board.
-bool isEmpty(const BoardForm& form) {
-    return form.contents.starts_with(kicad::kEmptyBoard);
 }
 
 bool isGerberFile(const fs::path& path) {
@@ -113,7 +107,7 @@ base::Result<std::vector<BoardForm>> formsIn(BoardInput& input, base::Progress& 
         }
     }
     std::ranges::stable_sort(forms, {}, [](const BoardForm& form) {
-        return std::pair(isEmpty(form), form.format);  // rows of one table
+        return std::pair(form.isEmpty, form.format);  // rows of one table
     });
     return forms;
 }

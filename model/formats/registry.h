@@ -50,6 +50,7 @@ struct BoardForm {
     std::filesystem::path path;           ///< the folder or archive itself, or a file in the folder
     std::string member{};                 ///< the file or archive inside an archive; empty: all of it
     std::string contents{};               ///< for people, in a few words
+    bool isEmpty = false;                 ///< formats::FormPart::isEmpty
 };
 
 /// A board and what it was read from.

@@ -99,9 +99,7 @@ std::string contentsOf(std::string_view text) {
     const std::string_view head = text.substr(0, kHeadBytes);
     const std::string version(valueOf(head, "generator_version"));
     const std::string format(valueOf(head, "version"));
-    const std::string empty = isEmpty(text) ? std::string(kEmptyBoard) + ", " : "";
-    return empty + (version.empty() ? "" : "by KiCad " + version + ", ") + "format " +
-           (format.empty() ? "unknown" : format);
+    return (version.empty() ? "" : "by KiCad " + version + ", ") + "format " + (format.empty() ? "unknown" : format);
 }
 
 }  // namespace
@@ -110,7 +108,12 @@ std::vector<formats::FormPart> boardsOf(const formats::Archive& archive) {
     std::vector<formats::FormPart> boards;
     for (const int row : boardsIn(archive)) {
         const base::Result<formats::Bytes> bytes = archive.bytes(row);
-        boards.push_back({archive.path(row), bytes ? contentsOf(bytes->view()) : "cannot be read"});
+        if (!bytes) {
+            boards.push_back({archive.path(row), "cannot be read"});
+            continue;
+        }
+        const bool hasNothing = isEmpty(bytes->view());
+        boards.push_back({archive.path(row), (hasNothing ? "empty, " : "") + contentsOf(bytes->view()), hasNothing});
     }
     return boards;
 }

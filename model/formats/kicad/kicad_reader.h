@@ -15,9 +15,6 @@
 /// Boards of KiCad 4 to 10: .kicad_pcb, with the .kicad_pro beside it.
 namespace model::kicad {
 
-/// What the contents of a board begin with that nothing was drawn on yet: a project beside what another system made.
-inline constexpr std::string_view kEmptyBoard = "empty";
-
 /// The boards among the files, as readBoard prefers them, each with the version that wrote it.
 [[nodiscard]] std::vector<formats::FormPart> boardsOf(const formats::Archive& archive);
 

@@ -158,6 +158,17 @@ private slots:
         QCOMPARE(open(all, options).error().code, base::ErrorCode::BadInput);
     }
 
+    void aBoardWithNothingOnItIsMarkedAndComesLast() {
+        Folder folder;
+        writeFile(folder.path() / "a.kicad_pcb", "(kicad_pcb (version 20241229) (net 0 \"\"))\n");
+        writeFile(folder.path() / "b.kicad_pcb", kicadBoard());
+        const std::vector<BoardForm> forms = formsOf(folder.path());
+        QCOMPARE(forms.size(), std::size_t{2});
+        QVERIFY(forms[0].path.filename() == "b.kicad_pcb" && !forms[0].isEmpty);
+        QVERIFY(forms[1].path.filename() == "a.kicad_pcb" && forms[1].isEmpty);
+        QCOMPARE(forms[1].contents, std::string("empty, format 20241229"));
+    }
+
     void oneFormIsNoChoice() {
         Folder folder;
         fs::create_directories(folder.path() / "board-backups");
