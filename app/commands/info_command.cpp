@@ -127,12 +127,31 @@ void printText(const CountedBoard& board, const std::vector<StepCheck>* checks) 
     }
 }
 
+/// Errors: why no Gerber job can be read there.
+base::Status checkIsGerber(const std::filesystem::path& path, model::formats::ReadOptions options,
+                           base::Progress& progress) {
+    ASSIGN_OR_RETURN(const model::BoardFormat* format, model::formatAt(path, options, progress));
+    options.format = "gerber";
+    if (format->key == options.format || model::formatAt(path, options, progress)) {
+        return base::Done{};
+    }
+    return base::Error{base::ErrorCode::BadUsage, path.string() + ": this is no Gerber job but of " +
+                                                      std::string(format->name) +
+                                                      ", whose layers need no map: the board says what they are"};
+}
+
 Outcome printLayerMap(const model::OpenRequest& request) {
     ConsoleProgress console;
     model::formats::ReadOptions options;
     options.layerMap = request.layerMap;
+    options.limits = request.limits;
+    const std::filesystem::path path = orSample(request).path;
+    if (!request.format.empty() && request.format != "gerber") {
+        return base::Error{base::ErrorCode::BadUsage, "--print-layer-map is of Gerber jobs, not of " + request.format};
+    }
+    RETURN_IF_ERROR(checkIsGerber(path, options, console.progress()));
     ASSIGN_OR_RETURN(const std::vector<model::gerber::LayerProposal> proposals,
-                     model::gerber::proposeLayers(orSample(request).path, options, console.progress()));
+                     model::gerber::proposeLayers(path, options, console.progress()));
     std::fputs(model::gerber::explainedMapText(proposals).c_str(), stdout);
     return int{kDone};
 }

@@ -258,30 +258,50 @@ void reportUnusedMap(const ReadOptions& options, const BoardFormat& format, Boar
     }
 }
 
-base::Result<ReadBoard> readAsItIs(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+/// What can be read there, never nothing, the one to read first. Unpacks the input unless it is the board itself.
+base::Result<Forms> findForms(BoardInput& input, const ReadOptions& options, base::Progress& progress) {
     std::error_code error;
-    if (!fs::exists(path, error)) {
-        return badInput(path, "there is no such file or folder");
+    if (!fs::exists(input.path, error)) {
+        return badInput(input.path, "there is no such file or folder");
     }
-    ASSIGN_OR_RETURN(std::string head, readHead(path));
-    BoardInput input{path, std::move(head), {}, {}, {}, options.limits};
-    if (const BoardFormat* format = formatOf(input)) {
-        Forms itself{{format, path}};
-        RETURN_IF_ERROR(putChosenFirst(itself, options, path));
-        reportUnusedMap(options, *format, input);
-        ASSIGN_OR_RETURN(auto document, format->read(input, options, progress));
-        return ReadBoard{std::move(document), format};
-    }
-    RETURN_IF_ERROR(unpack(input, progress));
     Forms forms;
-    if (input.archive) {
-        ASSIGN_OR_RETURN(forms, formsIn(input, progress));
+    if (const BoardFormat* format = formatOf(input)) {
+        forms.push_back({format, input.path});
+    } else {
+        RETURN_IF_ERROR(unpack(input, progress));
+        if (input.archive) {
+            ASSIGN_OR_RETURN(forms, formsIn(input, progress));
+        }
     }
     if (forms.empty()) {
         return unknown(input);
     }
-    RETURN_IF_ERROR(putChosenFirst(forms, options, path));
+    RETURN_IF_ERROR(putChosenFirst(forms, options, input.path));
+    return forms;
+}
+
+base::Result<BoardInput> inputAt(const fs::path& path, const ReadOptions& options) {
+    ASSIGN_OR_RETURN(std::string head, readHead(path));
+    return BoardInput{path, std::move(head), {}, {}, {}, options.limits};
+}
+
+base::Status checkFormat(const ReadOptions& options) {
+    const std::vector<std::string> keys = formatKeys();
+    if (!options.format.empty() && std::ranges::find(keys, options.format) == keys.end()) {
+        return base::Error{base::ErrorCode::BadUsage, "there is no format " + options.format};
+    }
+    return base::Done{};
+}
+
+base::Result<ReadBoard> readAsItIs(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+    ASSIGN_OR_RETURN(BoardInput input, inputAt(path, options));
+    ASSIGN_OR_RETURN(Forms forms, findForms(input, options, progress));
     const BoardForm chosen = forms.front();
+    if (!input.archive) {
+        reportUnusedMap(options, *chosen.format, input);
+        ASSIGN_OR_RETURN(auto document, chosen.format->read(input, options, progress));
+        return ReadBoard{std::move(document), chosen.format};
+    }
     if (forms.size() == 1) {
         forms.clear();
     } else if (options.onlyAsks && options.format.empty() && options.member.empty()) {
@@ -359,11 +379,15 @@ std::vector<std::string> formatKeys() {
     return keys;
 }
 
+base::Result<const BoardFormat*> formatAt(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
+    RETURN_IF_ERROR(checkFormat(options));
+    ASSIGN_OR_RETURN(BoardInput input, inputAt(path, options));
+    ASSIGN_OR_RETURN(const Forms forms, findForms(input, options, progress));
+    return forms.front().format;
+}
+
 base::Result<ReadBoard> readAnyBoard(const fs::path& path, const ReadOptions& options, base::Progress& progress) {
-    const std::vector<std::string> keys = formatKeys();
-    if (!options.format.empty() && std::ranges::find(keys, options.format) == keys.end()) {
-        return base::Error{base::ErrorCode::BadUsage, "there is no format " + options.format};
-    }
+    RETURN_IF_ERROR(checkFormat(options));
     ASSIGN_OR_RETURN(ReadBoard board, readAsItIs(path, options, progress));
     if (board.document && options.inferNets) {
         ASSIGN_OR_RETURN(board.document, withInferredNets(*board.document, progress));

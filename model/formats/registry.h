@@ -84,4 +84,8 @@ struct ReadBoard {
                                                                       const ReadOptions& options,
                                                                       base::Progress& progress);
 
+/// Which format would be read, found out without reading the board. Errors: those of readAnyBoard before it reads one.
+[[nodiscard]] base::Result<const BoardFormat*> formatAt(const std::filesystem::path& path, const ReadOptions& options,
+                                                        base::Progress& progress);
+
 }  // namespace model

@@ -96,6 +96,9 @@ private slots:
         QVERIFY(told.out.contains("map.txt:3: The layer map names \"three.gbr\""));
         QVERIFY(copperscope({"info", job, "--layer-map", map, "--print-layer-map"}).out.contains("# the layer map\n"));
         QCOMPARE(copperscope({"info", job, "--layer-map", folder.filePath("none.txt")}).exitCode, 2);
+        const Outcome other = copperscope({"info", locations::kSample, "--print-layer-map"});
+        QVERIFY2(other.exitCode == 1 && other.out.isEmpty() && other.err.contains("this is no Gerber job but of ODB++"),
+                 other.err.constData());
         const Outcome unused = copperscope({"info", locations::kSample, "--layer-map", map});
         QVERIFY2(unused.exitCode == 1 && unused.err.contains("this was read as odb"), unused.err.constData());
         QCOMPARE(copperscope({"agree", locations::kSample, locations::kSample, "--layer-map", map}).exitCode, 1);

@@ -90,6 +90,17 @@ std::optional<FileBytes> unpackGzipFile(const fs::path& path, std::uintmax_t siz
     return unpackGzip(packed.view(), allowanceOf(limits, size).bytes);
 }
 
+/// What libarchive says of what is none of the formats asked for.
+constexpr std::string_view kNoFormat = "Unrecognized archive format";
+
+bool isPacked(const ArchiveStream& stream) {
+    return stream.hasEntries() && stream.isPacked();
+}
+
+base::Error damaged(const fs::path& path, const ArchiveStream& stream) {
+    return badInput(path, "this is packed, but ends early or is damaged (" + stream.errorText() + ")");
+}
+
 base::Error tooManyFiles(const fs::path& path, const ArchiveLimits& limits) {
     return badInput(path, "it holds too many files for a job: more than " + std::to_string(limits.entries) +
                               ", the limit for an archive or folder");
@@ -172,8 +183,10 @@ base::Result<Archive> Archive::openFile(const fs::path& path, const ArchiveLimit
         return tree;
     }
     ArchiveStream member(path, ArchiveStream::Formats::Member);
-    std::optional<base::Result<Archive>> lone = readLone(member, fileSize, path, limits);
-    return lone ? *std::move(lone) : std::move(tree);
+    if (std::optional<base::Result<Archive>> lone = readLone(member, fileSize, path, limits)) {
+        return *std::move(lone);
+    }
+    return isPacked(member) ? damaged(path, member) : std::move(tree);
 }
 
 base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& name, const ArchiveLimits& limits,
@@ -190,8 +203,10 @@ base::Result<Archive> Archive::unpack(std::string_view bytes, const fs::path& na
         return tree;
     }
     ArchiveStream member(bytes, ArchiveStream::Formats::Member);
-    std::optional<base::Result<Archive>> lone = readLone(member, bytes.size(), name, limits);
-    return lone ? *std::move(lone) : std::move(tree);
+    if (std::optional<base::Result<Archive>> lone = readLone(member, bytes.size(), name, limits)) {
+        return *std::move(lone);
+    }
+    return isPacked(member) ? damaged(name, member) : std::move(tree);
 }
 
 base::Result<Archive> Archive::readUnpacked(FileBytes unpacked, std::uint64_t packedBytes, const fs::path& path,
@@ -285,9 +300,11 @@ base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t stre
         tree.add(std::move(entry), diagnostics);
     }
     if (stream.failed()) {
-        return badInput(
-            path, (tree.size() == 0 ? "this is no archive we can read (" : "the archive ends early or is damaged (") +
-                      stream.errorText() + ")");
+        if (tree.size() == 0) {
+            return stream.errorText() == kNoFormat ? badInput(path, "this is no archive we can read")
+                                                   : damaged(path, stream);
+        }
+        return badInput(path, "the archive ends early or is damaged (" + stream.errorText() + ")");
     }
     return tree;
 }

@@ -263,6 +263,22 @@ private slots:
         }
     }
 
+    void aPackedFileThatEndsEarlyIsCalledThat() {
+        Folder folder;
+        std::string noise;
+        for (unsigned i = 0, state = 1; i < 100'000; ++i) {
+            state = state * 1'664'525U + 1'013'904'223U;
+            noise += static_cast<char>('a' + (state >> 24U) % 26U);
+        }
+        const std::string bytes = gzip({"<?xml version=\"1.0\"?>" + noise});
+        for (const std::string& part : {bytes.substr(0, 50), bytes.substr(0, bytes.size() / 2)}) {
+            const auto result = tryRead(folder.write("board.xml.gz", part));
+            QVERIFY(!result.ok());
+            QVERIFY2(result.error().text.find("is packed, but ends early or is damaged") != std::string::npos,
+                     result.error().text.c_str());
+        }
+    }
+
     void everyTruncatedZipIsAnErrorOrReadsWhatIsLeft() {
         Folder folder;
         const fs::path whole = folder.path() / "whole.zip";
