@@ -55,6 +55,31 @@ private slots:
         QCOMPARE(size({"--min-hole", "3 apples"}), -1);
     }
 
+    /// One rule for all formats, whatever the choice is that leaves nothing.
+    void nothingLeftIsWrongUsage_data() {
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<QStringList>("choice");
+        for (const char* ending : {"step", "stpz", "glb", "stl", "obj"}) {
+            QTest::addRow("%s, layer", ending) << QString(ending) << QStringList{"--layers", "DIELECTRIC_1"};
+            QTest::addRow("%s, window", ending) << QString(ending) << QStringList{"--window", "900,900,901,901"};
+            QTest::addRow("%s, net", ending)
+                << QString(ending) << QStringList{"--nets", "GND", "--window", "900,900,901,901"};
+        }
+        for (const char* ending : {"dxf", "svg", "pdf"}) {
+            QTest::addRow("%s, layer", ending) << QString(ending) << QStringList{"--layers", "DIELECTRIC_1"};
+        }
+    }
+    void nothingLeftIsWrongUsage() {
+        QFETCH(QString, ending);
+        QFETCH(QStringList, choice);
+        const QTemporaryDir folder;
+        const Outcome run =
+            copperscope(QStringList{"export", locations::kSample, "-o", folder.filePath("board." + ending)} + choice);
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(run.err.contains("nothing on the board is left to export"), run.err.constData());
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
     void refusesInPlainWords() {
         const QTemporaryDir folder;
         const Outcome unknown = copperscope({"export", locations::kSample, "-o", folder.filePath("board.xyz")});

@@ -201,8 +201,11 @@ base::Result<DrawingReport> drawLayers(const Document& board, const DrawingOptio
             drawing.layers.push_back(std::move(layer));
         }
     }
-    if (drawing.layers.empty()) {
-        return base::Error{base::ErrorCode::BadUsage, "there is nothing on the layers to draw"};
+    // The outline is there whatever is chosen.
+    const bool isLeft = std::ranges::any_of(drawing.layers, [](const DrawnLayer& one) { return one.layer.isValid(); });
+    if (drawing.layers.empty() || (!isLeft && !options.layers.empty())) {
+        return base::Error{base::ErrorCode::BadUsage,
+                           "nothing on the board is left to export with these choices: the layers are empty"};
     }
     if (order == DrawingOrder::BottomFirst) {
         sortBottomFirst(board, drawing.layers);

@@ -71,7 +71,7 @@ enum class DrawingOrder : std::uint8_t {
 };
 
 /// Draws the layers with a form that writes into `file`, which is left to be committed. Errors: BadUsage where no layer
-/// is left to draw or nothing is on them, OutputFailed, Cancelled.
+/// is left to draw or nothing is on those that are named, OutputFailed, Cancelled.
 [[nodiscard]] base::Result<DrawingReport> drawLayers(const Document& board, const DrawingOptions& options,
                                                      DrawingOrder order, DrawingForm& form, const FileWriter& file,
                                                      base::Progress& progress);

@@ -223,6 +223,29 @@ base::Status checkNets(const StepTree& tree, const SolidChoice& choice) {
     return base::Done{};
 }
 
+/// What a choice leaves of the board beside substrates and films, which are there whatever is chosen: none is a
+/// mistake. A window that only the board itself reaches into is no mistake.
+base::Status checkLeft(const SolidPlan& plan, const Document& board) {
+    const SolidChoice& choice = plan.choice;
+    const auto isIn = [&](const auto& isWanted) {
+        return std::ranges::any_of(plan.steps, [&](const StepSolids& step) {
+            return std::ranges::any_of(step.groups,
+                                       [&](const SolidGroup& group) { return isWanted(*step.document, group); });
+        });
+    };
+    const bool isOfNets = isIn([&](const Document& step, const SolidGroup& group) {
+        return group.net.isValid() && std::ranges::count(choice.nets, step.nets[group.net.row()].name) > 0;
+    });
+    const bool isDrawn = isIn([](const Document& step, const SolidGroup& group) {
+        return group.component.isValid() || !step.layer(group.layer).isSynthetic;
+    });
+    const bool isMissed = choice.window && !isDrawn && !choice.window->meets(board.board);
+    if (plan.elements == 0 || isMissed || (!choice.nets.empty() && !isOfNets)) {
+        return base::Error{base::ErrorCode::BadUsage, "nothing on the board is left to export with these choices"};
+    }
+    return base::Done{};
+}
+
 }  // namespace
 
 bool isSolidLayer(const Layer& layer) {
@@ -336,9 +359,7 @@ base::Result<SolidPlan> planSolids(const Document& board, const SolidChoice& cho
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "the export was cancelled"};
     }
-    if (plan.elements == 0) {
-        return base::Error{base::ErrorCode::BadUsage, "nothing on the board is left to export with these choices"};
-    }
+    RETURN_IF_ERROR(checkLeft(plan, board));
     return plan;
 }
 

@@ -72,7 +72,8 @@ struct SolidPlan {
     [[nodiscard]] ElementShells shellsOf(const StepSolids& step, const ShapeKey& key) const;
 };
 
-/// Errors: BadUsage for a net that is not there, or when nothing is left to write; Cancelled.
+/// Errors: BadUsage for a net that is not there, or when nothing is left to write: no copper of the nets, or nothing in
+/// the window, where substrates, which are never cut, do not count unless the board reaches into it; Cancelled.
 [[nodiscard]] base::Result<SolidPlan> planSolids(const Document& board, const SolidChoice& choice,
                                                  const base::Progress& progress);
 
