@@ -83,7 +83,8 @@ struct Agreement {
 /// that only one job has are noted and no difference: some formats have no place for them. So are parts that state
 /// another rotation while all their pins lie at the same locations: it depends on how formats draw
 /// packages. Of parts that one of the jobs does not place (Gerber without a pick-and-place file) sides and pins are
-/// compared, and a note counts them. Errors: Cancelled.
+/// compared, and a note counts them; the side is not where all they have are pins through the board. Pads without a
+/// number that are pins in one job only are noted, too. Errors: Cancelled.
 [[nodiscard]] base::Result<Agreement> compareBoards(const Document& a, const Document& b,
                                                     const AgreementRequest& request, base::Progress& progress);
 

@@ -91,7 +91,15 @@ private:
             notes.push_back("where " + std::to_string(m_unplaced) +
                             " parts lie is not said by both jobs: their sides and pins are compared");
         }
+        if (m_withoutSide > 0) {
+            notes.push_back("the side of " + std::to_string(m_withoutSide) +
+                            " parts with pins through the board is not said by both jobs: it is not compared");
+        }
         m_found.parts.note = joined(notes, "; ");
+        if (m_nameless > 0) {
+            m_found.pins.note = std::to_string(m_nameless) +
+                                " pads without a number, which only one job takes for pins, are not compared";
+        }
     }
 
     /// The nearest of that name that is free.
@@ -122,7 +130,9 @@ private:
         if (arePlaced) {
             m_found.parts.measure(part.position, other->position);
         }
-        if (part.isBottom != other->isBottom) {
+        const bool haveSides = part.hasSide && other->hasSide;
+        m_withoutSide += haveSides ? 0 : 1;
+        if (haveSides && part.isBottom != other->isBottom) {
             add(m_found.parts, name + " is on the " + sideOf(part) + " in A, on the " + sideOf(*other) + " in B",
                 part.position);
         } else if (arePlaced && !isSamePlace(part.position, other->position)) {
@@ -170,12 +180,21 @@ private:
             matchPins(part, most, ours, theirs);
         }
         for (const std::uint32_t pin : ours) {
-            add(m_found.pins, "only A has " + pinName(part, m_a.pins[pin]), m_a.pins[pin].position);
+            addMissing("A", part, m_a.pins[pin]);
         }
         for (const std::uint32_t pin : theirs) {
-            add(m_found.pins, "only B has " + pinName(part, m_b.pins[pin]), m_b.pins[pin].position);
+            addMissing("B", part, m_b.pins[pin]);
         }
         return m_found.pins.differing == before;
+    }
+
+    /// Pads without a number are pins of a part in some formats, and plain copper in others.
+    void addMissing(const char* board, const Part& part, const PinAt& pin) {
+        if (pin.name.empty()) {
+            ++m_nameless;
+        } else {
+            add(m_found.pins, std::string("only ") + board + " has " + pinName(part, pin), pin.position);
+        }
     }
 
     void matchPins(const Part& part, int most, std::vector<std::uint32_t>& ours, std::vector<std::uint32_t>& theirs) {
@@ -214,6 +233,8 @@ private:
     std::size_t m_withoutPins = 0;
     std::size_t m_otherwiseTurned = 0;
     std::size_t m_unplaced = 0;
+    std::size_t m_withoutSide = 0;
+    std::size_t m_nameless = 0;  ///< pins
     MatchedParts m_found;
 };
 

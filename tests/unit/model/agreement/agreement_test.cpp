@@ -198,6 +198,32 @@ private slots:
                  std::string("R1 is on the top in A, on the bottom in B"));
     }
 
+    void aSideThatIsGuessedIsNotCompared() {
+        DrawnJob other = board();
+        DrawnComponent& part = other.steps[0].components[0];
+        part.isPlaced = false;
+        part.mount = model::MountType::ThroughHole;
+        part.side = model::LayerSide::Bottom;
+        const Agreement agreement = compared(board(), other);
+        QCOMPARE(firstOf(agreement, Aspect::Parts), std::string());
+        QVERIFY(find(agreement, Aspect::Parts)->note.find("the side of 1 parts") != std::string::npos);
+        part.mount = model::MountType::Surface;
+        QVERIFY(!firstOf(compared(board(), other), Aspect::Parts).empty());
+    }
+
+    void padsWithoutANumberAreNoMissingPins() {
+        DrawnJob other = board();
+        DrawnComponent& part = other.steps[0].components[0];
+        part.pins.push_back({"", mm(20, 25), kNoRow, kNoRow});
+        for (const Agreement& agreement : {compared(board(), other), compared(other, board())}) {
+            QCOMPARE(firstOf(agreement, Aspect::Pins), std::string());
+            QCOMPARE(find(agreement, Aspect::Pins)->note,
+                     std::string("1 pads without a number, which only one job takes for pins, are not compared"));
+        }
+        part.pins.back().name = "3";
+        QCOMPARE(firstOf(compared(board(), other), Aspect::Pins), std::string("only B has R1.3"));
+    }
+
     void aRotationIsANoteWhereThePinsSayTheSame() {
         DrawnJob other = board();
         other.steps[0].components[1].clockwiseDeg = 180.0;
