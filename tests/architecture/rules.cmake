@@ -43,7 +43,7 @@ set(architecture_rows
     "model/formats/odb             | model::odb      | model/board model/formats/common model/formats/odb/elements model/formats/odb/features model/formats/odb/stackup model/formats/odb/steps model/formats/odb/text model/formats/steps model/geometry model/packages model/solids |"
     "model/formats/ipc2581/xml     | model::ipc2581  | model/text |"
     "model/formats/ipc2581/shapes  | model::ipc2581  | model/formats/common model/formats/ipc2581/xml model/geometry |"
-    "model/formats/ipc2581         | model::ipc2581  | model/board model/formats/common model/formats/drawing model/formats/ipc2581/shapes model/formats/ipc2581/xml model/geometry |"
+    "model/formats/ipc2581         | model::ipc2581  | model/board model/formats/common model/formats/drawing model/formats/ipc2581/shapes model/formats/ipc2581/xml model/geometry model/geometry/loops |"
     "model/formats/gerber/text     | model::gerber   | |"
     "model/formats/gerber/image    | model::gerber   | model/board model/formats/common model/formats/drawing model/formats/gerber/text model/geometry model/geometry/loops model/text |"
     "model/formats/gerber/drills   | model::gerber   | model/formats/drawing model/formats/gerber/image model/formats/gerber/text model/geometry |"

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "model/formats/ipc2581/xml/xml_values.h"
-#include "model/geometry/boolean.h"
+#include "model/geometry/loops/region_booleans.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
 
@@ -60,16 +61,18 @@ constexpr std::string_view kNotMade[] = {
     "CAPACITIVE", "COMPONENT_EMBEDDED", "COMPONENT_FORMED", "EDGE_CHAMFER",      "EDGE_PLATING",
     "HOLEFILL",   "RESISTIVE",          "SOLDERBUMP",       "STACKUP_COMPOSITE", "V_CUT"};
 
-/// Of two outlines at once; they may overlap.
-ShapeSketch united(const ShapeSketch& a, const ShapeSketch& b) {
+/// Of two outlines at once; they may overlap. `isExact` stays as it is unless arcs become chords.
+ShapeSketch united(const ShapeSketch& a, const ShapeSketch& b, bool& isExact) {
     if (b.isEmpty() || !boxOf(a).meets(boxOf(b))) {
         ShapeSketch both = a;
         both.append(b, {});
         return both;
     }
-    PolygonSet all = polygonsOf(a);
-    all.append(polygonsOf(b));
-    return sketchOf(unite(all));
+    std::vector<EdgeLoops> all = regionsOf(a);
+    std::ranges::move(regionsOf(b), std::back_inserter(all));
+    const RegionBoolean whole = unionOf(all);
+    isExact = isExact && whole.isExact;
+    return sketchOf(whole.regions);
 }
 
 LayerSide sideNamed(std::string_view side) {
@@ -131,12 +134,14 @@ void LayerList::read(XmlCursor& at, const Specs& specs, ShapeReader& shapes) {
             layer.to = at.value("toLayer");
         } else if (at.name() == "Profile") {
             const ShapeSketch outline = shapes.sketch(at, {}, m_reading.unitNm());
-            const bool areApart = layer.drawn.outline.isEmpty() || !boxOf(layer.drawn.outline).meets(boxOf(outline));
-            if (!areApart && !outline.isEmpty()) {
-                m_reading.report(Severity::Info, at.line(),
-                                 "outlines of a layer that may meet are united, with straight edges within 1 µm");
+            bool isExact = true;
+            layer.drawn.outline =
+                layer.drawn.outline.isEmpty() ? outline : united(layer.drawn.outline, outline, isExact);
+            if (!isExact) {
+                m_reading.report(Severity::Warning, at.line(),
+                                 "outlines of a layer that meet cannot be united exactly; they are united with "
+                                 "straight edges within 1 µm");
             }
-            layer.drawn.outline = layer.drawn.outline.isEmpty() ? outline : united(layer.drawn.outline, outline);
         } else if (at.name() == "SpecRef") {
             const Spec* const spec = specs.find(at);
             if (spec != nullptr && spec->isBackdrill && layer.isHoles()) {

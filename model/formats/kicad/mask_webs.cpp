@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/formats/kicad/shapes/regions.h"
+#include "model/geometry/loops/region_booleans.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
 

@@ -8,6 +8,7 @@
 #include "model/formats/kicad/graphics.h"
 #include "model/formats/kicad/shapes/regions.h"
 #include "model/formats/kicad/text/values.h"
+#include "model/geometry/loops/region_booleans.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
 

@@ -1,6 +1,7 @@
 #include "model/geometry/loops/region_booleans.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "model/geometry/boolean.h"
@@ -17,6 +18,26 @@ PathNode nodeOf(const Edge& edge) {
                           : edge.isClockwise ? EdgeKind::ArcClockwise
                                              : EdgeKind::ArcCounterClockwise;
     return {rounded(edge.a), edge.isArc() ? rounded(edge.centre) : Point{}, kind};
+}
+
+/// False where the contour has no area: then it is left out.
+bool addLoop(EdgeLoops& region, const PathNodes& contour) {
+    const std::size_t before = region.loopCount();
+    for (std::size_t i = 0; i < contour.size(); ++i) {
+        const PathNode& node = contour[i];
+        const PointD from = base::toDouble(node.point);
+        const PointD to = base::toDouble(contour.endOf(i));
+        const PointD centre = base::toDouble(node.centre);
+        if (!isArc(node.edge)) {
+            region.addLine(from, to);
+        } else if (node.point == contour.endOf(i)) {
+            region.addCircle(centre, std::hypot(from.x - centre.x, from.y - centre.y));
+        } else {
+            region.addArc(from, to, centre, node.edge == EdgeKind::ArcClockwise);
+        }
+    }
+    const bool isOpen = region.edges.size() > region.loopStart.back();
+    return (!isOpen || region.endLoop()) && region.loopCount() > before;
 }
 
 }  // namespace
@@ -66,6 +87,23 @@ PolygonSet polygonsOf(std::span<const EdgeLoops> regions) {
         }
     }
     return polygons;
+}
+
+std::vector<EdgeLoops> regionsOf(const ShapeSketch& sketch) {
+    std::vector<EdgeLoops> regions;
+    bool hasArea = false;
+    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
+        if (!sketch.isHole(i)) {
+            regions.emplace_back();
+            hasArea = addLoop(regions.back(), sketch.contour(i));
+            if (!hasArea) {
+                regions.pop_back();
+            }
+        } else if (hasArea) {
+            addLoop(regions.back(), sketch.contour(i));
+        }
+    }
+    return regions;
 }
 
 std::vector<EdgeLoops> regionsOf(const PolygonSet& polygons) {

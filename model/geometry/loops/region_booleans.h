@@ -19,6 +19,9 @@ struct RegionBoolean {
 [[nodiscard]] RegionBoolean unionOf(std::span<const EdgeLoops> regions);
 [[nodiscard]] RegionBoolean differenceOf(std::span<const EdgeLoops> from, std::span<const EdgeLoops> what);
 
+/// Islands of a sketch, each with the holes behind it, exact. Islands without area are left out with their holes; of
+/// NURBS curves the chords are taken.
+[[nodiscard]] std::vector<EdgeLoops> regionsOf(const ShapeSketch& sketch);
 /// Regions as contours with corners on the grid of 1 nm, each outline before its holes. Lines stay lines and arcs stay
 /// arcs; of NURBS curves the arcs are taken.
 [[nodiscard]] ShapeSketch sketchOf(std::span<const EdgeLoops> regions);

@@ -8,6 +8,7 @@
 #include "model/formats/gerber/image/expression.h"
 #include "model/formats/gerber/image/primitives.h"
 #include "model/formats/gerber/text/words.h"
+#include "model/geometry/loops/region_booleans.h"
 #include "model/geometry/outlines.h"
 
 namespace model::gerber {

@@ -352,32 +352,6 @@ Primitive primitive(int code, PrimitiveValues values) {
     return result;
 }
 
-std::vector<EdgeLoops> regionsOf(const ShapeSketch& sketch) {
-    std::vector<EdgeLoops> regions;
-    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
-        if (!sketch.isHole(i) || regions.empty()) {
-            regions.emplace_back();
-        }
-        EdgeLoops& region = regions.back();
-        const PathNodes nodes = sketch.contour(i);
-        for (std::size_t k = 0; k < nodes.size(); ++k) {
-            const PointD a = base::toDouble(nodes[k].point);
-            const PointD b = base::toDouble(nodes.endOf(k));
-            if (nodes[k].edge == EdgeKind::Line) {
-                region.addLine(a, b);
-            } else if (nodes[k].point == nodes.endOf(k)) {
-                const PointD c = base::toDouble(nodes[k].centre);
-                region.addCircle(c, std::hypot(a.x - c.x, a.y - c.y));
-            } else {
-                region.addArc(a, b, base::toDouble(nodes[k].centre), nodes[k].edge == EdgeKind::ArcClockwise);
-            }
-        }
-        region.endLoop();
-    }
-    std::erase_if(regions, [](const EdgeLoops& region) { return region.loopCount() == 0; });
-    return regions;
-}
-
 formats::PadShape combined(std::vector<Primitive> primitives) {
     for (Primitive& one : primitives) {
         std::erase_if(one.pieces, [](const EdgeLoops& piece) { return piece.loopCount() == 0; });

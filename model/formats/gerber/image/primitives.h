@@ -35,7 +35,4 @@ struct CornerCount {
 /// What the primitives of a macro leave, lines and arcs exact.
 [[nodiscard]] formats::PadShape combined(std::vector<Primitive> primitives);
 
-/// A sketch as regions with exact edges: each island with the holes behind it.
-[[nodiscard]] std::vector<EdgeLoops> regionsOf(const ShapeSketch& sketch);
-
 }  // namespace model::gerber

@@ -21,14 +21,6 @@ double distance(PointD a, PointD b) {
     return std::hypot(b.x - a.x, b.y - a.y);
 }
 
-void addEdge(EdgeLoops& loops, const PathNode& from, Point to) {
-    if (isArc(from.edge)) {
-        loops.addArc(toDouble(from.point), toDouble(to), toDouble(from.centre), from.edge == EdgeKind::ArcClockwise);
-    } else {
-        loops.addLine(toDouble(from.point), toDouble(to));
-    }
-}
-
 EdgeLoops circle(PointD centre, double radius) {
     EdgeLoops loops;
     loops.addCircle(centre, radius);
@@ -137,47 +129,12 @@ std::optional<std::vector<EdgeLoops>> offsetStraight(std::span<const EdgeLoops> 
     return grown;
 }
 
-/// Islands, each with the holes behind it.
-std::vector<EdgeLoops> loopsOf(const ShapeSketch& sketch) {
-    std::vector<EdgeLoops> regions;
-    bool isOpen = false;
-    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
-        const PathNodes nodes = sketch.contour(i);
-        if (!sketch.isHole(i)) {
-            regions.emplace_back();
-        } else if (!isOpen) {
-            continue;
-        }
-        for (std::size_t n = 0; n < nodes.size(); ++n) {
-            if (isArc(nodes[n].edge) && nodes[n].point == nodes.endOf(n)) {
-                regions.back().addCircle(toDouble(nodes[n].centre),
-                                         distance(toDouble(nodes[n].centre), toDouble(nodes[n].point)));
-            } else {
-                addEdge(regions.back(), nodes[n], nodes.endOf(n));
-            }
-        }
-        const bool hasEdges = regions.back().edges.size() > regions.back().loopStart.back();
-        const bool isLoop = !hasEdges || regions.back().endLoop();
-        if (!sketch.isHole(i)) {
-            isOpen = isLoop;
-            if (!isLoop) {
-                regions.pop_back();
-            }
-        }
-    }
-    return regions;
-}
-
 }  // namespace
 
 std::vector<EdgeLoops> regionsOf(const PathNodes& contour) {
     ShapeSketch sketch;
     addPath(sketch, contour, false);
-    return loopsOf(sketch);
-}
-
-std::vector<EdgeLoops> regionsOf(const ShapeSketch& sketch) {
-    return loopsOf(sketch);
+    return model::regionsOf(sketch);
 }
 
 std::vector<EdgeLoops> penAlong(const PathNode& from, Point to, double width) {
@@ -212,7 +169,7 @@ ShapeSketch grown(const ShapeSketch& sketch, double margin) {
     if (margin == 0.0) {
         return clean;
     }
-    std::vector<EdgeLoops> inside = loopsOf(clean);
+    std::vector<EdgeLoops> inside = model::regionsOf(clean);
     if (margin > 0.0) {
         if (const std::optional<std::vector<EdgeLoops>> offset = offsetStraight(inside, margin)) {
             return offset->size() == 1 ? sketchOf(*offset) : united(*offset);

@@ -11,8 +11,6 @@ namespace model::kicad {
 
 /// A closed contour as a region. Nothing for less than an area.
 [[nodiscard]] std::vector<EdgeLoops> regionsOf(const PathNodes& contour);
-/// Islands of a sketch, each with the holes behind it.
-[[nodiscard]] std::vector<EdgeLoops> regionsOf(const ShapeSketch& sketch);
 /// What a round pen covers along an edge; equal ends of an arc are a full circle, of a line a dot.
 [[nodiscard]] std::vector<EdgeLoops> penAlong(const PathNode& from, Point to, double width);
 /// All of them as one sketch, islands followed by their holes. Straight-edged within 1 µm where they cannot be united

@@ -497,6 +497,26 @@ private slots:
         QCOMPARE(boxOf(outline), (Box{{0, 0}, {(x + 10) * kMm, 10 * kMm}}));
     }
 
+    void outlinesThatAreUnitedKeepTheirArcs() {
+        const auto profile = [](int middle) {
+            const std::string x = std::to_string(middle);
+            return "<Profile><Polygon><PolyBegin x='" + std::to_string(middle + 5) + "' y='0'/><PolyStepCurve x='" +
+                   std::to_string(middle - 5) + "' y='0' centerX='" + x +
+                   "' centerY='0' clockwise='false'/><PolyStepCurve x='" + std::to_string(middle + 5) +
+                   "' y='0' centerX='" + x + "' centerY='0' clockwise='false'/></Polygon></Profile>";
+        };
+        const auto job = parse(fileWith(
+            {}, {}, "<Layer name='X' layerFunction='PLANE' side='INTERNAL'>" + profile(0) + profile(6) + "</Layer>"));
+        const ShapeSketch& outline = job->layers[layerNamed(*job, "X")].outline;
+        QCOMPARE(outline.contourCount(), std::size_t{1});
+        const model::PathNodes nodes = outline.contour(0);
+        QVERIFY(nodes.size() <= 6);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            QVERIFY(isArc(nodes[i].edge));
+        }
+        QVERIFY(!reports(*job, "straight edges"));
+    }
+
     void aFaultKeepsWhatComesBeforeIt() {
         std::string text =
             fileWith(features("<Circle diameter='1'/>") + "\n<LayerFeature layerRef='B'><Set></LayerFeature>");
