@@ -31,6 +31,16 @@ Plating platingNamed(std::string_view status) {
                                        : Plating::NotSaid;
 }
 
+Path squareOf(double side) {
+    const double half = side / 2.0;
+    Path path;
+    for (const PointD corner :
+         {PointD{-half, -half}, PointD{half, -half}, PointD{half, half}, PointD{-half, half}, PointD{-half, -half}}) {
+        path.push_back({corner, {}, EdgeKind::Line});
+    }
+    return path;
+}
+
 }  // namespace
 
 void FeatureReader::beginLayer(std::size_t layer) {
@@ -310,7 +320,8 @@ void FeatureReader::readHole(XmlCursor& at) {
         return m_reading.report(Severity::Warning, line, "a hole without a diameter was left out");
     }
     if (start.value("type") == "SQUARE") {
-        m_reading.report(Severity::Warning, line, "a square hole is drawn round");
+        m_reading.report(Severity::Info, line, "the diameter of a square hole is taken for its side");
+        return m_canvas.fill({squareOf(m_reading.length(start, "diameter", m_reading.unitNm())), {}}, turn);
     }
     m_canvas.addPad(m_canvas.roundSymbol(size.x), {turn.origin, 0.0, false, 1.0});
     addTool(start, size.x);

@@ -411,7 +411,7 @@ private slots:
             row(name, text, message);
         };
         const std::string hole = "<Hole diameter='1' x='0' y='0'";
-        step("square hole", onTop("<Set>\n" + hole + " type='SQUARE'/></Set>"), "a square hole is drawn round");
+        step("square hole", onTop("<Set>\n" + hole + " type='SQUARE'/></Set>"), "is taken for its side");
         spec("back-drilled set", "<Backdrill/>", onTop("<Set>\n<SpecRef id='p'/>" + hole + "/></Set>"),
              "single holes are back-drilled");
         spec("back-drilled hole", "<Backdrill/>", onTop("<Set>" + hole + ">\n<SpecRef id='p'/></Hole></Set>"),
@@ -462,6 +462,17 @@ private slots:
         QVERIFY(job.ok());
         QVERIFY(!reports(*job, "no function that is known"));
         QVERIFY(!reports(*job, "of no kind that is read"));
+    }
+
+    void squareHolesAreSquare() {
+        const auto job =
+            parse(fileWith(onTop("<Set><Hole diameter='2' x='3' y='4' type='SQUARE' "
+                                 "platingStatus='PLATED'><Xform rotation='90'/></Hole></Set>")));
+        const DrawnFeature& hole = featuresOn(*job, "Drill").at(0);
+        QVERIFY(hole.kind == DrawnKind::Region && hole.plating == model::Plating::Plated);
+        const ShapeSketch& square = job->steps[0].regions[static_cast<std::size_t>(hole.region)];
+        QCOMPARE(boxOf(square), (Box{{2 * kMm, 3 * kMm}, {4 * kMm, 5 * kMm}}));
+        QCOMPARE(square.contour(0).size(), std::size_t{4});
     }
 
     void holesLieWhereTheirXformMovesThem() {
