@@ -121,6 +121,7 @@ ordered_json drillJson(const model::Document& document, const DrillRow& row) {
             {"inside_nm", row.open},
             {"open_nm", row.open},
             {"tool", row.tool != nullptr ? ordered_json(tool.number) : ordered_json()},
+            {"other_tools", row.otherTools},
             {"process", orNull(tool.process)},
             {"bit", orNull(tool.bit)},
             {"finished_nm", sizeOrNull(tool.finishedSize)},
@@ -190,7 +191,7 @@ void printDrills(const model::Document& document) {
         const bool hasTool = row.tool != nullptr;
         std::printf("%-28s %-9s %-10s %-6s %9s %9s %5s %11s %9s %8u  %s - %s\n", layer.name.c_str(),
                     model::toString(row.span), model::toString(row.kind), row.shape, inMm(row.diameter).c_str(),
-                    inMm(row.open).c_str(), hasTool ? std::to_string(row.tool->number).c_str() : "-",
+                    inMm(row.open).c_str(), hasTool ? model::toolsText(row).c_str() : "-",
                     hasTool ? inMm(row.tool->finishedSize).c_str() : "-",
                     hasTool ? inMm(row.tool->drillSize).c_str() : "-", row.count,
                     nameOf(document, layer.spanTop).c_str(), nameOf(document, layer.spanBottom).c_str());

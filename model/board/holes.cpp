@@ -98,23 +98,29 @@ std::vector<DrillTool const*> toolsOf(const Document& document, LayerId layer) {
 
 /// Of the tools that fit, the one of the same plating counts first: plated and non-plated holes of one size have two.
 /// Then both sizes, which the reader takes from the tool where it knows them, then whether it is for vias.
-const DrillTool* toolFor(const std::vector<const DrillTool*>& tools, const DrillRow& hole) {
+int rankOf(const DrillTool& tool, const DrillRow& hole) {
     const bool isPlated = hole.kind != HoleKind::NonPlated;
-    const DrillTool* best = nullptr;
-    int bestRank = 0;
+    const bool isBoth = tool.drillSize == hole.diameter && tool.finishedSize == hole.open;
+    const bool isSamePlating = model::isPlated(tool.plating) == isPlated;
+    const bool isSameUse = (tool.plating == Plating::Via) == (hole.kind == HoleKind::Via);
+    return fits(tool, hole.diameter)
+               ? 1 + (isSamePlating ? 4 : 0) + (isBoth ? 2 : 0) + (isSamePlating && isSameUse ? 1 : 0)
+               : 0;
+}
+
+/// Of tools that fit alike the first one is the tool.
+void setTool(const std::vector<const DrillTool*>& tools, DrillRow& hole) {
+    int best = 0;
     for (const DrillTool* tool : tools) {
-        const bool isBoth = tool->drillSize == hole.diameter && tool->finishedSize == hole.open;
-        const bool isSamePlating = model::isPlated(tool->plating) == isPlated;
-        const bool isSameUse = (tool->plating == Plating::Via) == (hole.kind == HoleKind::Via);
-        const int rank = fits(*tool, hole.diameter)
-                             ? 1 + (isSamePlating ? 4 : 0) + (isBoth ? 2 : 0) + (isSamePlating && isSameUse ? 1 : 0)
-                             : 0;
-        if (rank > bestRank) {
-            best = tool;
-            bestRank = rank;
+        const int rank = hole.diameter > 0 ? rankOf(*tool, hole) : 0;
+        if (rank > best) {
+            best = rank;
+            hole.tool = tool;
+            hole.otherTools.clear();
+        } else if (rank > 0 && rank == best && tool->number != hole.tool->number) {
+            hole.otherTools.push_back(tool->number);
         }
     }
-    return best;
 }
 
 int toolNumberOf(const DrillRow& row) {
@@ -123,7 +129,8 @@ int toolNumberOf(const DrillRow& row) {
 
 /// Are rows of two steps, or of one, the same to a fabricator?
 bool areAlike(const DrillRow& a, const DrillRow& b) {
-    return keyOf(a) == keyOf(b) && a.span == b.span && toolNumberOf(a) == toolNumberOf(b);
+    return keyOf(a) == keyOf(b) && a.span == b.span && toolNumberOf(a) == toolNumberOf(b) &&
+           a.otherTools == b.otherTools;
 }
 
 /// A row of a step's own table, as a copy of it is drilled.
@@ -172,6 +179,14 @@ const char* toString(HoleSpan span) {
     return kNames[static_cast<std::size_t>(span)];
 }
 
+std::string toolsText(const DrillRow& row) {
+    std::string text = row.tool != nullptr ? std::to_string(row.tool->number) : "";
+    for (const int number : row.otherTools) {
+        text += ", " + std::to_string(number);
+    }
+    return text;
+}
+
 bool fits(const DrillTool& tool, Nm size) {
     return isNear(tool.finishedSize, size) || isNear(tool.drillSize, size);
 }
@@ -204,7 +219,7 @@ std::vector<DrillRow> drillTable(const Document& document) {
             }
         }
         for (auto& [key, row] : counted) {
-            row.tool = row.diameter > 0 ? toolFor(tools, row) : nullptr;
+            setTool(tools, row);
             row.span = spanOf(document, layer, row);
             rows.push_back(row);
         }
@@ -232,7 +247,7 @@ std::vector<DrillRow> drillTableWithCopies(const Document& board) {
 HoleSpan spanOf(const Document& document, ElementId hole) {
     DrillRow row = measured(document, hole.row());
     const LayerId layer = document.elements.layer[hole.row()];
-    row.tool = row.diameter > 0 ? toolFor(toolsOf(document, layer), row) : nullptr;
+    setTool(toolsOf(document, layer), row);
     return spanOf(document, document.layer(layer), row);
 }
 
@@ -244,7 +259,7 @@ std::vector<bool> microviasOf(const Document& document) {
         for (std::uint32_t e = layer.elements.first; e < layer.elements.first + layer.elements.count; ++e) {
             if (isPlatedHole(document.elements.flags[e])) {
                 DrillRow hole = measured(document, e);
-                hole.tool = hole.diameter > 0 ? toolFor(tools, hole) : nullptr;
+                setTool(tools, hole);
                 isMicrovia[e] = spanOf(document, layer, hole) == HoleSpan::Micro;
             }
         }

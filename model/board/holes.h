@@ -34,7 +34,7 @@ inline constexpr Nm kMostMicrovia = 150'000;
 /// before drilled ones. nullptr if there is none.
 [[nodiscard]] const DrillTool* findTool(std::span<const DrillTool> tools, Nm size, bool isPlated);
 
-/// Holes that are the same to a fabricator.
+/// Holes that are the same to a fabricator. Which of several tools that fit alike drills which hole is not known.
 struct DrillRow {
     LayerId layer;
     HoleSpan span = HoleSpan::Through;
@@ -43,8 +43,12 @@ struct DrillRow {
     Nm diameter = 0;                  ///< as drilled, or width of a slot or path; 0 for areas
     Nm open = 0;                      ///< what the plating leaves; as drilled for NPTHs
     const DrillTool* tool = nullptr;  ///< in Document::tools; none if no tool of the layer fits
+    std::vector<int> otherTools;      ///< numbers of tools that fit as well: some of the holes may be theirs
     std::uint32_t count = 0;
 };
+
+/// The numbers of all tools of a row for people: "1", "1, 2"; empty if it has none.
+[[nodiscard]] std::string toolsText(const DrillRow& row);
 
 /// All holes of the document's own drill and rout layers, by layer, span, kind, shape and size. Copies of other steps
 /// are not counted.

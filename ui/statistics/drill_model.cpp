@@ -40,7 +40,10 @@ Cell DrillModel::cell(int at, int column) const {
         case Shape: return {row.shape == std::string_view("path") ? tr("routed slot") : QString::fromLatin1(row.shape)};
         case Diameter: return row.diameter > 0 ? length(row.diameter) : Cell{};
         case Finished: return row.open > 0 ? length(row.open) : Cell{};
-        case Tool: return row.tool != nullptr ? Cell{row.tool->number} : Cell{};
+        case Tool:
+            return row.tool == nullptr      ? Cell{}
+                   : row.otherTools.empty() ? Cell{row.tool->number}
+                                            : Cell{QString::fromStdString(model::toolsText(row)), {}, row.tool->number};
         default: return count(row.count);
     }
 }

@@ -106,6 +106,16 @@ private slots:
         QCOMPARE(textOf(*board, model::drillTableWithCopies(*board)), Texts{"through via 300 #1 x 3"});
     }
 
+    void toolsThatFitAlikeAreAllNamed() {
+        Step step;
+        step.tool(1, 300'000).tool(2, 300'000).tool(3, 800'000).holes(step.through, 300'000, 3);
+        const auto board = step.builder.finish();
+        const std::vector<DrillRow> rows = model::drillTableWithCopies(*board);
+        QCOMPARE(textOf(*board, rows), Texts{"through via 300 #1 x 3"});
+        QCOMPARE(rows[0].otherTools, std::vector{2});
+        QCOMPARE(model::toolsText(rows[0]), std::string("1, 2"));
+    }
+
     void holesOfCopiesOfCopiesAreCounted() {
         Step card;
         card.tool(1, 300'000).holes(card.through, 300'000, 3);
