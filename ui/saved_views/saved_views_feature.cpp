@@ -10,6 +10,7 @@
 #include "ui/common/table_view.h"
 #include "ui/layers/layer_model.h"
 #include "ui/views/board_views.h"
+#include "ui/workspace/read_anew.h"
 
 namespace ui {
 
@@ -201,8 +202,7 @@ void SavedViewsFeature::keep(const LoadedBoard& next) {
     const LoadedBoard& board = *m_workspace.board();
     const SelectionModel& selection = m_workspace.selection();
     m_kept.reset();
-    if (board.request.path != next.request.path || board.request.member != next.request.member ||
-        board.format != next.format || !m_workspace.isOpen(next.document->job.step)) {
+    if (!isReadAnew(m_workspace, next)) {
         return;
     }
     m_kept = Kept{desk(), {}, selection.title(), nameOf(m_workspace.currentLayer()), board.model->origin};

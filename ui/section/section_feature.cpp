@@ -14,6 +14,7 @@
 #include "ui/section/section_pdf.h"
 #include "ui/views/board_views.h"
 #include "ui/views/probing.h"
+#include "ui/workspace/read_anew.h"
 
 namespace ui {
 
@@ -25,9 +26,13 @@ constexpr double kPlaneStep = 0.02;
 /// The 3D view looks down at a section that is recalled, rad.
 constexpr float kPitchOfSection = -0.6F;
 
+bool isSamePoint(base::PointD a, base::PointD b) {
+    return a.x == b.x && a.y == b.y;
+}
+
 /// The first corner of a line that is being drawn is none yet.
 bool hasLength(const std::vector<base::PointD>& line) {
-    return std::ranges::any_of(line, [&](base::PointD p) { return p.x != line.front().x || p.y != line.front().y; });
+    return std::ranges::any_of(line, [&](base::PointD p) { return !isSamePoint(p, line.front()); });
 }
 
 }  // namespace
@@ -69,6 +74,7 @@ SectionFeature::SectionFeature(FeatureContext& context)
             [this](int row) { m_saved.remove(tr("deleting a section"), {row}); });
     connect(&m_names, &QStringListModel::dataChanged, this,
             [this](const QModelIndex& at) { renameSection(at.row(), at.data(Qt::EditRole).toString().trimmed()); });
+    connect(&m_workspace, &Workspace::boardLeaves, this, &SectionFeature::keep);
     connect(&m_workspace, &Workspace::boardOpened, this, &SectionFeature::setBoard);
     connect(&m_workspace, &Workspace::restacked, this, [this](const LoadedBoard& board) {
         m_index = board.index;
@@ -124,18 +130,65 @@ void SectionFeature::connectPlane(FeatureContext& context) {
     connect(&context.probing, &Probing::pointedAway, this, [this] { m_plane.pointAt(std::nullopt); });
 }
 
+void SectionFeature::keep(const LoadedBoard& next) {
+    m_kept.reset();
+    if (!isReadAnew(m_workspace, next)) {
+        return;
+    }
+    m_line.setDrawing(false);  // what is only half drawn is given up
+    m_kept = Kept{m_line.line(), m_panel->view().dimensions().all(), m_net};
+}
+
 void SectionFeature::setBoard(const LoadedBoard& board) {
     m_index = board.index;
     m_line.clear();
-    m_plane.setBoard(board);
-    for (const ActionId id : {ActionId::SectionPlane, ActionId::DrawSection}) {
-        m_actions[id].setChecked(false);
-    }
+    m_plane.setBoard(board, m_kept.has_value());
+    m_actions[ActionId::SectionPlane].setChecked(m_plane.isOn());
+    m_actions[ActionId::DrawSection].setChecked(false);
     m_panel->view().setDimensions({});
     m_panel->view().setRuns({});
     m_net.clear();
-    m_panel->view().fit();
+    if (m_kept && hasLength(m_kept->line)) {
+        restoreKept();
+    } else {
+        m_panel->view().fit();
+        cut();
+    }
+    m_kept.reset();
+}
+
+void SectionFeature::restoreKept() {
+    m_line.setLine(m_kept->line);
     cut();
+    const std::optional<model::Section>& section = m_panel->view().section();
+    if (!section || section->pieces.empty()) {
+        m_workspace.reportError(
+            tr("The line of the cross-section does not meet the board as it is now, so the cross-section was closed."));
+        cutAlong({});
+        return;
+    }
+    std::vector<model::LayerRun> runs = runsAlong(m_kept->net);
+    m_net = runs.empty() ? std::string() : m_kept->net;
+    m_panel->view().setRuns(std::move(runs));
+    m_panel->view().setDimensions(m_kept->dimensions);
+    showDimensions();
+}
+
+std::vector<model::LayerRun> SectionFeature::runsAlong(const std::string& net) const {
+    const auto& steps = m_index->tree.steps;
+    for (std::uint32_t step = 0; !net.empty() && step < steps.size(); ++step) {
+        const auto& nets = steps[step]->nets;
+        const auto found = std::ranges::find(nets, net, &model::Net::name);
+        if (found == nets.end()) {
+            continue;
+        }
+        const model::NetId id{static_cast<std::size_t>(found - nets.begin())};
+        const base::Result<model::NetLine> line = model::lineAlong(*m_index, {m_selection.firstCopyOf(step), id});
+        if (line && std::ranges::equal(line->line, m_line.line(), isSamePoint)) {
+            return model::runsOf(*line);
+        }
+    }
+    return {};
 }
 
 void SectionFeature::onPlaced() {
@@ -261,8 +314,7 @@ void SectionFeature::goTo(int row) {
 std::optional<int> SectionFeature::shownRow() const {
     const std::optional<model::Section>& section = m_panel->view().section();
     const auto isShown = [&](const model::session::SavedSection& saved) {
-        return section && m_workspace.isOpen(saved.step) &&
-               std::ranges::equal(saved.line, section->line, [](auto a, auto b) { return a.x == b.x && a.y == b.y; });
+        return section && m_workspace.isOpen(saved.step) && std::ranges::equal(saved.line, section->line, isSamePoint);
     };
     const auto& list = m_saved.entries();
     const int chosen = m_panel->list().currentIndex().row();

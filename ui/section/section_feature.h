@@ -33,11 +33,24 @@ public:
     [[nodiscard]] const std::vector<model::session::SavedSection>& saved() const { return m_saved.entries(); }
 
 private:
+    /// The section of a board that is being read anew.
+    struct Kept {
+        std::vector<base::PointD> line;
+        std::vector<model::SectionDimension> dimensions;
+        std::string net;  ///< that the line follows; empty: none
+    };
+
     void connectCommands(FeatureContext& context);
     void connectPlane(FeatureContext& context);
+    /// Keeps what is shown if the next board is the same one, read anew.
+    void keep(const LoadedBoard& next);
     void setBoard(const LoadedBoard& board);
+    /// Cuts the board that was read anew where the one before was cut.
+    void restoreKept();
     /// The ends of the line, if it is straight.
     [[nodiscard]] std::optional<std::pair<base::PointD, base::PointD>> straightLine() const;
+    /// Where the net of this name runs, if the line still follows it; empty: it does not.
+    [[nodiscard]] std::vector<model::LayerRun> runsAlong(const std::string& net) const;
     /// The line was drawn or moved, and is in place.
     void onPlaced();
     /// Cuts the board of the 3D view along the straight line.
@@ -68,6 +81,7 @@ private:
     SectionPanel* m_panel;
     std::shared_ptr<const model::BoardIndex> m_index;
     std::string m_net;  ///< that the line follows; empty: none
+    std::optional<Kept> m_kept;
     std::vector<QColor> m_colours;
     QTimer m_due;  ///< runs out once all moves of the line that are under way have come
 };

@@ -6,11 +6,11 @@
 
 namespace ui {
 
-void SectionPlaneTool::setBoard(const LoadedBoard& board) {
+void SectionPlaneTool::setBoard(const LoadedBoard& board, bool isReadAnew) {
     m_index = board.index;
     m_origin = board.model->origin;
     m_pointer.reset();
-    m_isOn = false;
+    m_isOn = m_isOn && isReadAnew && m_index != nullptr;
     apply();
 }
 

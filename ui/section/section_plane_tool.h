@@ -13,8 +13,8 @@ class SectionPlaneTool {
 public:
     explicit SectionPlaneTool(BoardViews& views) : m_views(views) {}
 
-    /// Another board: it is whole.
-    void setBoard(const LoadedBoard& board);
+    /// Another board: it is whole. The same one read anew is cut where it was.
+    void setBoard(const LoadedBoard& board, bool isReadAnew);
     /// The same board with other heights.
     void setHeights(std::shared_ptr<const model::BoardIndex> index);
     /// Where the pointer is, nm of the board; none: beside the board.

@@ -540,10 +540,12 @@ private slots:
         QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(), {}));
     }
 
-    void aReloadForgetsTheLine() {
+    void anotherBoardForgetsTheLine() {
         drawLine();
-        QVERIFY(m_fixture->openAndWait(m_board));
+        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/rigid_flex")));
         QVERIFY(!view().section());
+        QVERIFY(window().find<ui::SectionLine>().line().empty());
+        QVERIFY(m_fixture->openAndWait(m_board));
         QVERIFY(window().find<ui::SectionLine>().line().empty());
     }
 

@@ -1,0 +1,12 @@
+#include "ui/workspace/read_anew.h"
+
+namespace ui {
+
+bool isReadAnew(const Workspace& workspace, const LoadedBoard& next) {
+    const LoadedBoard* board = workspace.board();
+    return board != nullptr && board->request.path == next.request.path &&
+           board->request.member == next.request.member && board->format == next.format &&
+           workspace.isOpen(next.document->job.step);
+}
+
+}  // namespace ui
