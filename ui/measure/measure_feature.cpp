@@ -202,8 +202,12 @@ void MeasureFeature::exportTable(FeatureContext& context) {
 
 void MeasureFeature::watch(BoardView& view) {
     CameraController& controller = view.controller();
-    connect(&controller, &CameraController::hovered, this,
-            [this, &view](QPointF position) { hover(view, position, QGuiApplication::keyboardModifiers()); });
+    connect(&controller, &CameraController::hovered, this, [this, &view](QPointF position) {
+        if (m_hoverView == nullptr && m_tool != Tool::None) {
+            reportNextClick();  // a panel where the tool measures too may have said something else
+        }
+        hover(view, position, QGuiApplication::keyboardModifiers());
+    });
     connect(&controller, &CameraController::left, this, [this] {
         m_hoverView = nullptr;
         m_under.reset();

@@ -42,6 +42,7 @@ SectionFeature::SectionFeature(FeatureContext& context)
       m_workspace(context.workspace),
       m_views(context.views),
       m_hint(context.workspace),
+      m_measuringHint(context.workspace),
       m_actions(context.actions),
       m_selection(context.workspace.selection()),
       m_line(context.views.flat()),
@@ -86,6 +87,7 @@ SectionFeature::SectionFeature(FeatureContext& context)
             [this, &layers = context.layers] { m_panel->view().setColours(m_colours = layers.colours()); });
     connectCommands(context);
     connectPlane(context);
+    connectMeasuring(context);
 }
 
 void SectionFeature::connectCommands(FeatureContext& context) {
@@ -106,13 +108,29 @@ void SectionFeature::connectCommands(FeatureContext& context) {
         context.saveFile(tr("Export section"), tr("section"), {tr("Drawings (*.svg)"), tr("Documents (*.pdf)")},
                          [this](const QString& path) { return save(path); });
     });
-    connect(&context.actions[ActionId::MeasurePoints], &QAction::toggled, &m_panel->view(), &SectionView::setMeasuring);
     context.escapes.emplace_back([this] { return m_panel->view().stepBack(); });
     context.escapes.emplace_back([this] {
         const bool isDrawing = m_line.isDrawing();
         m_line.setDrawing(false);
         return isDrawing;
     });
+}
+
+void SectionFeature::connectMeasuring(FeatureContext& context) {
+    const SectionView& view = m_panel->view();
+    connect(&context.actions[ActionId::MeasurePoints], &QAction::toggled, this, [this](bool isOn) {
+        m_measuringHint.end();  // why a click measured nothing, if that is what it says
+        m_panel->view().setMeasuring(isOn);
+    });
+    connect(&view, &SectionView::promptChanged, this, &SectionFeature::showPrompt);
+    // Triggered comes after toggled: the tool has said by now what it wants in the other views.
+    context.on(ActionId::MeasurePoints, this, [this, &view] { showPrompt(view.prompt()); });
+    connect(&view, &SectionView::measured, &m_workspace, qOverload<const QString&>(&Workspace::report));
+    connect(&view, &SectionView::refused, this, [this](const QString& why) { m_measuringHint.show(why); });
+}
+
+void SectionFeature::showPrompt(const QString& prompt) {
+    prompt.isEmpty() ? m_measuringHint.end() : m_measuringHint.show(prompt);
 }
 
 void SectionFeature::connectPlane(FeatureContext& context) {

@@ -47,6 +47,8 @@ private:
     void setBoard(const LoadedBoard& board);
     /// Cuts the board that was read anew where the one before was cut.
     void restoreKept();
+    void connectMeasuring(FeatureContext& context);
+    void showPrompt(const QString& prompt);
     /// The ends of the line, if it is straight.
     [[nodiscard]] std::optional<std::pair<base::PointD, base::PointD>> straightLine() const;
     /// Where the net of this name runs, if the line still follows it; empty: it does not.
@@ -72,6 +74,7 @@ private:
     Workspace& m_workspace;
     BoardViews& m_views;
     Hint m_hint;
+    Hint m_measuringHint;
     const ActionSet& m_actions;
     SelectionModel& m_selection;
     SectionLine m_line;

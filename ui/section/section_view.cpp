@@ -49,6 +49,7 @@ void SectionView::setSection(std::shared_ptr<const model::BoardIndex> board, std
         std::ranges::stable_sort(m_drawn, {}, [](const SectionPiece& p) { return model::drawOrderOf(p.material); });
     }
     arrange();
+    updateMeasuring();
 }
 
 void SectionView::setRuns(std::vector<model::LayerRun> runs) {
@@ -62,22 +63,40 @@ void SectionView::setMeasuring(bool isOn) {
     m_under.reset();
     m_dimensions.giveUp();
     setCursor(isOn ? Qt::CrossCursor : Qt::ArrowCursor);
+    updateMeasuring();
+}
+
+QString SectionView::prompt() const {
+    if (!m_section || !m_isPointedAt) {
+        return {};
+    }
+    if (m_dimensions.from()) {
+        return tr("Click the second edge or corner");
+    }
+    return m_isMeasuring ? tr("Click the first edge or corner of the section") : QString();
+}
+
+void SectionView::updateMeasuring() {
     update();
+    if (const QString now = prompt(); std::exchange(m_prompt, now) != now) {
+        emit promptChanged(now);
+    }
 }
 
 void SectionView::setDimensions(std::vector<model::SectionDimension> dimensions) {
     m_dimensions.set(std::move(dimensions));
-    update();
+    updateMeasuring();
 }
 
 bool SectionView::stepBack() {
-    update();
-    return m_dimensions.giveUp();
+    const bool isBegun = m_dimensions.giveUp();
+    updateMeasuring();
+    return isBegun;
 }
 
 void SectionView::removeLastDimension() {
     m_dimensions.removeLast();
-    update();
+    updateMeasuring();
     emit dimensionsChanged();
 }
 
@@ -271,11 +290,14 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SectionView::mouseReleaseEvent(QMouseEvent* event) {
-    if (m_isDragged || event->button() != Qt::LeftButton || !m_section) {
+    if (m_isDragged || event->button() != Qt::LeftButton) {
         return;
     }
     if (m_isMeasuring || event->modifiers().testFlag(Qt::ShiftModifier)) {
         measureAt(event->position());
+        return;
+    }
+    if (!m_section) {
         return;
     }
     const SectionPiece* piece = pieceAt(event->position());
@@ -284,11 +306,18 @@ void SectionView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void SectionView::measureAt(QPointF at) {
-    const std::optional<SectionPosition> location = locationAt(at);
     QToolTip::hideText();
-    update();
-    if (location && m_dimensions.add(*location)) {
+    const std::optional<SectionPosition> location = locationAt(at);
+    if (!location) {
+        emit refused(m_section ? tr("There is no edge or corner of the section under the pointer")
+                               : tr("There is no section to measure: draw one first"));
+        return;
+    }
+    const bool isWhole = m_dimensions.add(*location);
+    updateMeasuring();
+    if (isWhole) {
         emit dimensionsChanged();
+        emit measured(textOf(m_dimensions.all().back()));
     }
 }
 
@@ -300,9 +329,15 @@ void SectionView::mouseDoubleClickEvent(QMouseEvent* event) {
     }
 }
 
+void SectionView::enterEvent(QEnterEvent*) {
+    m_isPointedAt = true;
+    updateMeasuring();
+}
+
 void SectionView::leaveEvent(QEvent*) {
+    m_isPointedAt = false;
     m_under.reset();
-    update();
+    updateMeasuring();
 }
 
 void SectionView::keyPressEvent(QKeyEvent* event) {

@@ -18,7 +18,8 @@ namespace ui {
 /// A cross-section of a board, from the side: what is cut to scale, heights drawn larger than lengths, names,
 /// thicknesses and heights of the layers at the right, a ruler along the line and a legend of the materials below. Of
 /// an unrolled net a band above says on which layer it runs. While measuring is on, or with Shift, two clicks measure a
-/// distance, and Del takes the last one back. The wheel zooms, a drag pans, a double click shows all again, a click
+/// distance, and Del takes the last one back; what the next click is for, and why one has measured nothing, is
+/// signalled for whoever can say it. The wheel zooms, a drag pans, a double click shows all again, a click
 /// selects the element, whose pieces are highlighted as are those of highlighted nets. A tool tip describes what is
 /// under the pointer, but not while a distance is being measured.
 class SectionView : public QWidget {
@@ -48,6 +49,8 @@ public:
     /// Clicks measure instead of selecting.
     void setMeasuring(bool isOn);
     [[nodiscard]] bool isMeasuring() const { return m_isMeasuring; }
+    /// What the next click measures, for the user who has the pointer here; empty: clicks do not measure.
+    [[nodiscard]] QString prompt() const;
     void setDimensions(std::vector<model::SectionDimension> dimensions);
     [[nodiscard]] const SectionDimensions& dimensions() const { return m_dimensions; }
     /// Gives the first click of a distance up. False if there was none.
@@ -84,6 +87,10 @@ public:
 signals:
     /// The user has added a distance or taken one back.
     void dimensionsChanged();
+    void promptChanged(const QString& prompt);
+    /// The user has measured this, or has clicked and not measured for this reason.
+    void measured(const QString& text);
+    void refused(const QString& why);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -93,6 +100,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
@@ -107,6 +115,8 @@ private:
     [[nodiscard]] bool isHighlighted(const model::SectionPiece& piece) const;
     [[nodiscard]] bool isEdge(const model::SectionPosition& position) const;
     void measureAt(QPointF at);
+    /// Repaints, and tells the prompt if it is another.
+    void updateMeasuring();
     [[nodiscard]] std::pair<double, double> fittedHeights() const;
     void arrange();
     void paintPieces(QPainter& painter) const;
@@ -155,6 +165,8 @@ private:
 
     SectionDimensions m_dimensions;
     bool m_isMeasuring = false;
+    bool m_isPointedAt = false;
+    QString m_prompt;                               ///< as it was told last
     std::optional<model::SectionPosition> m_under;  ///< the pointer, while measuring
     QPointF m_pressed;
     QPointF m_last;

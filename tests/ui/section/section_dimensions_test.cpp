@@ -4,6 +4,7 @@
 #include <QHelpEvent>
 #include <QListView>
 #include <QMouseEvent>
+#include <QStatusBar>
 #include <QToolTip>
 #include <QtTest>
 
@@ -82,6 +83,47 @@ private slots:
         QVERIFY(!view().dimensions().from());
         QTest::keyClick(&view(), Qt::Key_Delete);
         QVERIFY(view().dimensions().all().empty());
+    }
+
+    void theStatusLineSaysWhatAClickIntoTheSectionMeasures() {
+        showOnePiece();
+        const double half = (double(m_piece.bottom) + double(m_piece.top)) / 2;
+        point(true);
+        m_fixture->key(Qt::Key_M);  // the pointer is on the section
+        QCOMPARE(said(), QString("Click the first edge or corner of the section"));
+        clickAt(m_piece.from, half);
+        QCOMPARE(said(), QString("Click the second edge or corner"));
+        clickAt(m_piece.to, half);
+        QCOMPARE(said(), QString("6 mm (236.22 mil)"));
+        point(false);
+        hoverFlat();
+        QVERIFY2(said().startsWith("Click the first point"), qPrintable(said()));
+        point(true);
+        QCOMPARE(said(), QString("Click the first edge or corner of the section"));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY2(said().isEmpty(), qPrintable(said()));
+        clickAt(m_piece.from, half, Qt::ShiftModifier);
+        QCOMPARE(said(), QString("Click the second edge or corner"));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY2(said().isEmpty(), qPrintable(said()));
+        point(false);
+    }
+
+    void aClickThatMeetsNothingSaysSo() {
+        showOnePiece();
+        point(true);
+        m_fixture->key(Qt::Key_M);
+        const QPoint beside = pixel((m_piece.from + m_piece.to) / 2, double(m_piece.top)) - QPoint(0, 30);
+        QVERIFY(!view().locationAt(beside));
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, beside);
+        QCOMPARE(said(), QString("There is no edge or corner of the section under the pointer"));
+        sections().cutAlong({});
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, beside);
+        QCOMPARE(said(), QString("There is no section to measure: draw one first"));
+        QVERIFY(view().dimensions().all().empty());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY2(said().isEmpty(), "it goes with the tool");
+        point(false);
     }
 
     void nothingIsDescribedWhileMeasuring() {
@@ -182,6 +224,19 @@ private:
     [[nodiscard]] QPoint pixel(double along, double z) { return view().positionOf(along, z).toPoint(); }
     void clickAt(double along, double z, Qt::KeyboardModifiers modifiers = {}) {
         QTest::mouseClick(&view(), Qt::LeftButton, modifiers, pixel(along, z));
+    }
+    [[nodiscard]] QString said() { return window().statusBar()->currentMessage(); }
+    /// The pointer comes to the section, or leaves it.
+    void point(bool isOn) {
+        QEnterEvent enter({5, 5}, {5, 5}, {5, 5});
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(&view(), isOn ? static_cast<QEvent*>(&enter) : &leave);
+    }
+    void hoverFlat() {
+        ui::BoardView& flat = window().views().flat();
+        const QPointF at = flat.rect().center();
+        QMouseEvent event(QEvent::MouseMove, at, flat.mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+        QCoreApplication::sendEvent(&flat.canvas(), &event);
     }
     void choose(int row) {
         QListView& list = window().find<ui::SectionPanel>().list();
