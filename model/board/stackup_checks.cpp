@@ -32,7 +32,8 @@ std::string numberText(double value) {
 
 class StackupChecker {
 public:
-    explicit StackupChecker(const Document& document) : m_document(document), m_rows(document.stackup.rows) {
+    StackupChecker(const Document& document, const LengthWriter& write)
+        : m_document(document), m_rows(document.stackup.rows), m_write(write) {
         for (const StackupRow& row : m_rows) {
             m_kinds.push_back(kindOf(row, document));
         }
@@ -66,8 +67,11 @@ private:
         m_findings.push_back({check, severity, std::move(text), std::move(rows)});
     }
 
+    [[nodiscard]] std::string textOf(Nm thickness) const {
+        return m_write ? m_write(thickness) : thicknessText(thickness);
+    }
     [[nodiscard]] std::string nameAndThickness(std::size_t row) const {
-        return m_rows[row].name + " " + thicknessText(m_rows[row].thickness);
+        return m_rows[row].name + " " + textOf(m_rows[row].thickness);
     }
     [[nodiscard]] bool isKnown(std::size_t row) const { return m_rows[row].source != Source::Assumed; }
     [[nodiscard]] bool isStated(std::size_t row) const {
@@ -106,8 +110,8 @@ private:
         const double off = std::abs(sum - stated);
         if (off > kOunceTolerance * copper) {
             add(StackupCheck::Sum,
-                "the layers add up to " + thicknessText(static_cast<Nm>(sum)) + ", but the job says the board is " +
-                    thicknessText(static_cast<Nm>(stated)) + " thick; the layers are used",
+                "the layers add up to " + textOf(static_cast<Nm>(sum)) + ", but the job says the board is " +
+                    textOf(static_cast<Nm>(stated)) + " thick; the layers are used",
                 {}, off > 0.1 * stated ? Severity::Warning : Severity::Info);
         }
     }
@@ -115,7 +119,7 @@ private:
     void checkMask(std::size_t row) {
         if (m_kinds[row] == StackupKind::SolderMask && isKnown(row) && m_rows[row].thickness > kMostMask) {
             add(StackupCheck::MaskThickness,
-                "solder mask " + nameAndThickness(row) + ": no solder mask is thicker than " + thicknessText(kMostMask),
+                "solder mask " + nameAndThickness(row) + ": no solder mask is thicker than " + textOf(kMostMask),
                 {row});
         }
     }
@@ -141,8 +145,8 @@ private:
         const Nm thickness = m_rows[row].thickness;
         if (isCopper(row) && isKnown(row) && (thickness < kThinnestFoil || thickness > kThickestFoil)) {
             add(StackupCheck::CopperThickness,
-                "copper " + nameAndThickness(row) + ": foils are " + thicknessText(kThinnestFoil) + " to " +
-                    thicknessText(kThickestFoil) + " thick",
+                "copper " + nameAndThickness(row) + ": foils are " + textOf(kThinnestFoil) + " to " +
+                    textOf(kThickestFoil) + " thick",
                 {row});
         }
     }
@@ -151,7 +155,7 @@ private:
         if (isDielectric(m_kinds[row]) && isKnown(row) && m_rows[row].thickness < kThinnestDielectric) {
             add(StackupCheck::DielectricThickness,
                 "dielectric " + nameAndThickness(row) + ": none is made that is thinner than " +
-                    thicknessText(kThinnestDielectric),
+                    textOf(kThinnestDielectric),
                 {row});
         }
     }
@@ -224,6 +228,7 @@ private:
 
     const Document& m_document;
     const std::vector<StackupRow>& m_rows;
+    const LengthWriter& m_write;
     std::vector<StackupKind> m_kinds;
     std::vector<StackupFinding> m_findings;
 };
@@ -243,8 +248,8 @@ const char* toString(StackupCheck check) {
     return kNames[static_cast<std::size_t>(check)];
 }
 
-std::vector<StackupFinding> checkStackup(const Document& document) {
-    return StackupChecker(document).run();
+std::vector<StackupFinding> checkStackup(const Document& document, const LengthWriter& write) {
+    return StackupChecker(document, write).run();
 }
 
 void reportStackup(const Document& document, Diagnostics& diagnostics) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "model/base/length_writer.h"
 #include "model/board/document.h"
 
 /// What of a stackup a fabricator would query, because no such material is made or the job contradicts itself. Only
@@ -43,8 +44,9 @@ struct StackupFinding {
     std::vector<std::size_t> rows;  ///< of Stackup::rows that it is about; empty: the whole stackup
 };
 
-/// In the order of the checks, then of the rows. Symmetry is looked at zone by zone where there are zones.
-[[nodiscard]] std::vector<StackupFinding> checkStackup(const Document& document);
+/// In the order of the checks, then of the rows. Symmetry is looked at zone by zone where there are zones. `write` says
+/// thicknesses in the texts.
+[[nodiscard]] std::vector<StackupFinding> checkStackup(const Document& document, const LengthWriter& write = {});
 
 /// The same as messages about no file.
 void reportStackup(const Document& document, Diagnostics& diagnostics);

@@ -95,9 +95,12 @@ void placeColumns(const Document& document, StackupDrawing& out) {
     }
 }
 
-std::string sizesText(const StackupBarrel& bore) {
+std::string sizesText(const StackupBarrel& bore, const LengthWriter& write) {
     if (bore.most == 0) {
         return "";
+    }
+    if (write) {
+        return " of " + (bore.least == bore.most ? "" : write(bore.least) + " to ") + write(bore.most);
     }
     return bore.least == bore.most ? formatted(" of %.4g mm", base::toMm(bore.most))
                                    : formatted(" of %.4g to %.4g mm", base::toMm(bore.least), base::toMm(bore.most));
@@ -134,10 +137,10 @@ StackupDrawing drawStackup(const Document& document, const StackupLayout& layout
     return out;
 }
 
-std::string boreText(const Document& document, const StackupBarrel& bore) {
+std::string boreText(const Document& document, const StackupBarrel& bore, const LengthWriter& write) {
     return document.layer(bore.layer).name + ": " + toString(bore.span) +
            (bore.isPlated ? ", plated, " : ", non-plated, ") + std::to_string(bore.count) +
-           (bore.count == 1 ? " hole" : " holes") + sizesText(bore);
+           (bore.count == 1 ? " hole" : " holes") + sizesText(bore, write);
 }
 
 }  // namespace model

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "model/base/length_writer.h"
 #include "model/board/document.h"
 #include "model/board/holes.h"
 #include "model/board/stackup_table.h"
@@ -60,7 +61,7 @@ struct StackupDrawing {
 /// Moves the labels of bands, which are listed from the top, apart as little as needed to keep each within `height`.
 void spreadLabels(double lineHeight, StackupDrawing& drawing);
 
-/// "DRILL: through, plated, 1204 holes of 0.2 to 3.2 mm"
-[[nodiscard]] std::string boreText(const Document& document, const StackupBarrel& bore);
+/// "DRILL: through, plated, 1204 holes of 0.2 to 3.2 mm", or as `write` says diameters.
+[[nodiscard]] std::string boreText(const Document& document, const StackupBarrel& bore, const LengthWriter& write = {});
 
 }  // namespace model

@@ -86,15 +86,15 @@ std::string csvRow(const Document& document, std::size_t number) {
 
 }  // namespace
 
-std::string stackupSvg(const Document& document, bool isExaggerated) {
-    const StackupSheet sheet = stackupSheet(document, isExaggerated);
+std::string stackupSvg(const Document& document, bool isExaggerated, const LengthWriter& write) {
+    const StackupSheet sheet = stackupSheet(document, isExaggerated, write);
     return svgStart(sheet.width, sheet.height) + svgOfAll(sheet.rects) + svgOfAll(sheet.leaders) +
            svgOfAll(sheet.texts) + "</svg>\n";
 }
 
-std::string stackupCsv(const Document& document) {
+std::string stackupCsv(const Document& document, const LengthWriter& write) {
     const std::vector<Substack> parts = substacksOf(document);
-    const std::vector<StackupFinding> findings = checkStackup(document);
+    const std::vector<StackupFinding> findings = checkStackup(document, write);
     std::string out = csvHeadings(parts);
     for (std::size_t row = 0; row < document.stackup.rows.size(); ++row) {
         out += csvRow(document, row);
@@ -106,7 +106,8 @@ std::string stackupCsv(const Document& document) {
     return out;
 }
 
-base::Status writeStackup(const Document& document, const std::filesystem::path& path, bool isExaggerated) {
+base::Status writeStackup(const Document& document, const std::filesystem::path& path, bool isExaggerated,
+                          const LengthWriter& write) {
     const std::string ending = path.extension().string();
     if (ending != ".svg" && ending != ".csv") {
         return base::Error{base::ErrorCode::BadUsage, path.string() + ": a stackup is written as .svg or .csv"};
@@ -116,7 +117,7 @@ base::Status writeStackup(const Document& document, const std::filesystem::path&
                            "This board states its heights itself; there is no stackup to write"};
     }
     std::ofstream file(path, std::ios::binary);
-    file << (ending == ".svg" ? stackupSvg(document, isExaggerated) : stackupCsv(document));
+    file << (ending == ".svg" ? stackupSvg(document, isExaggerated, write) : stackupCsv(document, write));
     file.close();
     if (!file) {
         return base::Error{base::ErrorCode::OutputFailed,

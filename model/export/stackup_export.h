@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "model/base/length_writer.h"
 #include "model/base/result.h"
 #include "model/board/document.h"
 
@@ -11,15 +12,15 @@
 namespace model {
 
 /// The sheet (model/export/stackup_sheet.h) as SVG 1.1 in UTF-8.
-[[nodiscard]] std::string stackupSvg(const Document& document, bool isExaggerated);
+[[nodiscard]] std::string stackupSvg(const Document& document, bool isExaggerated, const LengthWriter& write = {});
 /// A line per row of the stackup with headings, comma separated (RFC 4180); lengths in nm, empty where nothing is
 /// known. With zones there is a column of cumulative thickness for each, empty where it does not have the layer or that
-/// does not count.
-[[nodiscard]] std::string stackupCsv(const Document& document);
+/// does not count. `write` is for the texts of findings.
+[[nodiscard]] std::string stackupCsv(const Document& document, const LengthWriter& write = {});
 
 /// Writes one of them, as the name's ending says. Errors: BadUsage for other endings and boards without a stackup,
 /// OutputFailed with the path and the reason.
-[[nodiscard]] base::Status writeStackup(const Document& document, const std::filesystem::path& path,
-                                        bool isExaggerated);
+[[nodiscard]] base::Status writeStackup(const Document& document, const std::filesystem::path& path, bool isExaggerated,
+                                        const LengthWriter& write = {});
 
 }  // namespace model

@@ -86,8 +86,8 @@ std::string shortened(const std::string& text, double width) {
 
 class SheetMaker {
 public:
-    SheetMaker(const Document& document, bool isExaggerated)
-        : m_document(document), m_drawing(drawStackup(document, {kHeight, kLine, isExaggerated})) {}
+    SheetMaker(const Document& document, bool isExaggerated, const LengthWriter& write)
+        : m_document(document), m_write(write), m_drawing(drawStackup(document, {kHeight, kLine, isExaggerated})) {}
 
     StackupSheet make() {
         if (m_drawing.bands.empty()) {
@@ -108,6 +108,8 @@ public:
     }
 
 private:
+    [[nodiscard]] std::string textOf(Nm length) const { return m_write ? m_write(length) : lengthText(length); }
+
     void write(double x, double y, std::string text, SheetAlign align = SheetAlign::Left, bool isBold = false,
                bool isItalic = false) {
         m_sheet.texts.push_back({x, y, std::move(text), align, isBold, isItalic});
@@ -128,7 +130,7 @@ private:
         const std::string scale = m_drawing.copperTimes > 1.0
                                       ? formatted("copper scale x%g, else to scale", m_drawing.copperTimes)
                                       : "to scale";
-        write(kMargin, kLine + 4, m_document.job.name + ": " + lengthText(m_document.boardThickness) + ", " + scale,
+        write(kMargin, kLine + 4, m_document.job.name + ": " + textOf(m_document.boardThickness) + ", " + scale,
               SheetAlign::Left, true);
     }
 
@@ -173,10 +175,10 @@ private:
         m_x = kTableLeft;
         cell(kName, y, row.name);
         cell(kKind, y, wordsOf(kindOf(row, m_document)));
-        cell(kThickness, y, lengthText(row.thickness), false, isAssumed);
+        cell(kThickness, y, textOf(row.thickness), false, isAssumed);
         for (const StackupColumn& column : m_drawing.columns) {
             const std::optional<Nm>& sum = column.part.cumulative[number];
-            cell(kCumulative, y, sum ? lengthText(*sum) : column.part.has[number] ? "" : "–");
+            cell(kCumulative, y, sum ? textOf(*sum) : column.part.has[number] ? "" : "–");
         }
         cell(kSource, y, wordOf(row.source), false, isAssumed);
         cell(kWeight, y, weight ? formatted("%.3g", weight->oz) : "", false,
@@ -205,19 +207,20 @@ private:
         };
         for (const StackupColumn& column : m_drawing.columns) {
             line((isWhole() ? "" : "Zone " + column.part.name + ": ") + "copper to copper " +
-                     lengthText(column.part.copperToCopper) + ", overall " + lengthText(column.part.overall),
+                     textOf(column.part.copperToCopper) + ", overall " + textOf(column.part.overall),
                  true);
         }
         for (std::size_t i = 0; i < m_drawing.bores.size(); ++i) {
-            line(std::to_string(i + 1) + "  " + boreText(m_document, m_drawing.bores[i]));
+            line(std::to_string(i + 1) + "  " + boreText(m_document, m_drawing.bores[i], m_write));
         }
-        for (const StackupFinding& finding : checkStackup(m_document)) {
+        for (const StackupFinding& finding : checkStackup(m_document, m_write)) {
             line(std::string(finding.severity == Severity::Warning ? "Warning: " : "Note: ") + finding.text);
         }
         m_sheet.height = y + kLine / 2;
     }
 
     const Document& m_document;
+    const LengthWriter& m_write;
     StackupDrawing m_drawing;
     StackupSheet m_sheet;
     double m_x = 0.0;  ///< where the next cell begins
@@ -226,8 +229,8 @@ private:
 
 }  // namespace
 
-StackupSheet stackupSheet(const Document& document, bool isExaggerated) {
-    return SheetMaker(document, isExaggerated).make();
+StackupSheet stackupSheet(const Document& document, bool isExaggerated, const LengthWriter& write) {
+    return SheetMaker(document, isExaggerated, write).make();
 }
 
 }  // namespace model

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/base/length_writer.h"
 #include "model/board/document.h"
 
 /// The stackup as one sheet of rectangles, lines and texts: drawing, table, totals, holes and findings. Everything that
@@ -48,7 +49,7 @@ struct StackupSheet {
     std::vector<SheetText> texts;
 };
 
-/// An empty sheet for boards without a stackup.
-[[nodiscard]] StackupSheet stackupSheet(const Document& document, bool isExaggerated);
+/// An empty sheet for boards without a stackup. `write` says lengths.
+[[nodiscard]] StackupSheet stackupSheet(const Document& document, bool isExaggerated, const LengthWriter& write = {});
 
 }  // namespace model

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "model/base/thickness_units.h"
 #include "model/export/stackup_drawing.h"
+#include "ui/common/thickness_text.h"
 #include "ui/section/section_view.h"
 
 namespace ui {
@@ -154,7 +154,7 @@ SectionView::LabelColumns SectionView::labelColumns(const std::vector<NamedRow>&
     double thickness = 0.0;
     double height = 0.0;
     for (const NamedRow& named : rows) {
-        const QString text = QString::fromStdString(model::thicknessText(named.row->thickness));
+        const QString text = thicknessText(named.row->thickness, m_unit);
         const QFontMetrics letters(fontOf(font(), *named.row));
         thickness = std::max(thickness, letters.horizontalAdvance(text) + kApart);
         height = std::max(height, fontMetrics().horizontalAdvance(heightText(named)) + 2.0);
@@ -167,7 +167,7 @@ SectionView::LabelColumns SectionView::labelColumns(const std::vector<NamedRow>&
 SectionView::LabelTexts SectionView::textsOf(const NamedRow& named, const LabelColumns& columns) const {
     const int room = static_cast<int>(columns.thickness - kApart - columns.name);
     return {fontMetrics().elidedText(QString::fromStdString(named.row->name), Qt::ElideMiddle, room),
-            QString::fromStdString(model::thicknessText(named.row->thickness)), heightText(named)};
+            thicknessText(named.row->thickness, m_unit), heightText(named)};
 }
 
 std::vector<SectionView::LabelTexts> SectionView::labels() const {

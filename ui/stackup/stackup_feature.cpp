@@ -4,6 +4,7 @@
 
 #include "model/export/stackup_export.h"
 #include "ui/common/paths.h"
+#include "ui/common/thickness_text.h"
 #include "ui/layers/layer_model.h"
 #include "ui/stackup/stackup_panel.h"
 #include "ui/stackup/stackup_pdf.h"
@@ -57,6 +58,7 @@ void connectView(FeatureContext& context, StackupView& view) {
     QObject::connect(&context.layers, &LayerModel::stylesChanged, &view, setColours);
     QObject::connect(&workspace, &Workspace::boardOpened, &view, setBoard);
     QObject::connect(&workspace, &Workspace::restacked, &view, setBoard);
+    QObject::connect(&workspace, &Workspace::unitChanged, &view, &StackupView::setUnit);
     context.actions[ActionId::ExaggerateCopper].setChecked(view.isExaggerated());
     context.on(ActionId::ExaggerateCopper, &view, [&view](bool isOn) { view.setExaggerated(isOn); });
 }
@@ -108,9 +110,10 @@ void connectRows(FeatureContext& context, StackupPanel& panel, const StackupMode
 
 base::Status save(const FeatureContext& context, const QString& path, bool isExaggerated) {
     const model::Document& document = *context.workspace.board()->document;
+    const model::LengthWriter write = lengthWriter(context.workspace.unit());
     return path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)
-               ? writeStackupPdf(document, path, isExaggerated)
-               : model::writeStackup(document, toPath(path), isExaggerated);
+               ? writeStackupPdf(document, path, isExaggerated, write)
+               : model::writeStackup(document, toPath(path), isExaggerated, write);
 }
 
 }  // namespace
@@ -124,6 +127,7 @@ void addStackup(FeatureContext& context) {
     const auto setBoard = [stackup](const LoadedBoard& board) { stackup->setDocument(board.document); };
     QObject::connect(&workspace, &Workspace::boardRead, stackup, setBoard);
     QObject::connect(&workspace, &Workspace::restacked, stackup, setBoard);
+    QObject::connect(&workspace, &Workspace::unitChanged, stackup, &StackupModel::setUnit);
     QObject::connect(stackup, &StackupModel::edited, &workspace,
                      [&workspace](const auto& changes) { edit(workspace, changes); });
     QObject::connect(stackup, &StackupModel::refused, &workspace, &Workspace::errorReported);

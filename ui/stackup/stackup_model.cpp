@@ -5,8 +5,8 @@
 
 #include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
-#include "model/text/formatting.h"
 #include "ui/common/severity_colour.h"
+#include "ui/common/thickness_text.h"
 #include "ui/layers/layer_model.h"
 
 namespace ui {
@@ -63,8 +63,8 @@ std::vector<Column> StackupModel::columnsFor(const std::vector<model::Substack>&
 
 QString StackupModel::thicknessHint() {
     return tr(
-        "Double-click to set it, for example 35 µm, 0.2 mm, 4 mil or 1 oz; empty it to go back to the job's "
-        "value");
+        "Double-click to set it, for example 35 µm, 0.2 mm, 4 mil or 1 oz; a number alone is in the unit that is "
+        "shown; empty it to go back to the job's value");
 }
 
 QString StackupModel::sourceText(model::Source source) {
@@ -125,8 +125,18 @@ void StackupModel::setDocument(std::shared_ptr<const model::Document> document) 
     }
     m_document = std::move(document);
     m_substacks = std::move(substacks);
-    m_findings = m_document ? model::checkStackup(*m_document) : std::vector<model::StackupFinding>{};
+    checkAll(unit());
     isSame ? announceChange() : endResetModel();
+}
+
+void StackupModel::setUnit(LengthUnit unit) {
+    checkAll(unit);
+    TableModel::setUnit(unit);
+}
+
+void StackupModel::checkAll(LengthUnit unit) {
+    m_findings =
+        m_document ? model::checkStackup(*m_document, lengthWriter(unit)) : std::vector<model::StackupFinding>{};
 }
 
 Qt::ItemFlags StackupModel::flags(const QModelIndex& index) const {
@@ -143,8 +153,7 @@ Cell StackupModel::cell(int at, int column) const {
         case Order: return {at + 1};
         case Name: return nameCell(at);
         case Type: return {typeText(row, model::kindOf(row, *m_document))};
-        case Thickness:
-            return {.text = QString::fromStdString(model::thicknessText(row.thickness)), .font = fontOf(row.source)};
+        case Thickness: return {.text = thicknessText(row.thickness, unit()), .font = fontOf(row.source)};
         case Cumulative: return cumulativeCell(at, substack);
         case From: return {.text = sourceText(row.source), .font = fontOf(row.source)};
         case Weight: return weightOf(row);
@@ -165,8 +174,7 @@ Cell StackupModel::totalCell(int at, int column) const {
         return {};
     }
     const model::Substack& part = m_substacks[substack];
-    return {.text = QString::fromStdString(model::lengthText(isOverall ? part.overall : part.copperToCopper)),
-            .font = boldFont()};
+    return {.text = heightText(isOverall ? part.overall : part.copperToCopper, unit()), .font = boldFont()};
 }
 
 Cell StackupModel::cumulativeCell(int at, std::size_t substack) const {
@@ -176,7 +184,7 @@ Cell StackupModel::cumulativeCell(int at, std::size_t substack) const {
         return {QStringLiteral("–")};
     }
     const std::optional<model::Nm>& sum = part.cumulative[row];
-    return sum ? Cell{QString::fromStdString(model::lengthText(*sum))} : Cell{};
+    return sum ? Cell{heightText(*sum, unit())} : Cell{};
 }
 
 Cell StackupModel::nameCell(int at) const {
@@ -199,7 +207,7 @@ QString StackupModel::tip(int at, int column) const {
     QStringList lines;
     const Column field = fieldOf(column).first;
     if (field == Thickness || field == From) {
-        lines += lengthInBoth(row(at).thickness, LengthUnit::Millimetre) + ", " + sourceText(row(at).source);
+        lines += lengthInBoth(row(at).thickness, unit()) + ", " + sourceText(row(at).source);
         lines += thicknessHint();
     }
     for (const model::StackupFinding& finding : m_findings) {
@@ -227,16 +235,19 @@ void StackupModel::resetAll() {
 }
 
 /// A bare number is in the unit of what stands there: "200" for "91.44 µm".
-std::string StackupModel::withUnit(const QString& text, model::Nm now) {
+std::string StackupModel::withUnit(const QString& text, model::Nm now) const {
     bool isNumber = false;
     text.toDouble(&isNumber);
-    const QString shown = QString::fromStdString(model::thicknessText(now));
+    const QString shown = thicknessText(now, unit());
     return (isNumber ? text + shown.mid(shown.lastIndexOf(QLatin1Char(' '))) : text).toStdString();
 }
 
 bool StackupModel::edit(int at, int, const QVariant& value) {
     const model::StackupRow changed = row(at);  // a copy: listeners set another document
     const std::string text = withUnit(value.toString().trimmed(), changed.thickness);
+    if (text == thicknessText(changed.thickness, unit()).toStdString()) {
+        return true;  // as it is shown, which is rounded in mil and inch: nobody has changed it
+    }
     const bool isCopper = model::copperWeightOf(changed).has_value();
     const base::Result<model::Nm> nm =
         text.empty() ? base::Result<model::Nm>(0) : model::parseThickness(text, isCopper);

@@ -10,9 +10,9 @@
 namespace ui {
 
 /// The stackup of the board from the top as a table whose thicknesses can be edited: a number with um, mm, mil, inch
-/// or, for copper, oz. An empty text takes a row back to what the job says. Values that are assumed are in italics,
-/// those edited in bold, and where a value comes from is beside it. The document stays as it is; whoever listens sets
-/// another one.
+/// or, for copper, oz; a number alone is in the unit that the cell shows. An empty text takes a row back to what the
+/// job says. Values that are assumed are in italics, those edited in bold, and where a value comes from is beside it.
+/// The document stays as it is; whoever listens sets another one.
 ///
 /// Thicknesses add up in a column; a board with zones has one for each, side by side, with "–" where the zone does not
 /// have the layer. The last two rows are totals: copper to copper, and overall. Rows that the checks found something
@@ -29,6 +29,9 @@ public:
     /// A null document, or one of a format that states its heights, empties the table. Rows that stay are not reset, so
     /// that the selection stays too.
     void setDocument(std::shared_ptr<const model::Document> document);
+    /// Thicknesses, and the findings about them, in this unit.
+    void setUnit(LengthUnit unit);
+    using TableModel::unit;
 
     /// Takes rows back to what the job says; totals are passed over.
     void reset(const std::vector<int>& rows);
@@ -68,7 +71,8 @@ private:
     [[nodiscard]] static QString sourceText(model::Source source);
     [[nodiscard]] static QString typeText(const model::StackupRow& row, model::StackupKind kind);
     [[nodiscard]] static QString thicknessHint();
-    [[nodiscard]] static std::string withUnit(const QString& text, model::Nm now);
+    [[nodiscard]] std::string withUnit(const QString& text, model::Nm now) const;
+    void checkAll(LengthUnit unit);
 
     std::shared_ptr<const model::Document> m_document;
     std::vector<model::Substack> m_substacks;

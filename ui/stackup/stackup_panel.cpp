@@ -6,10 +6,10 @@
 #include <QScrollArea>
 #include <QSplitter>
 
-#include "model/text/formatting.h"
 #include "ui/common/elided_label.h"
 #include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
+#include "ui/common/thickness_text.h"
 #include "ui/stackup/stackup_view.h"
 #include "ui/workspace/actions.h"
 
@@ -143,18 +143,17 @@ void StackupPanel::updateTotal() {
     const std::vector<model::Substack>& parts = m_model.substacks();
     QStringList lines;
     for (const model::Substack& part : parts) {
-        const QString copper = QString::fromStdString(model::lengthText(part.copperToCopper));
-        const QString overall = QString::fromStdString(model::lengthText(part.overall));
+        const QString copper = heightText(part.copperToCopper, m_model.unit());
+        const QString overall = heightText(part.overall, m_model.unit());
         lines +=
             part.name.empty()
                 ? tr("Copper to copper %1, overall %2").arg(copper, overall)
                 : tr("%1: copper to copper %2, overall %3").arg(QString::fromStdString(part.name), copper, overall);
     }
     m_total->setToolTip(lines.join('\n'));
-    m_total->setText(parts.empty() ? QString()
-                     : parts.size() == 1
-                         ? tr("Cu to Cu %1").arg(QString::fromStdString(model::lengthText(parts[0].copperToCopper)))
-                         : tr("%1 zones").arg(parts.size()));
+    m_total->setText(parts.empty()       ? QString()
+                     : parts.size() == 1 ? tr("Cu to Cu %1").arg(heightText(parts[0].copperToCopper, m_model.unit()))
+                                         : tr("%1 zones").arg(parts.size()));
 }
 
 void StackupPanel::updateSummary() {

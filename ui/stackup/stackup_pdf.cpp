@@ -43,8 +43,9 @@ void paint(QPainter& painter, const model::StackupSheet& sheet) {
 
 }  // namespace
 
-base::Status writeStackupPdf(const model::Document& document, const QString& path, bool isExaggerated) {
-    const model::StackupSheet sheet = model::stackupSheet(document, isExaggerated);
+base::Status writeStackupPdf(const model::Document& document, const QString& path, bool isExaggerated,
+                             const model::LengthWriter& write) {
+    const model::StackupSheet sheet = model::stackupSheet(document, isExaggerated, write);
     if (sheet.width <= 0.0) {
         return base::Error{base::ErrorCode::BadUsage,
                            "This board states its heights itself; there is no stackup to write"};

@@ -6,7 +6,7 @@
 #include <QToolTip>
 #include <algorithm>
 
-#include "model/base/thickness_units.h"
+#include "ui/common/thickness_text.h"
 
 namespace ui {
 
@@ -53,6 +53,11 @@ void StackupView::setSelected(int row) {
 void StackupView::setExaggerated(bool isOn) {
     m_isExaggerated = isOn;
     arrange();
+}
+
+void StackupView::setUnit(LengthUnit unit) {
+    m_unit = unit;
+    update();
 }
 
 QSize StackupView::sizeHint() const {
@@ -170,7 +175,7 @@ void StackupView::paintLabel(QPainter& painter, std::size_t row) const {
     slanted.setItalic(layer.source == model::Source::Assumed);
     slanted.setBold(layer.source == model::Source::Session);
     painter.setFont(slanted);
-    write(thicknessLeft, width(), QString::fromStdString(model::thicknessText(layer.thickness)));
+    write(thicknessLeft, width(), thicknessText(layer.thickness, m_unit));
     painter.setFont(font());
 }
 
@@ -192,7 +197,7 @@ void StackupView::paintCaption(QPainter& painter, std::size_t row) const {
     const double top = kMargin + m_drawing.height + lineHeight() * (static_cast<double>(row) + 1.5);
     const int room = static_cast<int>(width() - 2 * kMargin);
     const QString name = QString::fromStdString(m_document->layer(m_drawing.bores[row].layer).name);
-    const QString text = QString::fromStdString(model::boreText(*m_document, m_drawing.bores[row]));
+    const QString text = boreText(row);
     const QString number = boreNumber(row) + QStringLiteral("  ");
     const QString rest = text.mid(name.size());
     const int left = room - fontMetrics().horizontalAdvance(number + rest);
@@ -200,6 +205,10 @@ void StackupView::paintCaption(QPainter& painter, std::size_t row) const {
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(QRectF(kMargin, top, room, lineHeight()), Qt::AlignVCenter,
                      fontMetrics().elidedText(number + cut + rest, Qt::ElideRight, room));
+}
+
+QString StackupView::boreText(std::size_t row) const {
+    return QString::fromStdString(model::boreText(*m_document, m_drawing.bores[row], lengthWriter(m_unit)));
 }
 
 std::size_t StackupView::boreAt(QPointF at) const {
@@ -232,7 +241,7 @@ model::LayerId StackupView::layerAt(QPointF at) const {
 
 QString StackupView::tipAt(QPointF at) const {
     if (const std::size_t bore = boreAt(at); bore < m_drawing.bores.size()) {
-        return QString::fromStdString(model::boreText(*m_document, m_drawing.bores[bore]));
+        return boreText(bore);
     }
     const std::size_t row = rowAt(at);
     if (row >= m_drawing.bands.size()) {
@@ -240,8 +249,7 @@ QString StackupView::tipAt(QPointF at) const {
     }
     const model::StackupRow& layer = m_document->stackup.rows[row];
     return QStringLiteral("%1: %2%3, %4")
-        .arg(QString::fromStdString(layer.name), QString::fromStdString(model::thicknessText(layer.thickness)),
-             zonesOf(row),
+        .arg(QString::fromStdString(layer.name), thicknessText(layer.thickness, m_unit), zonesOf(row),
              layer.layer.isValid() ? tr("Alt+click shows it alone, Esc all again") : tr("no layer of the job"));
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/export/stackup_drawing.h"
+#include "ui/common/display_units.h"
 
 namespace ui {
 
@@ -22,6 +23,7 @@ public:
     /// `colours` has one entry per layer of the document. `alone` is the layer that is shown alone, if one is.
     void setStyles(std::vector<QColor> colours, model::LayerId alone);
     void setExaggerated(bool isOn);
+    void setUnit(LengthUnit unit);
     /// The row that stands out; -1 for none.
     void setSelected(int row);
 
@@ -31,6 +33,8 @@ public:
     [[nodiscard]] QRectF bandRect(std::size_t row) const;
     [[nodiscard]] QRectF zoneRect(std::size_t row, std::size_t zone) const;
     [[nodiscard]] QRectF boreRect(std::size_t row) const;
+    /// What is under the pointer there; empty for nothing.
+    [[nodiscard]] QString tipAt(QPointF at) const;
     [[nodiscard]] QSize sizeHint() const override;
 
 signals:
@@ -54,10 +58,10 @@ private:
     [[nodiscard]] double labelLeft() const { return width() * (m_drawing.columns.size() > 1 ? 0.52 : 0.42); }
     /// The layer at a position, a hole before the layers it passes; none beside them or where the job has no layer.
     [[nodiscard]] model::LayerId layerAt(QPointF at) const;
-    [[nodiscard]] QString tipAt(QPointF at) const;
     [[nodiscard]] QString zonesOf(std::size_t row) const;
     [[nodiscard]] std::size_t boreAt(QPointF at) const;
     [[nodiscard]] std::size_t rowAt(QPointF at) const;
+    [[nodiscard]] QString boreText(std::size_t row) const;
     [[nodiscard]] QColor colourOf(const model::StackupRow& row) const;
     void paintZoneNames(QPainter& painter) const;
     void paintBand(QPainter& painter, std::size_t row) const;
@@ -72,6 +76,7 @@ private:
     model::LayerId m_isolated;
     int m_selected = -1;
     bool m_isExaggerated = true;
+    LengthUnit m_unit = LengthUnit::Millimetre;
 };
 
 }  // namespace ui

@@ -144,6 +144,36 @@ private slots:
         QVERIFY(total->toolTip().contains("Flex: copper to copper 556.67 µm"));
     }
 
+    void drawingTotalsFindingsAndExportsAreInTheUnitOfTheWindow() {
+        const QPointF layer(view().bandRect(rowOf("L1")).left() + 1.0, view().bandRect(rowOf("L1")).center().y());
+        const QPointF hole = view().boreRect(0).center();
+        const QImage before = view().grab().toImage();
+        QVERIFY(view().tipAt(layer).startsWith("L1: 35 µm"));
+        while (window().workspace().unit() != ui::LengthUnit::Mil) {
+            m_fixture->key(Qt::Key_Q);
+        }
+        QVERIFY(differingPixels(before, view().grab().toImage()) > 50);
+        QVERIFY2(view().tipAt(layer).startsWith("L1: 1.38 mil"), qPrintable(view().tipAt(layer)));
+        QVERIFY2(view().tipAt(hole).endsWith(" mil"), qPrintable(view().tipAt(hole)));
+        QCOMPARE(window().label("stackupTotal"), "Cu to Cu 62.99 mil");
+        const QModelIndex thickness =
+            window().stack().index(static_cast<int>(rowOf("L2")), ui::StackupModel::Thickness);
+        QVERIFY(window().stack().setData(thickness, "490 um", Qt::EditRole));
+        QVERIFY(
+            panel().findings().model()->index(0, 0).data().toString().startsWith("Copper L2 19.29 mil: foils are "
+                                                                                 "0.2 mil to 18.9 mil thick"));
+        const QString drawing = m_fixture->folder() + "/mil.svg";
+        window().save(ui::ActionId::ExportStackup, drawing);
+        QVERIFY(contentsOf(drawing).contains(">1.38 mil<") && contentsOf(drawing).contains("overall "));
+        QVERIFY(!contentsOf(drawing).contains("µm") && !contentsOf(drawing).contains(" mm"));
+        m_fixture->key(Qt::Key_Q);
+        QVERIFY(window().label("stackupTotal").endsWith(" in"));
+        m_fixture->key(Qt::Key_Q);
+        QCOMPARE(window().label("stackupTotal").left(9), "Cu to Cu ");
+        QVERIFY(panel().findings().model()->index(0, 0).data().toString().startsWith("Copper L2 490 µm"));
+        window().actions()[ActionId::Undo].trigger();
+    }
+
     void aPdfIsOnePage() {
         const QString path = m_fixture->folder() + "/stackup.pdf";
         window().save(ui::ActionId::ExportStackup, path);

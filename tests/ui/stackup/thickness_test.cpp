@@ -58,6 +58,33 @@ private slots:
         QVERIFY(differingPixels(before, m_fixture->picture()) > 20);
     }
 
+    void thicknessesAreShownAndTypedInTheUnitOfTheWindow() {
+        while (window().workspace().unit() != ui::LengthUnit::Mil) {
+            m_fixture->key(Qt::Key_Q);
+        }
+        QCOMPARE(textOf("CORE1", StackupModel::Thickness), "7.87 mil");
+        QCOMPARE(cell("CORE1", StackupModel::Thickness).data(Qt::ToolTipRole).toString().section(',', 0, 0),
+                 "7.87 mil (0.2 mm)");
+        QVERIFY(textOf("CORE1", StackupModel::Cumulative).endsWith(" mil"));
+        QVERIFY(textOf("Overall", StackupModel::Cumulative).endsWith(" mil"));
+        type("CORE1", "7.87 mil");  // as it is shown: nothing is changed by that
+        QCOMPARE(rowOf("CORE1").thickness, 200'000);
+        QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
+        type("CORE1", "10");
+        QCOMPARE(rowOf("CORE1").thickness, 254'000);
+        type("CORE1", "35um");
+        QCOMPARE(rowOf("CORE1").thickness, 35'000);
+        QCOMPARE(textOf("CORE1", StackupModel::Thickness), "1.38 mil");
+        m_fixture->key(Qt::Key_Q);
+        QCOMPARE(textOf("CORE1", StackupModel::Thickness), "0.00138 in");
+        type("CORE1", "0.01");
+        QCOMPARE(rowOf("CORE1").thickness, 254'000);
+        m_fixture->key(Qt::Key_Q);
+        QCOMPARE(textOf("CORE1", StackupModel::Thickness), "254 µm");
+        type("CORE1", "100");  // shown in µm, so typed in µm
+        QCOMPARE(rowOf("CORE1").thickness, 100'000);
+    }
+
     void undoAndRedoWalkThroughTheEdits() {
         const QImage first = m_fixture->picture();
         QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
