@@ -100,7 +100,9 @@ std::string sizesText(const StackupBarrel& bore, const LengthWriter& write) {
         return "";
     }
     if (write) {
-        return " of " + (bore.least == bore.most ? "" : write(bore.least) + " to ") + write(bore.most);
+        const std::string least = write(bore.least);
+        const std::string number = least.substr(0, least.find(' '));  // the unit is said once
+        return " of " + (bore.least == bore.most ? "" : number + " to ") + write(bore.most);
     }
     return bore.least == bore.most ? formatted(" of %.4g mm", base::toMm(bore.most))
                                    : formatted(" of %.4g to %.4g mm", base::toMm(bore.least), base::toMm(bore.most));

@@ -132,6 +132,11 @@ private slots:
         }
         QCOMPARE(holes, 0U);
         QCOMPARE(model::boreText(*document, back), "BACK: backdrill, non-plated, 1 hole of 1.2 mm");
+        const model::LengthWriter inUm = [](model::Nm nm) { return std::to_string(nm / 1000) + " um"; };
+        QCOMPARE(model::boreText(*document, back, inUm), "BACK: backdrill, non-plated, 1 hole of 1200 um");
+        model::StackupBarrel two = back;
+        two.least = 800'000;
+        QVERIFY(model::boreText(*document, two, inUm).ends_with(" of 800 to 1200 um"));
     }
 
     void zonesStandSideBySideWithTheLayersTheyHave() {
