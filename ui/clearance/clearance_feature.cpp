@@ -102,7 +102,7 @@ void ClearanceFeature::connectCommands(FeatureContext& context) {
     on(ActionId::SearchClearances, [this](bool) { search(); });
     on(ActionId::Lens, [this](bool isOn) { m_lens.setOn(isOn); });
     on(ActionId::ClearanceMap, [this](bool isOn) { m_distances.setOn(isOn); });
-    on(ActionId::EditRules, [this, &window = context.window](bool) { editRules(window); });
+    context.on(ActionId::EditRules, this, [this, &window = context.window] { editRules(window); });
     context.on(ActionId::NextClearance, this, [this] { step(1); });
     context.on(ActionId::PreviousClearance, this, [this] { step(-1); });
 }
@@ -420,6 +420,7 @@ void ClearanceFeature::editRules(QWidget& parent) {
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         const model::RuleTable before = m_rules.rules();
         m_rules.setRules(dialog->rules().rules());
+        FeatureContext::raise(*m_panel);  // not before: who gives up finds the window as it was
         m_panel->showRules();
         remember(before);
     });

@@ -7,8 +7,10 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QTimer>
 #include <QWindow>
 #include <algorithm>
+#include <utility>
 
 #include "ui/workspace/key_presets.h"
 
@@ -132,7 +134,29 @@ bool Keyboard::returnToView() {
     return true;
 }
 
+/// The desktop may move the keyboard while the dialog goes: the view takes it after that.
+void Keyboard::onDialog(bool isOpen) {
+    if (isOpen) {
+        const auto& both = m_views.both();
+        const auto* const had = std::ranges::find_if(both, &BoardView::hasKeyboard);
+        m_interrupted = had != both.end() ? *had : nullptr;
+        return;
+    }
+    QTimer::singleShot(0, this, [this] {
+        BoardView* view = std::exchange(m_interrupted, nullptr);
+        if (view != nullptr && view->isVisible() && QApplication::activeModalWidget() == nullptr) {
+            view->window()->activateWindow();
+            view->takeKeyboard();
+        }
+    });
+}
+
 bool Keyboard::eventFilter(QObject* watched, QEvent* event) {
+    const bool isOpen = event->type() == QEvent::WindowBlocked;
+    if (watched == parent() && (isOpen || event->type() == QEvent::WindowUnblocked)) {
+        onDialog(isOpen);
+        return false;
+    }
     const bool isTaken = qobject_cast<QDockWidget*>(watched) != nullptr || isControl(QApplication::focusWidget());
     if (isTaken && event->type() == QEvent::ShortcutOverride && isPanelKey(static_cast<QKeyEvent&>(*event))) {
         event->accept();

@@ -10,7 +10,8 @@ class QDockWidget;
 namespace ui {
 
 /// How the window is used with keys: the key preset (and with it the use of the mouse), and which view or panel they
-/// go to. Shown views and panels take turns, views first; a panel that lies behind another one comes to the front.
+/// go to. Shown views and panels take turns, views first; a panel that lies behind another one comes to the front. A
+/// dialog that ends gives them back to the view that had them before.
 class Keyboard : public QObject {
     Q_OBJECT
 
@@ -31,11 +32,13 @@ private:
     /// Where the keyboard is: one of `stops`, or none of them.
     [[nodiscard]] QWidget* current() const;
     void goTo(QWidget* stop);
+    void onDialog(bool isOpen);
 
     ActionSet& m_actions;
     BoardViews& m_views;
-    QWidget* m_visited = nullptr;  ///< the panel that was reached with keys
-    QList<QDockWidget*> m_docks;   ///< in the order they were made, which raising one would change among siblings
+    BoardView* m_interrupted = nullptr;  ///< the view that had the keyboard when a dialog opened
+    QWidget* m_visited = nullptr;        ///< the panel that was reached with keys
+    QList<QDockWidget*> m_docks;         ///< in the order they were made, which raising one would change among siblings
 };
 
 }  // namespace ui

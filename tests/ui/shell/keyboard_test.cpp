@@ -7,11 +7,13 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QMouseEvent>
+#include <QPointer>
 #include <QSpinBox>
 #include <QtTest>
 
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/clearance/rule_dialog.h"
 #include "ui/common/table_view.h"
 #include "ui/element/element_panel.h"
 #include "ui/layers/layers_panel.h"
@@ -138,6 +140,30 @@ private slots:
         m_fixture->key(Qt::Key_Space);
         QCOMPARE(flat.controller().camera().direction().z, -before);
         QCOMPARE(window().layers().visibility(), visible);
+    }
+
+    void escFromTheRulesLeavesTheWindowAsItWas() {
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        ui::BoardView& solid = window().views().solid();
+        pointAt(solid);
+        QTRY_VERIFY(solid.hasKeyboard());
+        const QDockWidget& panel = *window().findChild<QDockWidget*>("clearances");
+        QVERIFY(panel.isHidden());
+        m_fixture->key(Qt::Key_R, Qt::ControlModifier | Qt::AltModifier);
+        QTRY_VERIFY(window().findChild<ui::RuleDialog*>() != nullptr);
+        const QPointer<QDialog> dialog = window().findChild<ui::RuleDialog*>();
+        QVERIFY(QTest::qWaitForWindowActive(dialog));
+        QVERIFY2(panel.isHidden(), "nothing of it was asked for yet");
+        QTest::keyClick(dialog.data(), Qt::Key_Escape);
+        QTRY_VERIFY(dialog.isNull());
+        QVERIFY(panel.isHidden());
+        QTRY_VERIFY(solid.hasKeyboard());
+        m_fixture->key(Qt::Key_R, Qt::ControlModifier | Qt::AltModifier);
+        QTRY_VERIFY(window().findChild<ui::RuleDialog*>() != nullptr);
+        window().findChild<ui::RuleDialog*>()->accept();
+        QVERIFY2(!panel.isHidden(), "there they are seen and checked");
+        QTRY_VERIFY(solid.hasKeyboard());
     }
 
     void whoTypesGoesOnTyping() {
