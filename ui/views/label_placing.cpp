@@ -1,7 +1,8 @@
 #include "ui/views/label_placing.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <numbers>
 
 namespace ui {
 
@@ -10,6 +11,7 @@ namespace {
 constexpr double kBeside = 12.0;  // from the place to its label
 constexpr double kApart = 2.0;    // between two labels
 constexpr int kRings = 8;         // how many labels away one may lie
+constexpr double kCell = 64.0;    // of the grid: most labels touch one or two cells
 
 /// Where a label lies from its place, the most wanted first.
 constexpr std::array<QPointF, 8> kSides = {{{1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
@@ -110,6 +112,64 @@ double LabelPlacing::crossedBy(const QRectF& box) const {
         length += part ? part->length() : 0.0;
     }
     return length;
+}
+
+std::array<QPointF, 4> TurnedBox::corners() const {
+    const double angle = angleDeg * std::numbers::pi / 180.0;
+    const QPointF along = QPointF(std::cos(angle), std::sin(angle)) * (size.width() / 2.0);
+    const QPointF across = QPointF(-std::sin(angle), std::cos(angle)) * (size.height() / 2.0);
+    return {middle - along - across, middle + along - across, middle + along + across, middle - along + across};
+}
+
+bool TurnedBox::meets(const TurnedBox& other) const {
+    const std::array<QPointF, 4> own = corners();
+    const std::array<QPointF, 4> others = other.corners();
+    // Two convex shapes lie apart if a side of one of them parts them.
+    const auto isParted = [&](QPointF axis) {
+        const auto rangeOf = [axis](const std::array<QPointF, 4>& corners) {
+            std::pair range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+            for (const QPointF corner : corners) {
+                const double at = QPointF::dotProduct(axis, corner);
+                range = {std::min(range.first, at), std::max(range.second, at)};
+            }
+            return range;
+        };
+        const auto [low, high] = rangeOf(own);
+        const auto [otherLow, otherHigh] = rangeOf(others);
+        return high <= otherLow || otherHigh <= low;
+    };
+    return !isParted(own[1] - own[0]) && !isParted(own[3] - own[0]) && !isParted(others[1] - others[0]) &&
+           !isParted(others[3] - others[0]);
+}
+
+LabelRoom::Cells LabelRoom::cellsOf(const TurnedBox& box) {
+    const std::array<QPointF, 4> corners = box.corners();
+    const auto [left, right] = std::ranges::minmax(corners, {}, &QPointF::x);
+    const auto [top, bottom] = std::ranges::minmax(corners, {}, &QPointF::y);
+    const auto cell = [](double at) { return static_cast<int>(std::floor(at / kCell)); };
+    return {cell(left.x()), cell(right.x()), cell(top.y()), cell(bottom.y())};
+}
+
+bool LabelRoom::take(const TurnedBox& box) {
+    const Cells cells = cellsOf(box);
+    const auto each = [&cells](const auto& visit) {
+        for (int column = cells.left; column <= cells.right; ++column) {
+            for (int row = cells.top; row <= cells.bottom; ++row) {
+                visit(qMakePair(column, row));
+            }
+        }
+    };
+    bool isFree = true;
+    each([&](const QPair<int, int>& cell) {
+        if (const auto found = m_cells.constFind(cell); found != m_cells.constEnd()) {
+            isFree = isFree && std::ranges::none_of(*found, [&](std::size_t row) { return m_taken[row].meets(box); });
+        }
+    });
+    if (isFree) {
+        each([&](const QPair<int, int>& cell) { m_cells[cell].push_back(m_taken.size()); });
+        m_taken.push_back(box);
+    }
+    return isFree;
 }
 
 }  // namespace ui

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <QHash>
 #include <QLineF>
+#include <QPair>
 #include <QPointF>
 #include <QPolygonF>
 #include <QRectF>
 #include <QSizeF>
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -48,6 +52,37 @@ private:
     QSizeF m_canvas;
     std::vector<QLineF> m_lines;
     std::vector<QRectF> m_taken;
+};
+
+/// A box about its middle, turned.
+struct TurnedBox {
+    QPointF middle;
+    QSizeF size;
+    double angleDeg = 0.0;
+
+    [[nodiscard]] std::array<QPointF, 4> corners() const;
+    /// Have they more in common than an edge?
+    [[nodiscard]] bool meets(const TurnedBox& other) const;
+};
+
+/// Which labels of many have room where they must be: one that meets an earlier one has none. A grid knows which may
+/// meet, so thousands are told in a millisecond.
+class LabelRoom {
+public:
+    /// Takes the room of a label; false if another one has some of it, and then nothing is taken.
+    [[nodiscard]] bool take(const TurnedBox& box);
+
+private:
+    struct Cells {
+        int left = 0;
+        int right = 0;
+        int top = 0;
+        int bottom = 0;
+    };
+    [[nodiscard]] static Cells cellsOf(const TurnedBox& box);
+
+    std::vector<TurnedBox> m_taken;
+    QHash<QPair<int, int>, std::vector<std::size_t>> m_cells;  ///< rows of m_taken by column and row of the grid
 };
 
 }  // namespace ui

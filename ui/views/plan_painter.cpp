@@ -1,11 +1,15 @@
 #include "ui/views/plan_painter.h"
 
+#include <QFontMetricsF>
+#include <QGuiApplication>
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "model/index/pin_names.h"
 #include "ui/common/net_name.h"
+#include "ui/views/label_placing.h"
 
 namespace ui {
 
@@ -97,6 +101,39 @@ double heightOf(const QStringList& lines, double width, double room) {
     const double across = width * kFilled / (lines.size() > 1 ? kLineHeight * static_cast<double>(lines.size()) : 1.0);
     // Letters are about 0.6 as wide as high.
     return std::min({across, kLargestName, room * 0.9 / (0.6 * static_cast<double>(longest))});
+}
+
+/// How wide bold letters are, in heights of letters. To ask the font for each text would take its time.
+double widthOf(const QString& line) {
+    static const std::array<double, 128> kWidths = [] {
+        constexpr int kPixels = 100;
+        QFont font = QGuiApplication::font();
+        font.setBold(true);
+        font.setPixelSize(kPixels);
+        const QFontMetricsF metrics(font);
+        std::array<double, 128> widths{};
+        for (std::size_t letter = 0; letter < widths.size(); ++letter) {
+            widths[letter] = metrics.horizontalAdvance(QLatin1Char(static_cast<char>(letter))) / kPixels;
+        }
+        return widths;
+    }();
+    double width = 0.0;
+    for (const QChar letter : line) {
+        width += letter.unicode() < kWidths.size() ? kWidths[letter.unicode()] : 1.0;
+    }
+    return width;
+}
+
+/// What the letters of a label cover.
+TurnedBox boxOf(const PlanPainter::Label& label) {
+    constexpr double kCapitals = 0.8;  // of the height of letters
+    const QStringList lines = label.text.split('\n');
+    double widest = 0.0;
+    for (const QString& line : lines) {
+        widest = std::max(widest, widthOf(line));
+    }
+    const double high = kCapitals + kLineHeight * static_cast<double>(lines.size() - 1);
+    return {label.middle, QSizeF(widest, high) * label.height, label.angleDeg};
 }
 
 }  // namespace
@@ -359,19 +396,25 @@ std::vector<model::ElementId> PlanPainter::selectedBeneath() const {
     return beneath;
 }
 
+/// What is selected comes first, then pads: a track has its name elsewhere too. A name that would lie on an earlier one
+/// is left out.
 std::vector<PlanPainter::Label> PlanPainter::labels() const {
     std::vector<Label> labels;
+    LabelRoom room;
     std::vector<QRectF> taken;  // by pads that are selected
+    const auto isPad = [&](model::ElementId element) {
+        return (m_index->board->elements.flags[element.row()] & model::kPad) != 0;
+    };
     const auto add = [&](model::ElementId element) {
-        const std::optional<Label> label = labelFor(element);
+        const std::optional<Label> label = labels.size() < kMostNames ? labelFor(element) : std::nullopt;
         const auto isOn = [&](const QRectF& pad) { return pad.contains(label->middle); };
-        if (label && labels.size() < kMostNames && std::ranges::none_of(taken, isOn)) {
+        if (label && std::ranges::none_of(taken, isOn) && room.take(boxOf(*label))) {
             labels.push_back(*label);
         }
     };
     const auto addSelected = [&](model::ElementId element) {
         add(element);
-        if ((m_index->board->elements.flags[element.row()] & model::kPad) != 0) {
+        if (isPad(element)) {
             taken.push_back(screenBoxOf(element));
         }
     };
@@ -383,6 +426,7 @@ std::vector<PlanPainter::Label> PlanPainter::labels() const {
     std::ranges::for_each(selected, addSelected);
     std::ranges::for_each(selectedBeneath(), addSelected);
     others.erase(selected.begin(), selected.end());
+    std::ranges::stable_partition(others, isPad);
     std::ranges::for_each(others, add);
     return labels;
 }

@@ -41,7 +41,7 @@ public:
         QString text;         ///< one line, or a pin and below it its net
     };
     /// Of `namedLayer`: names of what it hides would only confuse. But what is selected is seen through it: there its
-    /// names are written, and no others.
+    /// names are written, and no others. No two lie on one another: where they would, pads come before tracks.
     [[nodiscard]] std::vector<Label> labels() const;
 
 private:

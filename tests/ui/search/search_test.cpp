@@ -1,9 +1,13 @@
 // One box finds nets, parts, pins, layers, places and commands; keys alone suffice.
 
 #include <QFile>
+#include <QFontMetricsF>
+#include <QGuiApplication>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPolygonF>
 #include <QStatusBar>
+#include <QTransform>
 #include <QtTest>
 
 #include "tests/locations.h"
@@ -215,6 +219,27 @@ private slots:
         QCOMPARE(window().selection().tree().steps[net.step]->nets[net.net.row()].name, std::string("B"));
     }
 
+    /// A pad, a track that begins on it, a via in it: one name each would lie on the others.
+    void namesOfOnePlaceAreWrittenOnce() {
+        QVERIFY(m_fixture->openAndWait(boardWithCopperOnCopper()));
+        window().views().setArrangement(ui::Arrangement::Flat);
+        ui::CameraController& camera = window().views().flat().controller();
+        camera.look(render::NamedView::Top);
+        QTRY_VERIFY(names().contains("R1.1\nA"));
+        QCOMPARE(names().count("A"), 1);  // of the via on a track's middle
+        for (const float zoom : {1.0F, 1.5F, 2.0F, 3.0F}) {
+            camera.zoomAtCentre(zoom);
+            const auto labels = window().find<ui::PlanPainter>().labels();
+            QVERIFY(!labels.empty());
+            for (std::size_t a = 0; a < labels.size(); ++a) {
+                for (std::size_t b = a + 1; b < labels.size(); ++b) {
+                    QVERIFY2(lettersOf(labels[a]).intersected(lettersOf(labels[b])).isEmpty(),
+                             qPrintable(labels[a].text + " on " + labels[b].text));
+                }
+            }
+        }
+    }
+
 private:
     TestWindow& window() { return m_fixture->window(); }
     ui::SearchBox& box() { return window().searchBox(); }
@@ -226,6 +251,42 @@ private:
             texts += label.text;
         }
         return texts;
+    }
+
+    /// What the letters of a label cover at least, as the font says.
+    static QPolygonF lettersOf(const ui::PlanPainter::Label& label) {
+        QFont font = QGuiApplication::font();
+        font.setBold(true);
+        font.setPixelSize(static_cast<int>(label.height));
+        double width = 0.0;
+        for (const QString& line : label.text.split('\n')) {
+            width = std::max(width, QFontMetricsF(font).horizontalAdvance(line));
+        }
+        const double high = 0.7 * label.height;
+        QTransform turn;
+        turn.translate(label.middle.x(), label.middle.y());
+        turn.rotate(label.angleDeg);
+        return turn.map(QPolygonF(QRectF(-0.48 * width, -high / 2, 0.96 * width, high)));
+    }
+
+    QString boardWithCopperOnCopper() {
+        const QString path = m_fixture->folder() + "/copper.kicad_pcb";
+        QFile file(path);
+        if (file.open(QFile::WriteOnly)) {
+            file.write(
+                "(kicad_pcb (version 20241229) (generator \"pcbnew\") (layers (0 \"F.Cu\" signal) (2 \"B.Cu\" signal) "
+                "(1 \"F.Mask\" user) (25 \"Edge.Cuts\" user)) (net 0 \"\") (net 1 \"A\") "
+                "(footprint \"R\" (layer \"F.Cu\") (at 6 10) (property \"Reference\" \"R1\") (attr smd) "
+                "(pad \"1\" smd rect (at 0 0) (size 3 3) (layers \"F.Cu\" \"F.Mask\") (net 1 \"A\"))) "
+                "(segment (start 5 10) (end 7 10) (width 2) (layer \"F.Cu\") (net 1)) "
+                "(segment (start 6 10.2) (end 6 9.4) (width 2) (layer \"F.Cu\") (net 1)) "
+                "(segment (start 10 10) (end 18 10) (width 2) (layer \"F.Cu\") (net 1)) "
+                "(segment (start 14 10) (end 14 10.8) (width 2) (layer \"F.Cu\") (net 1)) "
+                "(via (at 14 10) (size 2) (drill 0.5) (layers \"F.Cu\" \"B.Cu\") (net 1)) "
+                "(gr_rect (start 0 0) (end 20 20) (stroke (width 0.1) (type default)) (fill no) (layer "
+                "\"Edge.Cuts\")))");
+        }
+        return path;
     }
 
     QString boardWithPartsBelowEachOther() {

@@ -57,6 +57,41 @@ private slots:
         QVERIFY(run() == run());
     }
 
+    void whatMeetsAnEarlierLabelHasNoRoom() {
+        ui::LabelRoom room;
+        QVERIFY(room.take({{100, 100}, {60, 20}, 0.0}));
+        QVERIFY(!room.take({{100, 100}, {60, 20}, 0.0}));
+        QVERIFY(!room.take({{155, 100}, {60, 20}, 0.0}));
+        QVERIFY(room.take({{161, 100}, {60, 20}, 0.0}));  // beside it
+        QVERIFY(!room.take({{130, 110}, {40, 6}, 90.0}));
+        QVERIFY(room.take({{100, 131}, {40, 20}, 90.0}));  // upright below it
+        // Across a corner: the boxes around them meet, they do not.
+        QVERIFY(room.take({{300, 300}, {100, 10}, 45.0}));
+        QVERIFY(room.take({{320, 280}, {100, 10}, 45.0}));
+        QVERIFY(!room.take({{305, 295}, {100, 10}, 45.0}));
+        QVERIFY(room.take({{-50, -50}, {500, 10}, 0.0}));  // many cells, left of and above the canvas
+        QVERIFY(!room.take({{-280, -52}, {20, 10}, 0.0}));
+    }
+
+    void roomIsAsWithoutAGrid() {
+        QRandomGenerator random(11);
+        ui::LabelRoom room;
+        std::vector<ui::TurnedBox> taken;
+        int refused = 0;
+        for (int i = 0; i < 1500; ++i) {
+            const ui::TurnedBox box{{random.bounded(1600.0), random.bounded(1000.0)},
+                                    {10.0 + random.bounded(80.0), 6.0 + random.bounded(30.0)},
+                                    random.bounded(180.0) - 90.0};
+            const bool isFree = std::ranges::none_of(taken, [&](const auto& other) { return other.meets(box); });
+            QCOMPARE(room.take(box), isFree);
+            if (isFree) {
+                taken.push_back(box);
+            }
+            refused += isFree ? 0 : 1;
+        }
+        QVERIFY(refused > 300 && taken.size() > 100);
+    }
+
     void labelsLargerThanTheCanvasBeginOnIt() {
         LabelPlacing placing({100, 50});
         QCOMPARE(placing.place({50, 25}, {300, 200}).topLeft(), QPointF(0, 0));
