@@ -80,12 +80,11 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     for (int column = RuleModel::Kind; column <= RuleModel::Layer; ++column) {
         m_ruleTable->setColumnHidden(column, true);  // the title says them
     }
-    m_ruleTable->horizontalHeader()->swapSections(RuleModel::Least, RuleModel::Result);  // seen in narrow columns too
     m_tables->addWidget(m_ruleTable);
     connect(m_ruleTable, &QAbstractItemView::clicked, this, [this](const QModelIndex& at) { showRule(at.row()); });
     m_tables->addWidget(m_table);
-    m_tables->setStretchFactor(0, 2);
-    m_tables->setStretchFactor(1, 3);
+    m_tables->setStretchFactor(0, 1);
+    m_tables->setStretchFactor(1, 1);
     m_tables->setChildrenCollapsible(false);
     setMinimumWidth(1);  // what lies side by side goes below each other
     auto* all = columnIn(*this, 4);

@@ -354,6 +354,32 @@ private slots:
         QVERIFY(label("notes").isEmpty());
     }
 
+    void ruleLimitAndResultAreSeenBesideEachOtherInANarrowPanel() {
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        measure();
+        ui::TableView* rules = nullptr;
+        for (ui::TableView* table : panel().findChildren<ui::TableView*>()) {
+            rules = table != &panel().table() ? table : rules;
+        }
+        auto& dock = *qobject_cast<QDockWidget*>(panel().parentWidget());
+        const QByteArray arrangement = window().saveState();
+        dock.setFloating(true);
+        for (const int width : {560, 700, 1000}) {
+            dock.resize(width, 500);
+            QTRY_VERIFY(std::abs(panel().width() - width) < 20);
+            QTRY_VERIFY(rules->viewport()->width() > 200);
+            const auto left = [&](int column) { return rules->columnViewportPosition(column); };
+            QVERIFY(left(ui::RuleModel::Title) < left(ui::RuleModel::Least));
+            QVERIFY(left(ui::RuleModel::Least) < left(ui::RuleModel::Result));
+            QCOMPARE(left(ui::RuleModel::Least), left(ui::RuleModel::Title) + rules->columnWidth(ui::RuleModel::Title));
+            const int verdict = rules->fontMetrics().horizontalAdvance("FAIL,");
+            QVERIFY2(left(ui::RuleModel::Result) + verdict < rules->viewport()->width(),
+                     qPrintable(QString::number(width)));
+        }
+        QVERIFY(window().restoreState(arrangement));
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
+    }
+
 private:
     [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
     [[nodiscard]] ui::ClearanceFeature& clearances() { return window().clearances(); }
