@@ -135,9 +135,9 @@ base::Status checkIsGerber(const std::filesystem::path& path, model::formats::Re
     if (format->key == options.format || model::formatAt(path, options, progress)) {
         return base::Done{};
     }
-    return base::Error{base::ErrorCode::BadUsage, path.string() + ": this is no Gerber job but of " +
+    return base::Error{base::ErrorCode::BadUsage, path.string() + ": this is no Gerber job; it is read as " +
                                                       std::string(format->name) +
-                                                      ", whose layers need no map: the board says what they are"};
+                                                      ", which says itself what its layers are"};
 }
 
 Outcome printLayerMap(const model::OpenRequest& request) {

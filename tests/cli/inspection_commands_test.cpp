@@ -97,7 +97,8 @@ private slots:
         QVERIFY(copperscope({"info", job, "--layer-map", map, "--print-layer-map"}).out.contains("# the layer map\n"));
         QCOMPARE(copperscope({"info", job, "--layer-map", folder.filePath("none.txt")}).exitCode, 2);
         const Outcome other = copperscope({"info", locations::kSample, "--print-layer-map"});
-        QVERIFY2(other.exitCode == 1 && other.out.isEmpty() && other.err.contains("this is no Gerber job but of ODB++"),
+        QVERIFY2(other.exitCode == 1 && other.out.isEmpty() &&
+                     other.err.contains("this is no Gerber job; it is read as ODB++"),
                  other.err.constData());
         const Outcome unused = copperscope({"info", locations::kSample, "--layer-map", map});
         QVERIFY2(unused.exitCode == 1 && unused.err.contains("this was read as odb"), unused.err.constData());
