@@ -130,7 +130,11 @@ void SectionFeature::connectMeasuring(FeatureContext& context) {
 }
 
 void SectionFeature::showPrompt(const QString& prompt) {
-    prompt.isEmpty() ? m_measuringHint.end() : m_measuringHint.show(prompt);
+    if (!prompt.isEmpty()) {
+        m_measuringHint.show(prompt);
+    } else if (!m_panel->view().isMeasuring() || !m_panel->view().section()) {
+        m_measuringHint.end();
+    }  // else the pointer has only left: the tool is still on, and says what it wants where the pointer comes to
 }
 
 void SectionFeature::connectPlane(FeatureContext& context) {

@@ -96,6 +96,7 @@ private slots:
         clickAt(m_piece.to, half);
         QCOMPARE(said(), QString("6 mm (236.22 mil)"));
         point(false);
+        QCOMPARE(said(), QString("6 mm (236.22 mil)"));
         hoverFlat();
         QVERIFY2(said().startsWith("Click the first point"), qPrintable(said()));
         point(true);
