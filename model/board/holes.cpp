@@ -1,10 +1,13 @@
 #include "model/board/holes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <tuple>
 #include <utility>
+
+#include "model/geometry/path_length.h"
 
 namespace model {
 
@@ -56,6 +59,41 @@ bool isMicro(const Document& document, const Layer& layer, const DrillTool* tool
            !isCopperBetween(document, layer.spanTop, layer.spanBottom);
 }
 
+/// Of a track that a hole is, with its round ends, or the longer side of the box around an area. Ends are whole
+/// nanometres: slots that are alike differ by a few.
+Nm lengthOf(const Document& document, ElementId hole) {
+    constexpr double kStep = 100.0;
+    const std::uint32_t row = document.elements.geometry[hole.row()];
+    double length = 0.0;
+    switch (document.elements.kind[hole.row()]) {
+        case ElementKind::Circle: break;
+        case ElementKind::Line: {
+            const LineGeometry& line = document.lines[row];
+            length = pathLength({line.a, {}, EdgeKind::Line}, line.b) + line.width;
+            break;
+        }
+        case ElementKind::Arc: {
+            const ArcGeometry& arc = document.arcs[row];
+            length = pathLength(arc.node, arc.end) + arc.width;
+            break;
+        }
+        case ElementKind::Trail: {
+            const std::span<const PathNode> nodes = document.nodesOf(document.trails[row]);
+            length = document.trails[row].width;
+            for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+                length += pathLength(nodes[i], nodes[i + 1].point);
+            }
+            break;
+        }
+        case ElementKind::Area: {
+            const Box box = document.boxOf(hole);
+            length = static_cast<double>(std::max(box.width(), box.height()));
+            break;
+        }
+    }
+    return static_cast<Nm>(std::lround(length / kStep) * std::lround(kStep));
+}
+
 /// Shape and sizes of one hole.
 DrillRow measured(const Document& document, std::size_t element) {
     const std::uint32_t row = document.elements.geometry[element];
@@ -74,16 +112,17 @@ DrillRow measured(const Document& document, std::size_t element) {
         case ElementKind::Trail: set("path", document.trails[row].width, document.trails[row].innerWidth); break;
         case ElementKind::Area: set("area", 0, 0); break;
     }
+    out.length = lengthOf(document, ElementId{element});
     out.layer = document.elements.layer[element];
     out.kind = holeKind(document.elements.flags[element]);
     return out;
 }
 
 /// Holes of one key are one row.
-using Key = std::tuple<LayerId, HoleKind, std::string_view, Nm, Nm>;
+using Key = std::tuple<LayerId, HoleKind, std::string_view, Nm, Nm, Nm>;
 
 Key keyOf(const DrillRow& hole) {
-    return {hole.layer, hole.kind, hole.shape, hole.diameter, hole.open};
+    return {hole.layer, hole.kind, hole.shape, hole.diameter, hole.open, hole.length};
 }
 
 std::vector<DrillTool const*> toolsOf(const Document& document, LayerId layer) {

@@ -42,6 +42,7 @@ struct DrillRow {
     const char* shape = "round";      ///< "round", "slot" (one straight or curved track), "path" (a rout), "area"
     Nm diameter = 0;                  ///< as drilled, or width of a slot or path; 0 for areas
     Nm open = 0;                      ///< what the plating leaves; as drilled for NPTHs
+    Nm length = 0;                    ///< of all but round holes, as drilled and over their ends; to 100 nm
     const DrillTool* tool = nullptr;  ///< in Document::tools; none if no tool of the layer fits
     std::vector<int> otherTools;      ///< numbers of tools that fit as well: some of the holes may be theirs
     std::uint32_t count = 0;
@@ -50,7 +51,7 @@ struct DrillRow {
 /// The numbers of all tools of a row for people: "1", "1, 2"; empty if it has none.
 [[nodiscard]] std::string toolsText(const DrillRow& row);
 
-/// All holes of the document's own drill and rout layers, by layer, span, kind, shape and size. Copies of other steps
+/// All holes of the document's own drill and rout layers, by layer, span, kind, shape and sizes. Copies of other steps
 /// are not counted.
 [[nodiscard]] std::vector<DrillRow> drillTable(const Document& document);
 /// The same of a board with all copies of steps on it, each hole as often as it is drilled. Steps of a job have tool

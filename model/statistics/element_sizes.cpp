@@ -9,6 +9,7 @@
 #include "model/geometry/curve_queries.h"
 #include "model/geometry/discretise.h"
 #include "model/geometry/edges.h"
+#include "model/geometry/path_length.h"
 
 namespace model {
 
@@ -20,27 +21,16 @@ double square(double v) {
     return v * v;
 }
 
-double edgeLength(const PathNode& from, Point to) {
-    const PointD a = base::toDouble(from.point);
-    const PointD b = base::toDouble(to);
-    if (from.edge == EdgeKind::Line) {
-        return std::hypot(b.x - a.x, b.y - a.y);
-    }
-    const PointD c = base::toDouble(from.centre);
-    const double radius = (std::hypot(a.x - c.x, a.y - c.y) + std::hypot(b.x - c.x, b.y - c.y)) / 2.0;
-    return radius * std::abs(sweepOf(from, to));
-}
-
 /// Its tracks, and a round end.
 double trailArea(const Document& document, ElementId trail) {
     double area = kPi / 4.0 * square(document.trails[document.elements.geometry[trail.row()]].width);
     forEachTrack(document, trail,
-                 [&](const PathNode& node, Point end, Nm width, Nm) { area += edgeLength(node, end) * width; });
+                 [&](const PathNode& node, Point end, Nm width, Nm) { area += pathLength(node, end) * width; });
     return area;
 }
 
 double lineArea(const LineGeometry& line, bool isSquare) {
-    const double length = edgeLength({line.a, {}, EdgeKind::Line}, line.b);
+    const double length = pathLength({line.a, {}, EdgeKind::Line}, line.b);
     if (isSquare) {
         // An axis-parallel square swept along: itself, and what its two leading sides pass.
         return square(line.width) +
@@ -52,7 +42,7 @@ double lineArea(const LineGeometry& line, bool isSquare) {
 
 double arcArea(const ArcGeometry& arc) {
     const bool isRing = arc.node.point == arc.end;
-    return edgeLength(arc.node, arc.end) * arc.width + (isRing ? 0.0 : kPi / 4.0 * square(arc.width));
+    return pathLength(arc.node, arc.end) * arc.width + (isRing ? 0.0 : kPi / 4.0 * square(arc.width));
 }
 
 double shapeArea(const ShapeTable& shapes, ShapeId shape) {
@@ -74,7 +64,7 @@ double shapeArea(const ShapeTable& shapes, ShapeId shape) {
 
 double lengthOf(const Document& document, ElementId element) {
     double length = 0.0;
-    forEachTrack(document, element, [&](const PathNode& node, Point end, Nm, Nm) { length += edgeLength(node, end); });
+    forEachTrack(document, element, [&](const PathNode& node, Point end, Nm, Nm) { length += pathLength(node, end); });
     return length;
 }
 

@@ -11,6 +11,7 @@ DrillModel::DrillModel(QObject* parent)
                   {tr("Kind"), tr("What the holes are for")},
                   {tr("Shape"), tr("Round hole, slot (one straight cut), routed slot or area")},
                   {tr("Diameter"), tr("As drilled; the width of a slot"), kNumber},
+                  {tr("Length"), tr("Of slots as drilled, over their ends; of areas the longer side"), kNumber},
                   {tr("Finished"), tr("Finished hole: inside the plating; as drilled where there is none"), kNumber},
                   {tr("Tool"), tr("Number in the job's tool list"), kNumber},
                   {tr("Holes"), tr("How many there are"), kNumber}},
@@ -39,6 +40,7 @@ Cell DrillModel::cell(int at, int column) const {
         case Kind: return {kinds[static_cast<std::size_t>(row.kind)]};
         case Shape: return {row.shape == std::string_view("path") ? tr("routed slot") : QString::fromLatin1(row.shape)};
         case Diameter: return row.diameter > 0 ? length(row.diameter) : Cell{};
+        case Length: return row.length > 0 ? length(row.length) : Cell{};
         case Finished: return row.open > 0 ? length(row.open) : Cell{};
         case Tool:
             return row.tool == nullptr      ? Cell{}

@@ -13,7 +13,7 @@ class DrillModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { Layer, Span, Kind, Shape, Diameter, Finished, Tool, Holes };
+    enum Column { Layer, Span, Kind, Shape, Diameter, Length, Finished, Tool, Holes };
 
     explicit DrillModel(QObject* parent = nullptr);
 

@@ -116,6 +116,28 @@ private slots:
         QCOMPARE(model::toolsText(rows[0]), std::string("1, 2"));
     }
 
+    void slotsOfOneWidthAreToldApartByLength() {
+        Step step;
+        step.builder.beginLayer(step.through);
+        DocumentBuilder::Origin origin;
+        origin.flags = kViaFlags;
+        const auto slot = [&](model::Point from, model::Point to) {
+            step.builder.addLine({from, to, 1'000'000, 900'000}, origin);
+        };
+        slot({0, 0}, {3'000'000, 0});
+        slot({0, 0}, {0, 3'000'002});  // ends are whole nanometres
+        slot({0, 0}, {2'400'000, 3'200'000});
+        step.builder.addArc({{{1'000'000, 0}, {0, 0}, model::EdgeKind::ArcCounterClockwise}, {-1'000'000, 0}, 600'000, 0},
+                            origin);
+        const std::vector<DrillRow> rows = model::drillTable(*step.builder.finish());
+        std::vector<std::pair<Nm, std::uint32_t>> lengths;
+        for (const DrillRow& row : rows) {
+            QCOMPARE(row.shape, "slot");
+            lengths.emplace_back(row.length, row.count);
+        }
+        QCOMPARE(lengths, (std::vector<std::pair<Nm, std::uint32_t>>{{3'741'600, 1}, {4'000'000, 2}, {5'000'000, 1}}));
+    }
+
     void holesOfCopiesOfCopiesAreCounted() {
         Step card;
         card.tool(1, 300'000).holes(card.through, 300'000, 3);

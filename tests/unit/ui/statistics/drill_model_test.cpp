@@ -63,9 +63,9 @@ private slots:
 
     void sameHolesAreOneRow() {
         QCOMPARE(ui::tableText(m_model),
-                 "Layer\tSpan\tKind\tShape\tDiameter\tFinished\tTool\tHoles\n"
-                 "drill\tthrough\tVia\tround\t0.3\t0.25\t7\t3\n"
-                 "drill\tthrough\tNPTH\tround\t3\t3\t\t1\n");
+                 "Layer\tSpan\tKind\tShape\tDiameter\tLength\tFinished\tTool\tHoles\n"
+                 "drill\tthrough\tVia\tround\t0.3\t\t0.25\t7\t3\n"
+                 "drill\tthrough\tNPTH\tround\t3\t\t3\t\t1\n");
         QCOMPARE(m_model.index(0, DrillModel::Span).data(Qt::ToolTipRole).toString(), "top to bottom");
     }
 
