@@ -1,0 +1,198 @@
+#include "ui/section/section_line.h"
+
+#include "tests/ui/section/section_fixture.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/shell/message_bar.h"
+
+using base::PointD;
+using ui::ActionId;
+using ui::BoardView;
+
+/// The line of a section is drawn and moved in the 2D view, with real mouse and key events on the sample board.
+class SectionLineTest : public QObject, protected SectionFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { open(); }
+    void init() { reset(); }
+    void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
+
+    void aDraggedLineIsCutLiveAndExactly() {
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(window().actions()[ActionId::DrawSection].isChecked());
+        QVERIFY(window().find<ui::SectionPanel>().isVisible());
+        const auto [from, to] = acrossBoard();
+        mouse(QEvent::MouseButtonPress, from);
+        std::size_t last = 0;
+        for (int step = 1; step <= 4; ++step) {
+            mouse(QEvent::MouseMove, from + (to - from) * step / 4.0);
+            QTRY_VERIFY(view().section() &&
+                        isAt(view().section()->line.back(), window().find<ui::SectionLine>().line().back()));
+            QCOMPARE(view().section()->pieces.size(), expected().pieces.size());
+            QVERIFY(view().section()->pieces.size() > last);
+            last = view().section()->pieces.size();
+        }
+        mouse(QEvent::MouseButtonRelease, to);
+        QVERIFY(!window().actions()[ActionId::DrawSection].isChecked());
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+        QVERIFY(same(view().section()->bores, expected().bores));
+        QVERIFY(window().selection().selected().empty());  // the drag drew no box
+    }
+
+    void theHintGoesWithTheTool() {
+        QStatusBar& bar = *window().statusBar();
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(bar.currentMessage().startsWith("Drag a line"));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(bar.currentMessage().isEmpty());
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        window().workspace().report(QString("something else"));
+        m_fixture->key(Qt::Key_Escape);
+        QCOMPARE(bar.currentMessage(), QString("something else"));
+        m_fixture->key(Qt::Key_M);
+        QVERIFY(!bar.currentMessage().isEmpty());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(bar.currentMessage().isEmpty());
+    }
+
+    void cornersAreClickedTakenBackAndEnded() {
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        const auto [from, to] = acrossBoard();
+        const QPointF way = to - from;
+        const std::vector<QPointF> clicks{from, from + way * 0.4, from + way * 0.4 + QPointF(0, 40), from + way * 0.8};
+        for (const QPointF& at : clicks) {
+            clickOn(at);
+        }
+        hover(to);
+        QCOMPARE(window().find<ui::SectionLine>().line().size(), clicks.size() + 1);  // the last leg follows the cursor
+        QTRY_VERIFY(view().section() && view().section()->line.size() == clicks.size() + 1);
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+        pressKey(Qt::Key_Backspace);
+        QCOMPARE(window().find<ui::SectionLine>().line().size(), clicks.size());
+        clickOn(to);
+        QVERIFY(window().actions()[ActionId::DrawSection].isChecked());
+        pressKey(Qt::Key_Return);
+        QVERIFY(!window().actions()[ActionId::DrawSection].isChecked());
+        QVERIFY(!window().find<ui::SectionLine>().isDrawing());
+        const std::vector<PointD>& line = window().find<ui::SectionLine>().line();
+        QCOMPARE(line.size(), std::size_t{4});
+        const std::vector<QPointF> corners{clicks[0], clicks[1], clicks[2], to};
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const auto at = flat().controller().screenOf(window().probing().position().toModel(line[i]));
+            QVERIFY(at && QLineF(*at, corners[i]).length() < 0.01);
+        }
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+        QVERIFY(window().selection().selected().empty());
+    }
+
+    /// Enter zooms in KLayout.
+    void keysOfALineAreNoCommandsMeanwhile() {
+        window().actions()[ActionId::KeysKLayout].trigger();
+        window().actions()[ActionId::DrawSection].trigger();
+        const auto [from, to] = acrossBoard();
+        clickOn(from);
+        clickOn(to);
+        const float before = flat().controller().mmPerPixel();
+        const auto typeEnter = [this] {
+            if (auto* native = qobject_cast<QWindow*>(&flat().canvas())) {
+                QTest::keyClick(native, Qt::Key_Return);
+            } else {
+                QTest::keyClick(qobject_cast<QWidget*>(&flat().canvas()), Qt::Key_Return);
+            }
+        };
+        typeEnter();
+        QVERIFY(!window().find<ui::SectionLine>().isDrawing());
+        QCOMPARE(window().find<ui::SectionLine>().line().size(), std::size_t{2});
+        QCOMPARE(flat().controller().mmPerPixel(), before);
+        typeEnter();
+        QVERIFY(flat().controller().mmPerPixel() < before);
+    }
+
+    void aDoubleClickEndsALineOfClicksAndShiftKeepsItsLegsStraight() {
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        const auto [from, to] = acrossBoard();
+        clickOn(from);
+        mouse(QEvent::MouseButtonPress, to + QPointF(0, 9), Qt::ShiftModifier);
+        mouse(QEvent::MouseButtonRelease, to + QPointF(0, 9), Qt::ShiftModifier);
+        mouse(QEvent::MouseButtonDblClick, to + QPointF(0, 9), Qt::ShiftModifier);
+        mouse(QEvent::MouseButtonRelease, to + QPointF(0, 9), Qt::ShiftModifier);
+        QVERIFY(!window().find<ui::SectionLine>().isDrawing());
+        QCOMPARE(window().find<ui::SectionLine>().line().size(), std::size_t{2});
+        QCOMPARE(window().find<ui::SectionLine>().line()[0].y, window().find<ui::SectionLine>().line()[1].y);
+        QVERIFY(view().section().has_value());
+    }
+
+    void drawingIsGivenUpAndTheLineIsWhatItWas() {
+        drawLine();
+        const std::vector<PointD> before = window().find<ui::SectionLine>().line();
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        const auto [from, to] = acrossBoard();
+        clickOn(from + QPointF(0, 25));
+        pressKey(Qt::Key_Return);  // one corner is no line
+        QVERIFY(window().find<ui::SectionLine>().isDrawing());
+        QTRY_VERIFY(!view().section() && window().find<ui::SectionPanel>().notes().isEmpty());
+        clickOn(to + QPointF(0, 25));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!window().find<ui::SectionLine>().isDrawing());
+        QVERIFY(!window().actions()[ActionId::DrawSection].isChecked());
+        QCOMPARE(window().find<ui::SectionLine>().line().size(), before.size());
+        QVERIFY(isAt(window().find<ui::SectionLine>().line().back(), before.back()));
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+    }
+
+    void anEndIsMovedAndShiftKeepsTheLineStraight() {
+        const auto [from, to] = acrossBoard();
+        drawLine();
+        const PointD start = window().find<ui::SectionLine>().line().front();
+        mouse(QEvent::MouseButtonPress, to);
+        mouse(QEvent::MouseMove, to + QPointF(3, 17), Qt::ShiftModifier);
+        QCOMPARE(window().find<ui::SectionLine>().line().back().y, start.y);
+        mouse(QEvent::MouseMove, to + QPointF(-20, 17));
+        mouse(QEvent::MouseButtonRelease, to + QPointF(-20, 17));
+        QVERIFY(window().find<ui::SectionLine>().line().back().y < start.y);
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+        const PointD end = window().find<ui::SectionLine>().line().back();
+        mouse(QEvent::MouseButtonPress, from);
+        mouse(QEvent::MouseMove, from + QPointF(10, 10));
+        mouse(QEvent::MouseButtonRelease, from + QPointF(10, 10));
+        QVERIFY(isAt(window().find<ui::SectionLine>().line().back(), end));
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+    }
+
+    void theLineIsPaintedOver2d() {
+        const QImage before = flat().grabPicture()->copy();
+        drawLine();
+        QVERIFY(differingPixels(before, *flat().grabPicture()) > 300);
+        window().find<ui::SectionPanel>().findChild<QAction*>()->trigger();  // Clear
+        QCOMPARE(differingPixels(before, *flat().grabPicture()), 0);
+        QVERIFY(!view().section());
+    }
+
+    void aLineBesideTheBoardIsTold() {
+        const model::Box& board = m_index->board->board;
+        const double x = board.max.x + 5e6;
+        sections().cutAlong({{x, 0}, {x, 1e6}});
+        QVERIFY(view().section()->pieces.empty());
+        QVERIFY(window().find<ui::SectionPanel>().notes().contains("meets nothing"));
+        sections().cutAlong({{2e9, 0}, {2e9, 1e6}});
+        QVERIFY(!view().section());
+        QVERIFY(window().find<ui::SectionPanel>().notes().contains("coordinates"));
+    }
+
+private:
+    void clickOn(QPointF at) {
+        mouse(QEvent::MouseButtonPress, at);
+        mouse(QEvent::MouseButtonRelease, at);
+    }
+    void hover(QPointF at) {
+        QMouseEvent event(QEvent::MouseMove, at, flat().mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+        QCoreApplication::sendEvent(&flat().canvas(), &event);
+    }
+    void pressKey(Qt::Key key) {
+        QKeyEvent event(QEvent::KeyPress, key, {});
+        QCoreApplication::sendEvent(&flat().canvas(), &event);
+    }
+};
+
+QTEST_MAIN(SectionLineTest)
+#include "section_line_test.moc"
