@@ -16,7 +16,8 @@ namespace {
 
 /// A cycle may leave this much; what is kept once (lists of fonts, of recent boards) is spread over few cycles.
 constexpr double kHeapBytesPerCycle = 16e3;
-constexpr double kResidentBytesPerCycle = 100e3;
+/// What is mapped and not given back is megabytes, and pages of the heap come and go on a busy machine.
+constexpr double kResidentBytesPerCycle = 250e3;
 /// Of the most that the first half took on the device. Which frames are drawn and which are left out differs on a busy
 /// machine, and so do the lists that are made as large as the largest frame needs.
 constexpr double kDeviceShare = 0.01;
