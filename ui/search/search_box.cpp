@@ -62,7 +62,7 @@ void SearchBox::update() {
         m_list->addItem(QStringLiteral("%1    %2").arg(m_search.titleOf(found), m_search.detailOf(found)));
     }
     if (isCommand || !text.trimmed().isEmpty()) {
-        listCommands(isCommand ? text.mid(1).trimmed() : text.trimmed());
+        listCommands(isCommand ? text.mid(1).trimmed() : text.trimmed(), isCommand);
     }
     if (m_list->count() == 0 && !text.trimmed().isEmpty()) {
         (new QListWidgetItem(tr("Nothing is called %1").arg(text.trimmed()), m_list))->setFlags(Qt::NoItemFlags);
@@ -70,19 +70,33 @@ void SearchBox::update() {
     m_list->setCurrentRow(0);
 }
 
-void SearchBox::listCommands(const QString& text) {
+void SearchBox::listCommands(const QString& text, bool areAlone) {
+    const auto isNamed = [&](const ActionSpec& spec) {
+        return m_actions[spec.id].text().remove('&').contains(text, Qt::CaseInsensitive);
+    };
     for (const ActionSpec& spec : ActionSet::kSpecs) {
-        QAction& action = m_actions[spec.id];
-        const QString name = action.text().remove('&');
-        if (!action.isEnabled() || !name.contains(text, Qt::CaseInsensitive)) {
-            continue;
+        if (isNamed(spec)) {
+            addCommand(spec);
         }
-        const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-        const QString menu = menuTitle(spec.menu).remove('&');
-        m_list->addItem(
-            tr("%1    Command, %2%3").arg(name, menu, keys.isEmpty() ? QString() : QStringLiteral(", ") + keys));
-        m_commands.push_back(&action);
     }
+    for (const ActionSpec& spec : ActionSet::kSpecs) {
+        if (areAlone && !isNamed(spec) && m_actions[spec.id].statusTip().contains(text, Qt::CaseInsensitive)) {
+            addCommand(spec);
+        }
+    }
+}
+
+void SearchBox::addCommand(const ActionSpec& spec) {
+    QAction& action = m_actions[spec.id];
+    if (!action.isEnabled()) {
+        return;
+    }
+    const QString keys = action.shortcut().toString(QKeySequence::NativeText);
+    const QString menu = menuTitle(spec.menu).remove('&');
+    m_list->addItem(
+        tr("%1    Command, %2%3")
+            .arg(action.text().remove('&'), menu, keys.isEmpty() ? QString() : QStringLiteral(", ") + keys));
+    m_commands.push_back(&action);
 }
 
 void SearchBox::take() {

@@ -11,6 +11,7 @@ class QListWidget;
 namespace ui {
 
 class ActionSet;
+struct ActionSpec;
 
 /// One line to find anything by: nets, components, pins, attributes, layers, locations and commands, shown while
 /// typing. Up and Down choose, Enter takes, Esc closes. A text that begins with > finds commands alone.
@@ -37,7 +38,9 @@ protected:
 
 private:
     void update();
-    void listCommands(const QString& text);
+    /// Those with the text in their name; alone in the list, also those with it in what they do.
+    void listCommands(const QString& text, bool areAlone);
+    void addCommand(const ActionSpec& spec);
     void take();
 
     const ActionSet& m_actions;

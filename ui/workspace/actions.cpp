@@ -75,7 +75,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {ShowElementDock, MenuId::Panels, QT_TR_NOOP("Ele&ment"), "Ctrl+4", QT_TR_NOOP("Show or hide the properties of the selected element"), kCheckable},
     {ShowNetCheckDock, MenuId::Panels, QT_TR_NOOP("Netlist c&heck"), "Ctrl+7", QT_TR_NOOP("Show or hide opens, shorts and floating copper"), kCheckable},
     {ShowStackupDock, MenuId::Panels, QT_TR_NOOP("Stac&kup"), "Ctrl+6", QT_TR_NOOP("Show or hide the stackup and its thicknesses"), kCheckable},
-    {ShowStatisticsDock, MenuId::Panels, QT_TR_NOOP("&Statistics"), "Ctrl+2", QT_TR_NOOP("Show or hide the element statistics"), kCheckable},
+    {ShowStatisticsDock, MenuId::Panels, QT_TR_NOOP("&Statistics"), "Ctrl+2", QT_TR_NOOP("Show or hide the element statistics and the drill table"), kCheckable},
     {ShowSavedViewsDock, MenuId::Panels, QT_TR_NOOP("Saved vie&ws"), "Ctrl+8", QT_TR_NOOP("Show or hide the saved views"), kCheckable},
     {ShowClearanceDock, MenuId::Panels, QT_TR_NOOP("&Clearances"), "Ctrl+9", QT_TR_NOOP("Show or hide smallest clearances, rules, lens and map"), kCheckable},
     {ShowMeasurementsDock, MenuId::Panels, QT_TR_NOOP("Meas&urements"), "Ctrl+0", QT_TR_NOOP("Show or hide the measurements"), kCheckable},

@@ -173,6 +173,18 @@ private slots:
         QVERIFY(window().actions()[ActionId::Orthographic].isChecked());
     }
 
+    void commandsAreFoundByWhatTheyDoAfterThoseOfThatName() {
+        m_fixture->key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyClicks(&box().line(), "drill table");
+        QCOMPARE(box().list().count(), 1);
+        QVERIFY(box().list().item(0)->text().startsWith("Statistics "));
+        box().line().setText(">net");
+        QVERIFY(box().list().item(0)->text().contains("net", Qt::CaseInsensitive));
+        box().line().setText("drill table");
+        QVERIFY2(!box().list().item(0)->text().startsWith("Statistics "), "among all there is, names alone count");
+        QTest::keyClick(&box().line(), Qt::Key_Escape);
+    }
+
     /// R2 lies on the bottom right below R1.
     void aPartOfTheBottomIsSeenAsSuch() {
         QVERIFY(m_fixture->openAndWait(boardWithPartsBelowEachOther()));
