@@ -1,5 +1,6 @@
 #include "app/commands/agree_command.h"
 
+#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -17,6 +18,10 @@ using model::Comparison;
 using nlohmann::ordered_json;
 
 namespace {
+
+/// What two jobs that agree may still differ in.
+constexpr std::array kNeverCompared = {"board thickness and stackup", "values of parts, and which are not placed",
+                                       "nets of copper that no pin is on"};
 
 base::Result<model::AgreementRequest> requestFrom(const AgreeArguments& arguments) {
     model::AgreementRequest request;
@@ -89,7 +94,8 @@ void printJson(const AgreeArguments& arguments, const Agreement& agreement) {
                          {"b", arguments.b},
                          {"agree", agreement.isAgreed()},
                          {"shift_nm", {agreement.shift.x, agreement.shift.y}},
-                         {"comparisons", ordered_json::array()}};
+                         {"comparisons", ordered_json::array()},
+                         {"never_compared", kNeverCompared}};
     for (const Comparison& comparison : agreement.comparisons) {
         json["comparisons"].push_back(comparisonJson(comparison));
     }
@@ -149,7 +155,11 @@ void printText(const AgreeArguments& arguments, const Agreement& agreement) {
     for (const Comparison& comparison : agreement.comparisons) {
         printComparison(comparison);
     }
-    std::printf("\n%s\n", agreement.isAgreed() ? "The jobs agree." : "The jobs differ.");
+    std::printf("\nNever compared: ");
+    for (const char* what : kNeverCompared) {
+        std::printf("%s%s", what == kNeverCompared.front() ? "" : "; ", what);
+    }
+    std::printf(".\n%s\n", agreement.isAgreed() ? "The jobs agree." : "The jobs differ.");
 }
 
 }  // namespace

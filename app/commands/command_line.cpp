@@ -126,11 +126,17 @@ void addChords(CLI::App& command, BoardArguments& board) {
                      "50 segments per circle and 20 per arc, as the paper does");
 }
 
+/// An empty name is a script's mistake, and not the sample.
+void addBoard(CLI::App& command, model::OpenRequest& request, const std::string& help) {
+    const CLI::Validator isNamed([](const std::string& name) { return name.empty() ? "the name is empty" : ""; }, "");
+    command.add_option("BOARD", request.path, help + "; default: the sample")->check(isNamed);
+}
+
 void addBoardOptions(CLI::App& command, BoardArguments& board) {
     addStackupOptions(command, board.request);
     command.add_flag("--save-session", board.saveSession,
                      "save the set thicknesses in the session file beside the board");
-    command.add_option("BOARD", board.request.path, model::describeFormats() + "; default: the sample");
+    addBoard(command, board.request, model::describeFormats());
     addStep(command, board.request);
     addNetOptions(command, board.request);
 }
@@ -282,7 +288,7 @@ void addClearance(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("clearance", "List the smallest clearances between nets");
     ClearanceArguments& arguments = argumentsOf(command, chosen, runClearance);
     model::OpenRequest& request = arguments.board.request;
-    command.add_option("BOARD", request.path, "the board; default: the sample");
+    addBoard(command, request, "the board");
     addStep(command, request);
     addNetOptions(command, request);
     addNumber<std::size_t>(command, "--worst", arguments.worst, 1, 1'000'000, "how many of the smallest");
@@ -365,7 +371,7 @@ void addVerify(CLI::App& parent, Command& chosen) {
         *parent.add_subcommand("verify", "Prove exported solids and pictures against the board (needs OpenCASCADE)");
     VerifyArguments& arguments = argumentsOf(command, chosen, runVerify);
     addStackupOptions(command, arguments.board.request);
-    command.add_option("BOARD", arguments.board.request.path, model::describeFormats() + "; default: the sample");
+    addBoard(command, arguments.board.request, model::describeFormats());
     addNetOptions(command, arguments.board.request);
     addFile(command, "--step", arguments.step,
             "this file, exported with the same --layers and --as-designed; default: one is written");
@@ -544,7 +550,7 @@ std::shared_ptr<CLI::App> makeCommandLine(int argc, char** argv, Command& chosen
     parser->set_version_flag("--version", versionText());
     parser->require_subcommand(0, 1);
     const auto workbench = std::make_shared<model::OpenRequest>();
-    parser->add_option("BOARD", workbench->path, "the board to open in the workbench; default: the sample");
+    addBoard(*parser, *workbench, "the board to open in the workbench");
     addStep(*parser, *workbench);
     addStackupOptions(*parser, *workbench);
     addNetOptions(*parser, *workbench);

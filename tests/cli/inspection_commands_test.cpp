@@ -49,12 +49,15 @@ private slots:
     void jobsOfOneBoardAgree() {
         const Outcome same = copperscope({"agree", locations::kSample, locations::kSample});
         QVERIFY2(same.exitCode == 0, same.err.constData());
-        QVERIFY(same.out.contains("The jobs agree."));
+        QVERIFY(same.out.contains("The jobs agree.") && same.out.contains("Never compared: board thickness"));
         const QString breakout = QString::fromStdString((locations::boards() / "opencellular_breakout.tgz").string());
         const Outcome other = copperscope({"agree", locations::kSample, breakout, "--json", "--worst", "1"});
         QCOMPARE(other.exitCode, 4);
         const QJsonObject report = QJsonDocument::fromJson(other.out).object();
         QCOMPARE(report["agree"].toBool(true), false);
+        QCOMPARE(report["never_compared"].toArray().size(), 3);
+        const Outcome nameless = copperscope({"info", ""});
+        QVERIFY2(nameless.exitCode == 1 && nameless.err.contains("the name is empty"), nameless.err.constData());
         const QJsonObject copper = report["comparisons"][0].toObject();
         QCOMPARE(copper["aspect"].toString(), QString("copper"));
         QCOMPARE(copper["verdict"].toString(), QString("differ"));
