@@ -34,6 +34,8 @@ private slots:
         while (window().selection().clearStep()) {
         }
         window().layers().restoreDefaults();
+        window().layersPanel().table().clearSelection();
+        window().workspace().setCurrentLayer({});
         slider().setValue(m_slider);
         views().flat().controller().look(render::NamedView::Top);
         views().solid().controller().look(render::NamedView::Iso);
@@ -158,6 +160,7 @@ private slots:
         window().layers().toggleSolo(copper.front());
         QTRY_VERIFY(distances().field() != nullptr && distances().field()->layer() == copper.front());
         window().layers().toggleSolo({});
+        window().layersPanel().select(model::LayerId{std::size_t{0}});
         window().layers().hideAll();
         QTRY_COMPARE(text(), "show a copper layer");
         QVERIFY(distances().field() == nullptr);
