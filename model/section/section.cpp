@@ -94,9 +94,9 @@ public:
 
     std::vector<SectionPiece> pieces;
     std::vector<SectionPiece> bores;
-    std::size_t wallless = 0;   ///< plated areas met, whose walls are not known
-    std::size_t landed = 0;     ///< laser vias met
-    std::set<LayerId> undrawn;  ///< films that are where their zones are
+    std::set<std::pair<std::uint32_t, ElementId>> wallless;  ///< copy and area: plated, with walls that are not known
+    std::size_t landed = 0;                                  ///< laser vias met
+    std::set<LayerId> undrawn;                               ///< films that are where their zones are
 
 private:
     const Document& board() const { return *m_index.board; }
@@ -132,6 +132,8 @@ private:
             return;
         }
         ElementCut found = cutElement(step, element, placed.line);
+        // A short leg may lie within the bore altogether: walls are looked for all along its line.
+        const bool hasWalls = !subtracted(found.covered, found.opening).empty();
         found.covered = clipped(found.covered, 0.0, leg.length);
         SectionPiece piece{layer, {placed.copy, element}};
         piece.material = materialOf(board(), layer);
@@ -147,7 +149,9 @@ private:
             ++landed;
         } else if (m_layers[layer.row()] && (!isHole || (flags & kPlated) != 0)) {
             const Intervals solid = subtracted(found.covered, found.opening);
-            wallless += isHole && solid.empty() && !found.covered.empty() ? 1 : 0;
+            if (isHole && !hasWalls && !found.covered.empty()) {
+                wallless.emplace(placed.copy, element);
+            }
             const auto heights = isHole ? platingOf(placed, element) : heightsOf(placed, element, layer);
             add(m_leg.pieces, piece, heights, solid, leg);
         }
@@ -495,7 +499,7 @@ base::Result<Section> makeSection(const BoardIndex& index, const SectionRequest&
     section.bores = std::move(cutter.bores);
     sort(section.pieces);
     sort(section.bores);
-    addNotes(*index.board, cutter.wallless, section);
+    addNotes(*index.board, cutter.wallless.size(), section);
     if (!request.isAsSolid) {
         addAssumptions(*index.board, cutter, section);
     }

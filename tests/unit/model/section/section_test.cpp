@@ -180,6 +180,14 @@ private slots:
         QCOMPARE(textOf(section.pieces, Drill).size(), 2);  // the bare hole has no wall
     }
 
+    /// As a line along a net has them, whose tracks end in holes.
+    void aLegWithinABoreDoesNotMakeItsWallUnknown() {
+        const Section section = cut(card(), {{-20e6, 0}, {-100e3, 0}, {100e3, 50e3}, {20e6, 50e3}});
+        for (const std::string& note : section.notes) {
+            QVERIFY2(note.find("plating thickness") == note.npos, note.c_str());
+        }
+    }
+
     void onlyChosenLayersAreCut() {
         std::vector<bool> layers(6, false);
         layers[Inner] = true;
