@@ -374,21 +374,24 @@ private:
         return z;
     }
 
-    /// Masks and paste lie on the copper, silk on the mask; layers of one kind lie side by side. What is laid or glued
+    /// Masks and paste lie on the copper, silk on the thickest mask of its side (without one on the copper); layers of
+    /// one kind lie side by side. What is laid or glued
     /// on (rigid-flex) lies one on the other, from the board outwards.
     void placeSurfaceLayers(Nm top) {
         assumeSurfaces();
         Nm laid = 0;
+        const Nm maskAbove = thickestMask(true);
+        const Nm maskBelow = thickestMask(false);
         for (auto part = m_parts.rbegin(); part != m_parts.rend(); ++part) {
             if (!part->isCore && isAbove(*part)) {
-                settle(*part, top + liftOf(*part, laid));
+                settle(*part, top + liftOf(*part, maskAbove, laid));
                 layerOf(*part).side = LayerSide::Top;
             }
         }
         laid = 0;
         for (Part& part : m_parts) {
             if (!part.isCore && isBelow(part)) {
-                settle(part, m_floor - liftOf(part, laid) - part.row.thickness);
+                settle(part, m_floor - liftOf(part, maskBelow, laid) - part.row.thickness);
                 layerOf(part).side = LayerSide::Bottom;
             } else if (!part.isCore && !isAbove(part)) {
                 settleWithin(part);
@@ -402,14 +405,26 @@ private:
     }
     [[nodiscard]] bool isBelow(const Part& part) const { return !isAbove(part) && part.row.layer.row() > m_last; }
 
+    /// Of solder masks, coverlays that are drawn as one too. Once all thicknesses are known.
+    Nm thickestMask(bool isTop) {
+        Nm thickest = 0;
+        for (const Part& part : m_parts) {
+            const bool isMask = !part.isCore && part.row.type == LayerType::SolderMask;
+            if (isMask && (isTop ? isAbove(part) : isBelow(part))) {
+                thickest = std::max(thickest, part.row.thickness);
+            }
+        }
+        return thickest;
+    }
+
     /// Distance from the copper's face; `laid` is how thick what is laid on it is so far.
-    Nm liftOf(const Part& part, Nm& laid) {
+    Nm liftOf(const Part& part, Nm mask, Nm& laid) {
         if (isLaidOn(layerOf(part))) {
             const Nm lift = laid;
             laid += part.row.thickness;
             return lift;
         }
-        return part.row.type == LayerType::SilkScreen ? kDefaultMask : 0;
+        return part.row.type == LayerType::SilkScreen ? mask : 0;
     }
 
     /// A coverlay between the copper layers of a rigid-flex board: on the flexible copper below it or else under the

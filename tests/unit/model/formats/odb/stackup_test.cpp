@@ -335,6 +335,19 @@ private slots:
         QCOMPARE(stack[7].side, LayerSide::Bottom);
     }
 
+    void printBeginsWhereTheMaskUnderItEnds() {
+        Stack stack;
+        stack.add(LayerType::SilkScreen, "sst").add(LayerType::SolderMask, "smt", {10'000, {}, {}, {}});
+        stack.copper("top", 35'000).dielectric("d", 930'000).copper("bottom", 35'000);
+        stack.add(LayerType::SilkScreen, "ssb");
+        stack.add(LayerType::SolderMask, "smb", {50'000, {}, {}, {}}).build();  // listed outside of the print
+        QCOMPARE(stack[0].z, 1'010'000);
+        QCOMPARE(stack[5].z, -50'000 - model::kDefaultSilk);
+        stack.facts.set = {{"smt", 60'000}};
+        stack.build();
+        QCOMPARE(stack[0].z, 1'060'000);
+    }
+
     void drillsReachFromFaceToFaceOfTheirSpan() {
         Stack stack;
         stack.copper("top", 30'000)
@@ -360,7 +373,7 @@ private slots:
         QCOMPARE(stack[1].side, LayerSide::Top);
         QCOMPARE(stack[1].z, 0);
         QCOMPARE(stack.thickness, 1'500'000);
-        QCOMPARE(stack[0].z, 35'000 + model::kDefaultMask);
+        QCOMPARE(stack[0].z, 35'000);  // no mask there: on the copper
         QCOMPARE(stack[2].z, -1'500'000 - model::kDefaultMask);
         QCOMPARE(stack[3].z, -1'500'000);
         QCOMPARE(stack[3].thickness, 1'535'000);
