@@ -110,10 +110,22 @@ private:
         const double off = std::abs(sum - stated);
         if (off > kOunceTolerance * copper) {
             add(StackupCheck::Sum,
-                "the layers add up to " + textOf(static_cast<Nm>(sum)) + ", but the job says the board is " +
-                    textOf(static_cast<Nm>(stated)) + " thick; the layers are used",
+                "copper and dielectrics add up to " + textOf(static_cast<Nm>(sum)) +
+                    ", but by the job's thickness of the board they would be " + textOf(static_cast<Nm>(stated)) +
+                    withMasks(stated) + "; the layers are used",
                 {}, off > 0.1 * stated ? Severity::Warning : Severity::Info);
         }
+    }
+
+    /// Some formats count the masks: what their readers have taken off is named, so that the job's number is there.
+    [[nodiscard]] std::string withMasks(double board) const {
+        const std::vector<LayerFacts>& facts = m_document.stackup.facts.layers;
+        double masks = 0;
+        for (std::size_t row = 0; row < std::min(facts.size(), m_document.layers.size()); ++row) {
+            const bool isMask = m_document.layers[row].type == LayerType::SolderMask;
+            masks += isMask ? facts[row].thicknessNm.value_or(0.0) : 0.0;
+        }
+        return masks > 0 ? ", with its solder masks " + textOf(static_cast<Nm>(std::llround(board + masks))) : "";
     }
 
     void checkMask(std::size_t row) {

@@ -73,11 +73,25 @@ private slots:
         QCOMPARE(rows.found(), QStringList({"sum"}));
         QCOMPARE(rows.first().severity, Severity::Info);
         QCOMPARE(rows.first().text,
-                 "The layers add up to 1.505 mm, but the job says the board is 1.555 mm thick; the layers are used");
+                 "Copper and dielectrics add up to 1.505 mm, but by the job's thickness of the board they would be "
+                 "1.555 mm; "
+                 "the layers are used");
         QCOMPARE(fourLayers().board(2'000'000).first().severity, Severity::Warning);
         QCOMPARE(fourLayers().board(1'508'000).found(), QStringList());  // what an ounce is differs
         rows.document.stackup.rows[1].source = Source::Derived;          // from the board's thickness
         QCOMPARE(rows.found(), QStringList());
+    }
+
+    /// Formats that count the masks have 1.6 mm in their file here.
+    void aSumThatDisagreesNamesTheThicknessWithMasksToo() {
+        Rows rows = fourLayers().board(1'550'000);
+        for (const LayerType type : {LayerType::SolderMask, LayerType::Signal, LayerType::SolderMask}) {
+            rows.document.layers.emplace_back().type = type;
+            rows.document.stackup.facts.layers.emplace_back().thicknessNm = 25'000;
+        }
+        QCOMPARE(rows.first().text,
+                 "Copper and dielectrics add up to 1.505 mm, but by the job's thickness of the board they would be "
+                 "1.55 mm, with its solder masks 1.6 mm; the layers are used");
     }
 
     void masksThatNobodyMakes() {
