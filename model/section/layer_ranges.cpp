@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/board/local_stack.h"
 #include "model/geometry/region.h"
 #include "model/section/line_cut.h"
-#include "model/section/local_stack.h"
 
 namespace model {
 

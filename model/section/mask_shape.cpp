@@ -66,19 +66,6 @@ Intervals withoutShoulders(const BoardFace& face, const Intervals& spacings, con
 
 }  // namespace
 
-Nm BoardFace::besideCopper() const {
-    return isFlat ? onCopper() : substrate + outwards() * mask;
-}
-
-Nm BoardFace::onCopper() const {
-    if (isFlat) {
-        return copper + outwards() * mask;
-    }
-    const Nm thin = copper + outwards() * static_cast<Nm>(std::lround(kMaskOnCopper * mask));
-    const Nm level = substrate + outwards() * mask;
-    return isTop ? std::max(thin, level) : std::min(thin, level);
-}
-
 std::vector<SectionPiece> maskOver(const BoardFace& face, const SectionPiece& piece, const Intervals& raised) {
     std::vector<SectionPiece> out;
     const Intervals on = clipped(raised, piece.from, piece.to);

@@ -40,9 +40,9 @@ struct Section {
 /// end on their target pad; which of their ends that is follows from which side of the board is nearer. Copper is as
 /// thick as the stackup says, with whatever plating there is on it. The cost follows what lies near the line.
 ///
-/// On a rigid-flex board what lies on others lies on what each zone has (Layer::profile, local_stack.h), and plating
-/// reaches no farther. A coverlay, adhesive or stiffener of which the job draws nothing is all over the zones that have
-/// it; such pieces are of no element.
+/// On a rigid-flex board what lies on others lies on what each zone has (Layer::profile, model/board/local_stack.h),
+/// and plating reaches no farther. A coverlay, adhesive or stiffener of which the job draws nothing is all over the
+/// zones that have it; such pieces are of no element.
 ///
 /// A line beside the board gives no pieces and a note, as do layers without a thickness or with an assumed one, and
 /// plated holes whose wall has no thickness (routed areas): they are cut without it.

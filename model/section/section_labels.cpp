@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "model/section/local_stack.h"
+#include "model/board/local_stack.h"
 
 namespace model {
 

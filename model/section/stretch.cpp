@@ -1,7 +1,6 @@
 #include "model/section/stretch.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace model {
 
@@ -14,28 +13,12 @@ bool holds(const Intervals& intervals, double at) {
     return std::ranges::any_of(intervals, [at](const Interval& i) { return i.from <= at && at <= i.to; });
 }
 
-/// Which rows of the stackup are at a location. A dielectric that is no layer of the job is where the copper above and
-/// below it is.
+/// Which rows of the stackup are at a location.
 std::vector<bool> rowsAt(const Document& board, const LayerRanges& ranges, double at) {
-    const auto isHere = [&](LayerId layer) {
+    return rowsWhere(board, [&](LayerId layer) {
         const auto range = ranges.find(layer);
         return range == ranges.end() || holds(range->second, at);
-    };
-    const std::vector<StackupRow>& rows = board.stackup.rows;
-    const auto isCopper = [&](const StackupRow& row) {
-        return row.layer.isValid() && board.layer(row.layer).isCopper();
-    };
-    std::vector<bool> has;
-    for (auto row = rows.begin(); row != rows.end(); ++row) {
-        if (row->layer.isValid()) {
-            has.push_back(isHere(row->layer));
-            continue;
-        }
-        const auto above = std::find_if(std::make_reverse_iterator(row), rows.rend(), isCopper);
-        const auto below = std::find_if(row, rows.end(), isCopper);
-        has.push_back((above == rows.rend() || isHere(above->layer)) && (below == rows.end() || isHere(below->layer)));
-    }
-    return has;
+    });
 }
 
 Stretch stretchBetween(const Document& board, double from, double to, const LayerRanges& ranges,

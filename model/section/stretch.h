@@ -4,8 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "model/board/local_stack.h"
 #include "model/section/layer_ranges.h"
-#include "model/section/local_stack.h"
+#include "model/section/section_piece.h"
 
 namespace model {
 

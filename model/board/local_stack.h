@@ -1,9 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
-#include "model/section/mask_shape.h"
+#include "model/board/board_face.h"
 
 /// The stackup at one location of a rigid-flex board, where some layers are missing. Heights of a stackup are those
 /// where all layers are (decision 45); here what lies on others lies on those that are there.
@@ -21,8 +22,12 @@ public:
     LocalStack(const Document& board, std::vector<bool> has) : m_board(board), m_has(std::move(has)) {}
 
     [[nodiscard]] const std::vector<bool>& has() const { return m_has; }
-    /// The outer face of the outermost copper or dielectric, with the solder mask on it. None: nothing is here.
+    /// The outermost copper or dielectric, a row of Stackup::rows. None: nothing is here.
+    [[nodiscard]] std::optional<std::size_t> outerRow(bool isTop) const;
+    /// Its outer face, with the solder mask on it.
     [[nodiscard]] std::optional<BoardFace> outerFace(bool isTop) const;
+    /// How thick the coverlays are that lie on this face.
+    [[nodiscard]] Nm coverlayOn(const BoardFace& face) const;
     /// Coverlays, adhesives and stiffeners, by the copper or dielectric that they lie on; also those that are drawn
     /// here although no zone says so (`drawn`, rising).
     [[nodiscard]] std::vector<LaidStack> laidStacks(const std::vector<LayerId>& drawn) const;
@@ -37,6 +42,10 @@ private:
     const Document& m_board;
     std::vector<bool> m_has;
 };
+
+/// By row of Stackup::rows, whether it is where the layers are for which this holds. A dielectric that is no layer of
+/// the job is where the copper above and below it is.
+[[nodiscard]] std::vector<bool> rowsWhere(const Document& board, const std::function<bool(LayerId)>& isHere);
 
 /// Is the layer laid or glued onto what is there: coverlay, adhesive, stiffener?
 [[nodiscard]] bool isLaidOn(const Layer& layer);

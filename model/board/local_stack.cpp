@@ -1,6 +1,7 @@
-#include "model/section/local_stack.h"
+#include "model/board/local_stack.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace model {
@@ -29,6 +30,24 @@ std::optional<std::size_t> copperFrom(const Document& board, std::size_t row, bo
 }
 
 }  // namespace
+
+std::vector<bool> rowsWhere(const Document& board, const std::function<bool(LayerId)>& isHere) {
+    const std::vector<StackupRow>& rows = board.stackup.rows;
+    const auto isCopper = [&](const StackupRow& row) {
+        return row.layer.isValid() && board.layer(row.layer).isCopper();
+    };
+    std::vector<bool> has;
+    for (auto row = rows.begin(); row != rows.end(); ++row) {
+        if (row->layer.isValid()) {
+            has.push_back(isHere(row->layer));
+            continue;
+        }
+        const auto above = std::find_if(std::make_reverse_iterator(row), rows.rend(), isCopper);
+        const auto below = std::find_if(row, rows.end(), isCopper);
+        has.push_back((above == rows.rend() || isHere(above->layer)) && (below == rows.end() || isHere(below->layer)));
+    }
+    return has;
+}
 
 bool isLaidOn(const Layer& layer) {
     return layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive || layer.use == LayerUse::Stiffener;
@@ -93,16 +112,36 @@ void LocalStack::addMask(BoardFace& face) const {
     }
 }
 
-std::optional<BoardFace> LocalStack::outerFace(bool isTop) const {
+std::optional<std::size_t> LocalStack::outerRow(bool isTop) const {
     for (std::size_t i = 0; i < m_has.size(); ++i) {
         const std::size_t row = isTop ? i : m_has.size() - 1 - i;
         if (isCore(row)) {
-            BoardFace face = faceOf(row, isTop);
-            addMask(face);
-            return face;
+            return row;
         }
     }
     return std::nullopt;
+}
+
+std::optional<BoardFace> LocalStack::outerFace(bool isTop) const {
+    const std::optional<std::size_t> row = outerRow(isTop);
+    if (!row) {
+        return std::nullopt;
+    }
+    BoardFace face = faceOf(*row, isTop);
+    addMask(face);
+    return face;
+}
+
+Nm LocalStack::coverlayOn(const BoardFace& face) const {
+    Nm thickness = 0;
+    for (const LaidStack& stack : laidStacks({})) {
+        const bool isOn = stack.face.copper == face.copper && stack.face.isTop == face.isTop;
+        for (const std::size_t row : isOn ? stack.rows : std::vector<std::size_t>()) {
+            const bool isCoverlay = layerOf(m_board, row)->use == LayerUse::Coverlay;
+            thickness += isCoverlay ? m_board.stackup.rows[row].thickness : 0;
+        }
+    }
+    return thickness;
 }
 
 std::vector<LaidStack> LocalStack::laidStacks(const std::vector<LayerId>& drawn) const {
