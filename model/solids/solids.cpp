@@ -1,9 +1,12 @@
 #include "model/solids/solids.h"
 
 #include <algorithm>
+#include <map>
 
 #include "model/base/parallel.h"
 #include "model/board/holes.h"
+#include "model/geometry/boolean.h"
+#include "model/geometry/region.h"
 #include "model/solids/bodies.h"
 #include "model/solids/cutouts.h"
 #include "model/solids/substrates.h"
@@ -11,6 +14,9 @@
 namespace model {
 
 namespace {
+
+/// Areas that differ by less of them are the same but for the chords of their arcs.
+constexpr double kSameArea = 1e-6;
 
 /// A plate with holes that becomes a layer.
 struct Plate {
@@ -33,13 +39,39 @@ Layer plateLayer(std::string name, LayerType type, LayerSide side, Nm bottom, Nm
     return layer;
 }
 
-void planBody(const Document& document, std::vector<Plate>& plates) {
-    std::vector<SubstratePart> parts = substratesOf(document);
+/// What all of the shapes cover together; where one of them lies in the others, that one, with its arcs. None where
+/// they cover nothing together.
+ShapeId intersectionOf(DocumentBuilder& builder, const std::vector<ShapeId>& shapes) {
+    if (shapes.size() < 2) {
+        return shapes.empty() ? ShapeId{} : shapes.front();
+    }
+    PolygonSet all = discretise(builder.shapes(), shapes.front(), kBooleanChords);
+    for (const ShapeId shape : shapes) {
+        all = intersect(all, discretise(builder.shapes(), shape, kBooleanChords));
+    }
+    const auto area = static_cast<double>(twiceArea(all));
+    for (const ShapeId shape : shapes) {
+        const auto own = static_cast<double>(twiceArea(discretise(builder.shapes(), shape, kBooleanChords)));
+        if (own - area <= kSameArea * own) {
+            return shape;
+        }
+    }
+    const ShapeSketch sketch = sketchOf(all);
+    return sketch.isEmpty() ? ShapeId{} : builder.addShape(sketch);
+}
+
+void planBody(DocumentBuilder& builder, std::vector<Plate>& plates) {
+    std::vector<SubstratePart> parts = substratesOf(builder.soFar());
+    std::map<std::vector<ShapeId>, ShapeId> outlines;
     for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto [outline, isNew] = outlines.try_emplace(parts[i].outlines);
+        if (isNew) {
+            outline->second = intersectionOf(builder, parts[i].outlines);
+        }
         std::string name = parts.size() == 1 ? "board" : "board " + std::to_string(i + 1);
         plates.push_back({plateLayer(std::move(name), LayerType::Body, LayerSide::Through, parts[i].bottom,
                                      parts[i].top, Source::Derived),
-                          parts[i].outline,
+                          outline->second,
                           std::move(parts[i].holes),
                           {},
                           {}});
@@ -143,7 +175,7 @@ void cutPlate(const Document& document, Plate& plate, const base::Progress& prog
 bool addSolids(DocumentBuilder& builder, const base::Progress& progress) {
     const Document& document = builder.soFar();
     std::vector<Plate> plates;
-    planBody(document, plates);
+    planBody(builder, plates);
     planSolderMasks(document, plates);
     base::parallelFor(plates.size(), [&](std::size_t i) { cutPlate(document, plates[i], progress); });
     for (Plate& plate : plates) {

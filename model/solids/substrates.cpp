@@ -83,16 +83,23 @@ Neighbours neighboursOf(const Document& document, Nm bottom, Nm top) {
     return found;
 }
 
-/// The layer whose outline a part has; nullptr for the board's.
-const Layer* bounding(const Neighbours& neighbours) {
-    const bool isSpacing = neighbours.here == nullptr;
-    for (const Layer* layer :
-         {neighbours.here, isSpacing ? neighbours.above : nullptr, isSpacing ? neighbours.below : nullptr}) {
-        if (layer != nullptr && layer->outlineGroup > 0) {
-            return layer;
+/// The layers that must all be at a location for the substrate to be there.
+std::vector<const Layer*> bounding(const Neighbours& neighbours) {
+    const Layer* here = neighbours.here;
+    if (here != nullptr && !here->isCopper()) {
+        return {here};
+    }
+    std::vector<const Layer*> layers;
+    for (const Layer* layer : {neighbours.above, neighbours.below}) {
+        if (layer != nullptr) {
+            layers.push_back(layer);
+        }
+        // A dielectric that is no layer is only where the copper on both sides of it is.
+        if (here != nullptr && (layer == nullptr || layer->isCopper())) {
+            layers.push_back(here);
         }
     }
-    return nullptr;
+    return layers;
 }
 
 bool isWithin(const Document& document, ShapeId inner, ShapeId outer) {
@@ -101,26 +108,32 @@ bool isWithin(const Document& document, ShapeId inner, ShapeId outer) {
     return a.min.x >= b.min.x && a.min.y >= b.min.y && a.max.x <= b.max.x && a.max.y <= b.max.y;
 }
 
-void setOutline(const Document& document, SubstratePart& part) {
+void setOutlines(const Document& document, SubstratePart& part) {
     const Neighbours neighbours = neighboursOf(document, part.bottom, part.top);
-    const Layer* layer = bounding(neighbours);
-    part.outline = document.profile;
-    if (layer == nullptr) {
-        return;
+    std::set<std::uint32_t> groups;
+    std::set<ShapeId> outlines;
+    for (const Layer* layer : bounding(neighbours)) {
+        groups.insert(layer->outlineGroup);
+        const ShapeId own = layer->profile;
+        // What joins two layers and is none itself is not widened by an outline that reaches beyond the board's.
+        const bool isBoards = !own.isValid() || (neighbours.here == nullptr && document.profile.isValid() &&
+                                                 !isWithin(document, own, document.profile));
+        outlines.insert(isBoards ? document.profile : own);
     }
-    part.outlineGroup = layer->outlineGroup;
-    // What joins two layers is only where both are: an outline that reaches beyond the board's does not widen it.
-    const bool isOwn = layer == neighbours.here || !document.profile.isValid();
-    if (layer->profile.isValid() && (isOwn || isWithin(document, layer->profile, document.profile))) {
-        part.outline = layer->profile;
+    if (outlines.empty()) {
+        outlines.insert(document.profile);
     }
+    groups.erase(0);
+    outlines.erase(ShapeId{});
+    part.outlineGroups.assign(groups.begin(), groups.end());
+    part.outlines.assign(outlines.begin(), outlines.end());
 }
 
 SubstratePart partBetween(const Document& document, Nm bottom, Nm top) {
     SubstratePart part;
     part.bottom = bottom;
     part.top = top;
-    setOutline(document, part);
+    setOutlines(document, part);
     for (std::size_t row = 0; row < document.layers.size(); ++row) {
         const Layer& layer = document.layers[row];
         if (isHoles(layer.type) && layer.z <= bottom && upperFace(layer) >= top) {
@@ -171,6 +184,10 @@ std::vector<SubstratePart> substratesOf(const Document& document) {
         const bool isLike = !parts.empty() && parts.back().isLike(part);
         if (isByLayer ? slabs.continuesWith(part, isLike) : isLike) {
             parts.back().bottom = part.bottom;
+            // A dielectric is where it is, also beyond what bounds the copper beside it.
+            if (part.outlines.size() < parts.back().outlines.size()) {
+                parts.back().outlines = std::move(part.outlines);
+            }
         } else {
             parts.push_back(std::move(part));
         }

@@ -12,6 +12,8 @@ using model::SubstratePart;
 
 namespace {
 
+using Outlines = std::vector<model::ShapeId>;
+
 /// Four copper layers of 35 µm with 500 µm between them: z = 0, 535, 1070, 1605 µm.
 class Stack {
 public:
@@ -42,6 +44,7 @@ public:
         sketch.addPolygon(corners, false);
         return m_builder.addShape(sketch);
     }
+    model::ShapeId board() const { return m_builder.soFar().profile; }
     Layer& layer(std::size_t row) { return m_builder.layer(model::LayerId{row}); }
     std::vector<SubstratePart> parts() const { return model::substratesOf(m_builder.soFar()); }
 
@@ -101,11 +104,11 @@ private slots:
         dielectric.profile = own;
         const auto parts = stack.parts();
         QCOMPARE(parts.size(), std::size_t{3});
-        QVERIFY(parts[0].outline != own);
-        QCOMPARE(parts[1].outline, own);
-        QCOMPARE(parts[1].top, 1'070'000);
-        QCOMPARE(parts[1].bottom, 570'000);
-        QVERIFY(parts[2].outline != own);
+        QVERIFY(parts[0].outlines != Outlines{own});
+        QCOMPARE(parts[1].outlines, Outlines{own});
+        QCOMPARE(parts[1].top, 1'105'000);  // with what lies beside the copper on both sides of it
+        QCOMPARE(parts[1].bottom, 535'000);
+        QVERIFY(parts[2].outlines != Outlines{own});
     }
 
     void whatLiesBetweenTwoLayersIsWhereBothAre() {
@@ -117,11 +120,40 @@ private slots:
         }
         const auto parts = stack.parts();
         QCOMPARE(parts.size(), std::size_t{3});
-        QCOMPARE(parts[0].outline, rigid);
-        QCOMPARE(parts[0].bottom, 1'105'000);
-        QVERIFY(parts[1].outline != rigid);
-        QCOMPARE(parts[1].bottom, 535'000);
-        QCOMPARE(parts[2].outline, rigid);
+        const Outlines both{stack.board(), rigid};
+        QCOMPARE(parts[0].outlines, both);
+        QCOMPARE(parts[0].bottom, 1'070'000);
+        QCOMPARE(parts[1].outlines, Outlines{stack.board()});
+        QCOMPARE(parts[1].bottom, 570'000);
+        QCOMPARE(parts[2].outlines, both);
+    }
+
+    /// A zone without the outer layers: its outermost copper lies on the substrate, on both sides.
+    void nothingLiesBesideTheOutermostCopperOfAZone() {
+        Stack stack;
+        const model::ShapeId wide = stack.square();
+        const model::ShapeId rigid = stack.square();
+        const auto bound = [](Layer& layer, std::uint32_t group, model::ShapeId outline) {
+            layer.outlineGroup = group;
+            layer.profile = outline;
+        };
+        for (const std::size_t row : {0U, 3U}) {
+            bound(stack.layer(row), 1, rigid);
+        }
+        for (const std::size_t row : {1U, 2U}) {
+            bound(stack.layer(row), 2, wide);
+        }
+        bound(stack.add(LayerType::Dielectric, 1'105'000, 500'000), 1, rigid);
+        bound(stack.add(LayerType::Dielectric, 570'000, 500'000), 2, wide);
+        bound(stack.add(LayerType::Dielectric, 35'000, 500'000), 1, rigid);
+        const auto parts = stack.parts();
+        QCOMPARE(parts.size(), std::size_t{5});
+        QCOMPARE(parts[1].outlines, (Outlines{wide, rigid}));  // beside the second copper
+        QCOMPARE(parts[1].top, 1'105'000);
+        QCOMPARE(parts[2].outlines, Outlines{wide});
+        QCOMPARE(parts[2].top, 1'070'000);
+        QCOMPARE(parts[2].bottom, 570'000);
+        QCOMPARE(parts[3].outlines, (Outlines{wide, rigid}));
     }
 
     void everyDielectricOfARigidFlexIsASlab() {
@@ -153,7 +185,7 @@ private slots:
         dielectric.outlineGroup = 1;
         const auto parts = stack.parts();
         QCOMPARE(parts.size(), std::size_t{3});
-        QCOMPARE(parts[1].outline, parts[0].outline);
+        QCOMPARE(parts[1].outlines, parts[0].outlines);
     }
 
     void aBoardOfOneCopperLayerLiesOnItsLaminate() {
