@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "model/board/holes.h"
 #include "model/section/standing_parts.h"
@@ -260,6 +261,30 @@ bool LegShaper::isFilm(const SectionPiece& piece) const {
     return isSurface(piece) && isLaidOn(m_board.layer(drawnBy(m_board, piece.layer)));
 }
 
+/// The outer face of what a part stands on in the 3D view (model/solids/body_floors.h).
+std::optional<Nm> LegShaper::floorOf(const StandingPart& part) const {
+    const LayerId on = m_board.layer(part.pieces.front().layer).spanTop;
+    if (on.isValid()) {
+        return m_board.layer(on).z + (part.isTop ? m_board.layer(on).thickness : 0);
+    }
+    const auto whole = std::ranges::find(m_faces, part.isTop, &BoardFace::isTop);
+    return whole != m_faces.end() ? std::optional(whole->copper) : std::nullopt;
+}
+
+/// Of the stretches that a part reaches into and that have the face it stands on, the one nearest to its middle; where
+/// none has it, the one around its middle.
+const Stretch& LegShaper::standingIn(const std::vector<Stretch>& stretches, const StandingPart& part) const {
+    const std::optional<Nm> floor = floorOf(part);
+    const double middle = middleOf(part);
+    return *std::ranges::min_element(stretches, {}, [&](const Stretch& stretch) {
+        const bool isReached = std::ranges::any_of(
+            part.pieces, [&](const SectionPiece& piece) { return piece.from < stretch.to && piece.to > stretch.from; });
+        const bool hasFloor = std::ranges::any_of(
+            stretch.faces, [&](const BoardFace& face) { return face.isTop == part.isTop && face.copper == floor; });
+        return std::pair(isReached && hasFloor ? 0 : 1, std::max({stretch.from - middle, middle - stretch.to, 0.0}));
+    });
+}
+
 /// What lies on the board lies on what each stretch has.
 void LegShaper::shapeSurfaces(const std::vector<Stretch>& stretches, LegCut& leg) const {
     if (stretches.size() == 1) {
@@ -281,8 +306,7 @@ void LegShaper::shapeSurfaces(const std::vector<Stretch>& stretches, LegCut& leg
         });
         take(leg.bores, part.bores, [](const SectionPiece&) { return true; });
         std::ranges::copy_if(leg.parts, std::back_inserter(part.parts), [&](const StandingPart& standing) {
-            const double middle = middleOf(standing);
-            return middle >= stretch.from && (middle < stretch.to || stretch.to == leg.to);
+            return &standingIn(stretches, standing) == &stretch;
         });
         shapeStretch(stretch, part);
         std::ranges::copy_if(part.pieces, std::back_inserter(out),
@@ -381,14 +405,7 @@ Nm LegShaper::seatOf(const Stretch& stretch, const BoardFace& face) const {
             ink = std::max(ink, layer.thickness);
         }
     }
-    Nm film = 0;
-    for (const LaidStack& stack : stretch.stack.laidStacks({})) {
-        for (const std::size_t row : stack.rows) {
-            const StackupRow& own = m_board.stackup.rows[row];
-            const bool isUnder = stack.face.copper == face.copper && stack.face.isTop == face.isTop;
-            film += isUnder && m_board.layer(own.layer).use == LayerUse::Coverlay ? own.thickness : 0;
-        }
-    }
+    const Nm film = stretch.stack.coverlayOn(face);
     const Nm mask = face.mask > 0 ? face.outwards() * (face.onCopper() - face.copper) : 0;
     return face.copper + face.outwards() * (std::max(mask, film) + ink);
 }

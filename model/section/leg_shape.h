@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "model/section/laid_film.h"
@@ -38,6 +39,8 @@ public:
 private:
     void addVias(LegCut& leg) const;
     void shapeSurfaces(const std::vector<Stretch>& stretches, LegCut& leg) const;
+    [[nodiscard]] std::optional<Nm> floorOf(const StandingPart& part) const;
+    [[nodiscard]] const Stretch& standingIn(const std::vector<Stretch>& stretches, const StandingPart& part) const;
     void shapeStretch(const Stretch& stretch, LegCut& leg) const;
     void shapeFace(const Stretch& stretch, const BoardFace& face, std::vector<LaidStack>& stacks, LegCut& leg) const;
     void shapeFilms(const LaidStack& stack, const Intervals& raised, std::vector<LaidPart>& laid, LegCut& leg) const;

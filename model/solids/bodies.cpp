@@ -1,6 +1,9 @@
 #include "model/solids/bodies.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "model/solids/body_floors.h"
 
 namespace model {
 
@@ -34,8 +37,12 @@ ZRange facesOf(const Document& document) {
     return faces;
 }
 
-void setHeights(Layer& layer, const ZRange& faces) {
-    layer.z = layer.side == LayerSide::Bottom ? faces.bottom - layer.thickness : faces.top;
+void setHeights(Layer& layer, const ZRange& faces, const Document& document) {
+    const bool isBottom = layer.side == LayerSide::Bottom;
+    const Nm floor = layer.spanTop.isValid() ? heightOf(document, BodyFloor{layer.side, layer.spanTop})
+                     : isBottom              ? faces.bottom
+                                             : faces.top;
+    layer.z = isBottom ? floor - layer.thickness : floor;
 }
 
 bool isInRange(const Box& box, const Placement& placement) {
@@ -52,23 +59,32 @@ bool isInRange(const Box& box, const Placement& placement) {
 class BodyMaker {
 public:
     explicit BodyMaker(DocumentBuilder& builder)
-        : m_builder(builder), m_document(builder.soFar()), m_plans(builder.soFar()) {}
-
-    void addLayer(LayerSide side, Nm thickness, const ZRange& faces) {
-        if (thickness <= 0) {
-            return;
+        : m_builder(builder), m_document(builder.soFar()), m_plans(builder.soFar()) {
+        FloorFinder finder(m_document);
+        for (std::size_t row = 0; row < m_document.components.size(); ++row) {
+            const LayerSide side = m_document.components[row].side;
+            m_floors.push_back(finder.isEven() ? BodyFloor{side, {}} : finder.at(side, locationsOf(ComponentId{row})));
         }
+    }
+
+    [[nodiscard]] bool isUsed(const BodyFloor& floor) const {
+        return std::ranges::find(m_floors, floor) != m_floors.end();
+    }
+
+    void addLayer(const BodyFloor& floor, Nm thickness, const ZRange& faces) {
         Layer layer;
-        layer.name = side == LayerSide::Top ? "bodies top" : "bodies bottom";
+        layer.name = floor.side == LayerSide::Top ? "bodies top" : "bodies bottom";
+        layer.name += floor.on.isValid() ? " on " + m_document.layer(floor.on).name : "";
         layer.type = LayerType::ComponentBody;
-        layer.side = side;
+        layer.side = floor.side;
         layer.isSynthetic = true;
+        layer.spanTop = floor.on;
         layer.thickness = thickness;
         layer.thicknessSource = Source::Derived;
-        setHeights(layer, faces);
+        setHeights(layer, faces, m_document);
         m_builder.beginLayer(m_builder.addLayer(std::move(layer)));
         for (std::size_t row = 0; row < m_document.components.size(); ++row) {
-            if (m_document.components[row].side == side) {
+            if (m_floors[row] == floor) {
                 addBody(ComponentId{row});
             }
         }
@@ -93,6 +109,24 @@ private:
         m_builder.addBody({element, id, plan.height, plan.isHeightAssumed ? Source::Assumed : Source::Job});
         reportOutline(plan, element);
         reportHeight(component.height, element);
+    }
+
+    /// Where to look for what a component stands on: in its middle, or else, where that is beside the board, at its
+    /// pins.
+    [[nodiscard]] std::vector<Point> locationsOf(ComponentId id) {
+        const Component& component = m_document.components[id.row()];
+        std::vector<Point> locations;
+        const Placement placement = component.package.isValid() ? component.placement : Placement{};
+        const Box& box = m_plans.of(id).box;
+        if (!box.isEmpty() && isInRange(box, placement)) {
+            const Box placed = placement.boxOf(box);
+            locations.push_back({static_cast<Nm>(placed.min.x + placed.width() / 2),
+                                 static_cast<Nm>(placed.min.y + placed.height() / 2)});
+        }
+        for (const Pin& pin : m_document.pinsOf(component)) {
+            locations.push_back(pin.position);
+        }
+        return locations;
     }
 
     /// Reports why not.
@@ -195,6 +229,7 @@ private:
     const Document& m_document;
     BodyPlans m_plans;
     std::map<const BodyPlan*, ShapeId> m_shapes;
+    std::vector<BodyFloor> m_floors;  ///< by component
 };
 
 }  // namespace
@@ -202,15 +237,22 @@ private:
 void addBodies(DocumentBuilder& builder, const TallestBodies& tallest) {
     const ZRange faces = facesOf(builder.soFar());
     BodyMaker maker(builder);
-    maker.addLayer(LayerSide::Top, tallest.top, faces);
-    maker.addLayer(LayerSide::Bottom, tallest.bottom, faces);
+    const std::vector<BodyFloor> floors = bodyFloorsOf(builder.soFar());
+    const bool areAllNeeded = !tallest.isAlone || floors.size() == 2;
+    for (const BodyFloor& floor : floors) {
+        const Nm thickness = floor.side == LayerSide::Top ? tallest.top : tallest.bottom;
+        const bool isNeeded = areAllNeeded || maker.isUsed(floor);
+        if (thickness > 0 && isNeeded) {
+            maker.addLayer(floor, thickness, faces);
+        }
+    }
 }
 
 void placeBodies(Document& document) {
     const ZRange faces = facesOf(document);
     for (Layer& layer : document.layers) {
         if (layer.type == LayerType::ComponentBody) {
-            setHeights(layer, faces);
+            setHeights(layer, faces, document);
         }
     }
 }

@@ -35,6 +35,7 @@ void setHeights(Document& document, const Heights& heights,
         document.layers[row].thicknessSource = heights.layers[row].thicknessSource;
     }
     document.boardThickness = thicknessOf(heights.stackup);
+    document.stackup = heights.stackup;
     placeSolids(document);
     for (std::shared_ptr<const Document>& step : document.steps) {
         std::shared_ptr<const Document>& changed = done[step.get()];
@@ -59,7 +60,6 @@ std::shared_ptr<const Document> restack(const Document& document, std::vector<Th
     reportStackup(document, before);
     Diagnostics after;
     const Heights heights = heightsWith(document, std::move(set), after);
-    out->stackup = heights.stackup;
     std::map<const Document*, std::shared_ptr<const Document>> done;
     setHeights(*out, heights, done);
     reportStackup(*out, after);

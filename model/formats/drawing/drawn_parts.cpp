@@ -159,6 +159,7 @@ void addParts(DocumentBuilder& builder, const DrawnStep& step, const DrawnNets& 
 
 TallestBodies tallestParts(const DrawnJob& job, const Document& document) {
     TallestBodies tallest;
+    tallest.isAlone = job.steps.size() == 1;
     for (const DrawnStep& step : job.steps) {
         for (const DrawnComponent& component : step.components) {
             Nm& side = component.side == LayerSide::Bottom ? tallest.bottom : tallest.top;

@@ -303,6 +303,7 @@ Nm heightOf(const PlacedComponent& component, const std::vector<EdaPackage>& pac
 TallestBodies tallestParts(const Matrix& matrix, const LayerTable& layers, const Steps& steps,
                            const Document& document) {
     TallestBodies tallest;
+    tallest.isAlone = steps.size() == 1;
     for (const StepData& step : steps) {
         for (std::size_t row = 0; row < matrix.layers.size(); ++row) {
             for (const PlacedComponent& component : step.layers[row].components.value) {

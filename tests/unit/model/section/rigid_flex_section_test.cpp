@@ -152,6 +152,14 @@ private slots:
         QCOMPARE(lowest[true], cover.z + cover.thickness);
         const Layer& top = layerOf(*board, "top");
         QVERIFY(lowest[false] >= top.z + top.thickness);
+        // And so do bodies in 3D, on the plate of the mask.
+        const auto bottomOf = [&](std::size_t component) {
+            const auto body = std::ranges::find(board->bodies, ComponentId{component}, &Body::component);
+            return board->heightsOf(body->element).bottom;
+        };
+        QCOMPARE(bottomOf(1), cover.z + cover.thickness);
+        const Layer& mask = layerOf(*board, "smt");
+        QCOMPARE(bottomOf(0), mask.z + mask.thickness);
     }
 
     /// What a job draws of a stiffener is where it is, on what its zone has.

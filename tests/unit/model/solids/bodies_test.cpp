@@ -4,6 +4,8 @@
 
 #include "model/board/stackup.h"
 #include "model/geometry/outlines.h"
+#include "model/solids/restack.h"
+#include "model/solids/solids.h"
 
 using model::ComponentId;
 using model::Document;
@@ -77,6 +79,77 @@ struct Board {
     }
 
     DocumentBuilder builder;
+};
+
+/// A board of 40 by 20 mm: four copper layers all along to x = 20 mm, beyond it only the inner ones and what is
+/// between.
+struct Zones {
+    Zones() {
+        builder.setProfile(outline(40 * kMm));
+        const model::ShapeId rigid = outline(20 * kMm);
+        model::StackupFacts facts;
+        const auto add = [&](const char* name, LayerType type, double thickness, bool isRigid) {
+            Layer layer;
+            layer.name = name;
+            layer.type = type;
+            layer.outlineGroup = isRigid ? 1 : 0;
+            layer.profile = isRigid ? rigid : model::ShapeId{};
+            layers.push_back(layer);
+            facts.layers.emplace_back().thicknessNm = thickness;
+        };
+        add("mask", LayerType::SolderMask, 20'000, true);
+        add("l1", LayerType::Signal, 35'000, true);
+        add("d1", LayerType::Dielectric, 200'000, true);
+        add("l2", LayerType::Signal, 18'000, false);
+        add("d2", LayerType::Dielectric, 100'000, false);
+        add("l3", LayerType::Signal, 18'000, false);
+        add("d3", LayerType::Dielectric, 200'000, true);
+        add("l4", LayerType::Signal, 35'000, true);
+        model::Stackup stackup = model::buildStackup(layers, std::move(facts), builder.diagnostics());
+        builder.setBoardThickness(model::thicknessOf(stackup));
+        builder.setStackup(std::move(stackup));
+        for (const Layer& layer : layers) {
+            builder.addLayer(layer);
+        }
+    }
+
+    model::ShapeId outline(Nm right) {
+        model::ShapeSketch sketch;
+        const Point corners[] = {{0, 0}, {right, 0}, {right, 20 * kMm}, {0, 20 * kMm}};
+        sketch.addPolygon(corners, false);
+        return builder.addShape(sketch);
+    }
+
+    model::PackageId drawnPackage() {
+        model::ShapeSketch sketch;
+        const Point corners[] = {{0, 0}, {2 * kMm, 0}, {2 * kMm, kMm}, {0, kMm}};
+        sketch.addPolygon(corners, false);
+        model::Package package;
+        package.body = builder.addShape(sketch);
+        model::PackagePin pins[2];
+        pins[0].position = {-kMm / 5, kMm / 2};
+        pins[1].position = {2 * kMm + kMm / 5, kMm / 2};
+        return builder.addPackage(std::move(package), pins);
+    }
+
+    void place(model::PackageId package, LayerSide side, Nm height, const model::Placement& placement) {
+        model::Component component;
+        component.package = package;
+        component.side = side;
+        component.height = height;
+        component.placement = placement;
+        builder.addComponent(std::move(component), {});
+    }
+
+    std::shared_ptr<const Document> finish(const model::TallestBodies& tallest) {
+        const base::Progress progress;
+        (void)model::addSolids(builder, progress);
+        model::addBodies(builder, tallest);
+        return builder.finish();
+    }
+
+    DocumentBuilder builder;
+    std::vector<Layer> layers;
 };
 
 std::uint64_t messages(const Document& document, std::string_view part) {
@@ -280,6 +353,44 @@ private slots:
         const auto d = board.finish({12 * kMm, 0});
         QCOMPARE(d->bodies.size(), static_cast<std::size_t>(below) + (isThere ? 1 : 0));
         QCOMPARE(messages(*d, "lies over other components"), std::uint64_t{isThere ? 0U : 1U});
+    }
+
+    void partsStandOnTheOutermostLayerOfTheirZone() {
+        Zones board;
+        const model::PackageId package = board.drawnPackage();
+        board.place(package, LayerSide::Top, kMm, {{10 * kMm, 10 * kMm}});
+        board.place(package, LayerSide::Top, 2 * kMm, {{24 * kMm, 10 * kMm}});
+        board.place(package, LayerSide::Bottom, kMm, {{24 * kMm, 10 * kMm}});
+        const auto d = board.finish({2 * kMm, kMm});
+        QStringList names;
+        for (const Layer& layer : d->layers) {
+            if (layer.type == LayerType::ComponentBody) {
+                names << QString::fromStdString(layer.name);
+            }
+        }
+        QCOMPARE(names, QStringList({"bodies top", "bodies top on l2", "bodies bottom on l3"}));
+        const auto heights = [&](std::size_t component) {
+            const auto body = std::ranges::find(d->bodies, ComponentId{component}, &model::Body::component);
+            return d->heightsOf(body->element);
+        };
+        const Layer& l2 = d->layer(d->findLayer("l2"));
+        const Layer& l3 = d->layer(d->findLayer("l3"));
+        QCOMPARE(heights(0).bottom, d->boardThickness + 20'000);
+        QCOMPARE(heights(1).bottom, l2.z + l2.thickness);
+        QCOMPARE(heights(1).top, l2.z + l2.thickness + 2 * kMm);
+        QCOMPARE(heights(2).top, l3.z);
+        // After thicknesses were changed too.
+        const auto changed = model::restack(*d, {{"l2", 70'000}, {"d3", 400'000}});
+        const Layer& thicker = changed->layer(changed->findLayer("l2"));
+        QCOMPARE(thicker.thickness, 70'000);
+        QCOMPARE(changed->heightsOf(d->bodies[1].element).bottom, thicker.z + thicker.thickness);
+    }
+
+    void stepsOfOnePanelHaveTheSameLayersOfBodies() {
+        Zones board;
+        const auto d = board.finish({2 * kMm, kMm, false});
+        QCOMPARE(d->layers.back().name, std::string("bodies bottom on l3"));
+        QCOMPARE(std::ranges::count(d->layers, LayerType::ComponentBody, &Layer::type), std::ptrdiff_t{4});
     }
 
     void absurdHeightsAreNotBelievedAndUnpopulatedPartsHaveNoBody() {
