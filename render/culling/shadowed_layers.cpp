@@ -33,16 +33,30 @@ float strengthOf(const SceneLayers& scene, const ViewSettings& settings, bool is
     return kStrength * together * (1.0F - std::clamp(settings.dim, 0.0F, 1.0F));
 }
 
-/// What reaches as far as the inner face of the outermost copper has a face outside: the dielectric under it too.
-float outsideOf(const SceneLayers& scene, bool isFromAbove) {
-    float height = -1e30F;  // away from the middle of the board
+/// The inner face of the outermost copper that does not lie beyond `limit`. Heights are away from the middle of the
+/// board.
+float innerFaceBelow(const SceneLayers& scene, bool isFromAbove, float limit) {
+    float height = -1e30F;
     float inner = -1e30F;
     for (const FrameLayer& layer : scene.layers) {
         const float outer = isFromAbove ? layer.z1 : -layer.z0;
-        if (layer.isCopper && outer > height) {
+        if (layer.isCopper && outer > height && outer <= limit + kRounding) {
             height = outer;
             inner = isFromAbove ? layer.z0 : -layer.z1;
         }
+    }
+    return inner;
+}
+
+/// What reaches as far as the inner face of the outermost copper has a face outside: the dielectric under it too. Where
+/// bodies stand on copper further inside (rigid-flex), that is the outermost there.
+float outsideOf(const SceneLayers& scene, bool isFromAbove) {
+    float inner = innerFaceBelow(scene, isFromAbove, 1e30F);
+    const std::uint32_t growth = isFromAbove ? shader::kLayerGrowsUp : shader::kLayerGrowsDown;
+    for (const FrameLayer& layer : scene.layers) {
+        const float base = isFromAbove ? layer.z0 : -layer.z1;
+        const float below = layer.growth == growth ? innerFaceBelow(scene, isFromAbove, base) : inner;
+        inner = below > -1e30F ? std::min(inner, below) : inner;
     }
     return isFromAbove ? inner - kRounding : kRounding - inner;
 }

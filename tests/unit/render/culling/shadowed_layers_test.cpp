@@ -50,6 +50,14 @@ private slots:
         QCOMPARE(marked(board(), false), ".....xxx.");
     }
 
+    /// In a zone without the outer layers.
+    void shadowsFallOnInnerCopperThatBodiesStandOn() {
+        SceneLayers scene = board();
+        scene.layers[BodiesTop].z0 = 0.9F;
+        QCOMPARE(marked(scene, true), ".xxxxx.x.");
+        QCOMPARE(marked(scene, false), ".....xxx.");
+    }
+
     void onlyBodiesThatAreDrawnCastThem() {
         SceneLayers scene = board();
         scene.styles[BodiesTop].isVisible = false;
