@@ -99,11 +99,13 @@ private slots:
         const Section section = cut(m_board, 10e6, true);
         QVERIFY(textOf(section, SectionMaterial::Stiffener).isEmpty());
         const Layer& l2 = layerOf(*m_board, "l2");
-        const auto isFilledBeside = [&](const SectionPiece& piece) {
-            return isDielectric(piece.material) && piece.from <= 50e6 && piece.to >= 50e6 && piece.bottom <= l2.z &&
+        const auto isFilledBeside = [&](const SectionPiece& piece, double at) {
+            return isDielectric(piece.material) && piece.from <= at && piece.to >= at && piece.bottom <= l2.z &&
                    piece.top >= l2.z + l2.thickness;
         };
-        QVERIFY(std::ranges::none_of(section.pieces, isFilledBeside));  // the copper of the flexible part is bare
+        QVERIFY(std::ranges::any_of(section.pieces, [&](const SectionPiece& p) { return isFilledBeside(p, 15e6); }));
+        // The outermost copper of the flexible part lies on the substrate.
+        QVERIFY(std::ranges::none_of(section.pieces, [&](const SectionPiece& p) { return isFilledBeside(p, 50e6); }));
     }
 
     /// A hole through all layers has no wall where the board is thinner.
