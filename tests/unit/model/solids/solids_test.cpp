@@ -119,6 +119,40 @@ private slots:
         QVERIFY(withSolids(builder)->layers.empty());
     }
 
+    /// A dielectric to x = 6 mm, the next from x = 4 mm on; copper between them has resin beside it where they overlap.
+    void besideCopperTheBodyIsWhereBothDielectricsAre() {
+        DocumentBuilder builder;
+        addSquare(builder);
+        std::uint32_t group = 0;
+        const auto add = [&](LayerType type, model::Nm z, model::Nm from, model::Nm to) {
+            Layer layer;
+            layer.type = type;
+            layer.z = z;
+            layer.thickness = type == LayerType::Dielectric ? 500'000 : 100'000;
+            if (type == LayerType::Dielectric) {
+                model::ShapeSketch outline;
+                const model::Point corners[] = {{from, 0}, {to, 0}, {to, 10'000'000}, {from, 10'000'000}};
+                outline.addPolygon(corners, false);
+                layer.profile = builder.addShape(outline);
+                layer.outlineGroup = ++group;
+            }
+            builder.addLayer(layer);
+        };
+        add(LayerType::Signal, 1'200'000, 0, 0);
+        add(LayerType::Dielectric, 700'000, 0, 6'000'000);
+        add(LayerType::Signal, 600'000, 0, 0);
+        add(LayerType::Dielectric, 100'000, 4'000'000, 10'000'000);
+        add(LayerType::Signal, 0, 0, 0);
+        const auto document = withSolids(builder);
+        std::vector<double> areas;
+        for (const Layer& layer : document->layers) {
+            if (layer.type == LayerType::Body) {
+                areas.push_back(areaMm2(*document, layer));
+            }
+        }
+        QCOMPARE(areas, (std::vector<double>{60.0, 20.0, 60.0}));
+    }
+
     void solderMaskIsTheOutlineMinusOpeningsAndOpenHoles() {
         const auto document = boardWithMask();
         const Layer& coat = document->layer(document->findLayer("SMT solder mask"));
