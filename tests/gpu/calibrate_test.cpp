@@ -32,6 +32,7 @@ class CalibrateTest : public QObject {
     QTemporaryDir m_folder;
 
 private slots:
+    void cleanupTestCase() { test::Gpu::close(); }
     void cleanup() { QDir(m_folder.path()).removeRecursively(), QDir().mkpath(m_folder.path()); }
 
     void theFastestIsTakenWhereItIsWorthIt() {

@@ -23,13 +23,22 @@ T orExit(base::Result<T> result) {
 Gpu::Gpu(gpu::Instance madeInstance, gpu::Device madeDevice)
     : instance(std::move(madeInstance)), device(std::move(madeDevice)), presenter(device) {}
 
+std::unique_ptr<Gpu>& Gpu::held() {
+    static std::unique_ptr<Gpu> gpu;
+    return gpu;
+}
+
 Gpu& Gpu::get() {
-    static const std::unique_ptr<Gpu> gpu = [] {
+    if (held() == nullptr) {
         auto madeInstance = orExit(gpu::Instance::create({}));
         auto madeDevice = orExit(gpu::Device::create(madeInstance));
-        return std::unique_ptr<Gpu>(new Gpu(std::move(madeInstance), std::move(madeDevice)));
-    }();
-    return *gpu;
+        held().reset(new Gpu(std::move(madeInstance), std::move(madeDevice)));
+    }
+    return *held();
+}
+
+void Gpu::close() {
+    held().reset();
 }
 
 Scene::Scene(const SyntheticBoard& board) : model(board.build()), scene(Gpu::get().device, model) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "render/frame/offscreen_presenter.h"
@@ -13,12 +14,16 @@ namespace render::test {
 class Gpu {
 public:
     static Gpu& get();
+    /// Before the program ends, in tests that make devices of their own: layers keep things of those that are gone
+    /// before the one of the program is (Debian 13's validation layer).
+    static void close();
 
     gpu::Instance instance;
     gpu::Device device;
     OffscreenPresenter presenter;
 
 private:
+    static std::unique_ptr<Gpu>& held();
     Gpu(gpu::Instance madeInstance, gpu::Device madeDevice);
 };
 
