@@ -46,6 +46,15 @@ ordered_json shortJson(const StepCheck& check, const model::ShortedNets& entry) 
     return json;
 }
 
+ordered_json tieJson(const StepCheck& check, const model::NetTie& tie) {
+    ordered_json json = locationJson(*check.step, tie.layer, tie.location);
+    json["step"] = check.step->job.step;
+    json["component"] = check.step->components[tie.component.row()].refdes;
+    json["nets"] = {nameOf(*check.step, tie.netA), nameOf(*check.step, tie.netB)};
+    json["element"] = tie.element.value;
+    return json;
+}
+
 void printOpen(const StepCheck& check, const model::OpenNet& open) {
     const bool isOpen = model::hasSeveralPadIslands(check.report, open);
     std::printf("  %-8s %s: %u islands\n", isOpen ? "open" : "floating", nameOf(*check.step, open.net).c_str(),
@@ -119,6 +128,7 @@ ordered_json connectivityJson(const std::vector<StepCheck>& checks) {
     ordered_json opens = ordered_json::array();
     ordered_json floating = ordered_json::array();
     ordered_json shorts = ordered_json::array();
+    ordered_json ties = ordered_json::array();
     for (const StepCheck& check : checks) {
         islands += check.islandCount;
         for (const model::OpenNet& open : check.report.opens) {
@@ -127,8 +137,12 @@ ordered_json connectivityJson(const std::vector<StepCheck>& checks) {
         for (const model::ShortedNets& entry : check.report.shorts) {
             shorts.push_back(shortJson(check, entry));
         }
+        for (const model::NetTie& tie : check.report.ties) {
+            ties.push_back(tieJson(check, tie));
+        }
     }
-    return {{"islands", islands}, {"opens", opens}, {"floating", floating}, {"loose", floating}, {"shorts", shorts}};
+    return {{"islands", islands}, {"opens", opens},   {"floating", floating},
+            {"loose", floating},  {"shorts", shorts}, {"net_ties", ties}};
 }
 
 void printConnectivity(const std::vector<StepCheck>& checks) {
@@ -140,9 +154,13 @@ void printConnectivity(const std::vector<StepCheck>& checks) {
         for (const model::ShortedNets& entry : check.report.shorts) {
             printShort(check, entry);
         }
-        std::printf("  %s: %zu islands of copper, %zu nets in several islands, %zu shorts\n",
+        for (const model::NetTie& tie : check.report.ties) {
+            std::printf("  net tie  %s at %.4f, %.4f mm\n", model::textOf(*check.step, tie).c_str(),
+                        base::toMm(tie.location.x), base::toMm(tie.location.y));
+        }
+        std::printf("  %s: %zu islands of copper, %zu nets in several islands, %zu shorts, %zu net ties\n",
                     check.step->job.step.c_str(), check.islandCount, check.report.opens.size(),
-                    check.report.shorts.size());
+                    check.report.shorts.size(), check.report.ties.size());
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "model/base/parallel.h"
 #include "model/board/copies.h"
+#include "model/clearance/copper_owners.h"
 #include "model/clearance/layer_geometry.h"
 
 namespace model {
@@ -28,18 +29,23 @@ struct CopperLayer {
 };
 
 /// All pairs of nets of a layer that come closer than `reach`.
-void search(const Document& document, const CopperLayer& on, const ClearanceRequest& request, double reach,
+void search(const CopperNets& nets, const CopperLayer& on, const ClearanceRequest& request, double reach,
             base::Progress& progress, std::vector<Clearance>& found) {
-    const auto netOf = [&](std::uint32_t row) { return document.elements.net[on.copper.elementOf(row).row()]; };
+    const auto netOf = [&](std::uint32_t row) { return nets.netOf(on.copper.elementOf(row)); };
     const auto isBetween = [&](NetId a, NetId b) {
         return request.between == std::pair(a, b) || request.between == std::pair(b, a);
     };
     const bool isAny = request.between == std::pair<NetId, NetId>();
-    PairRequest pairs = requestByNets(document, on.copper);
+    PairRequest pairs;
     pairs.reach = reach;
     pairs.within = request.within;
     pairs.isWanted = [&](std::uint32_t a, std::uint32_t b) {
-        return netOf(a) != netOf(b) && (isAny || isBetween(netOf(a), netOf(b)));
+        return netOf(a) != netOf(b) && (isAny || isBetween(netOf(a), netOf(b))) &&
+               !nets.areTied(on.copper.elementOf(a), on.copper.elementOf(b));
+    };
+    pairs.groupOf = [netOf](std::uint32_t a, std::uint32_t b) {
+        const auto [low, high] = std::minmax({netOf(a), netOf(b)});
+        return std::uint64_t{low.value} << 32U | high.value;
     };
     for (const FigurePair& pair : closestPairs(on.copper, on.copper, pairs, progress)) {
         Clearance result{
@@ -68,7 +74,8 @@ std::vector<CopperLayer> layersOf(const Document& document, const ClearanceReque
 }
 
 /// All nets that come closer than a reach which is doubled until they are enough. Empty after a cancel.
-std::vector<Clearance> search(const Document& document, const ClearanceRequest& request, base::Progress& progress) {
+std::vector<Clearance> search(const Document& document, const CopperNets& nets, const ClearanceRequest& request,
+                              base::Progress& progress) {
     const std::vector<CopperLayer> layers = layersOf(document, request);
     Box extent;
     for (const CopperLayer& on : layers) {
@@ -79,7 +86,7 @@ std::vector<Clearance> search(const Document& document, const ClearanceRequest& 
     for (double reach = std::min(kFirstReach, last);; reach = std::min(2 * reach, last)) {
         std::vector<Clearance> found;
         for (std::size_t i = 0; i < layers.size(); ++i) {
-            search(document, layers[i], request, reach, progress, found);
+            search(nets, layers[i], request, reach, progress, found);
             progress.setFraction(static_cast<float>(i + 1) / static_cast<float>(layers.size()));
         }
         if (found.size() >= request.count || reach >= last || progress.isCancelled()) {
@@ -92,8 +99,9 @@ std::vector<Clearance> search(const Document& document, const ClearanceRequest& 
 
 base::Result<std::vector<Clearance>> smallestClearances(const Document& document, const ClearanceRequest& request,
                                                         base::Progress& progress) {
+    ASSIGN_OR_RETURN(const CopperNets nets, CopperNets::of(document, progress));
     progress.beginPhase("Measuring clearances");
-    std::vector<Clearance> clearances = search(document, request, progress);
+    std::vector<Clearance> clearances = search(document, nets, request, progress);
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }

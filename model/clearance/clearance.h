@@ -17,7 +17,8 @@ namespace model {
 /// The smallest spacing between two nets on one layer.
 struct Clearance {
     LayerId layer;
-    NetId netA;  ///< the lower row; copper without a net counts as one more net behind all others ("none")
+    /// The lower row; copper that has no net and touches none counts as one more net behind all others ("none").
+    NetId netA;
     NetId netB;
     ElementId a;  ///< of netA: copper of the layer, or a plated hole through it
     ElementId b;
@@ -35,9 +36,9 @@ struct ClearanceRequest {
 
 /// The smallest clearances in the plane of a layer, in rising order. What takes part is the copper of the layer and the
 /// walls of plated holes that reach it after back-drilling (Document::platedSpanOf), exact arcs and areas included.
-/// Copper that an NPTH takes away counts as there. Left out: pairs of one net, copper without a net
-/// among itself, and copper without a net that touches the other net (it belongs to it). Copies of other steps are not
-/// part of it: they have a document of their own.
+/// Copper that an NPTH takes away counts as there. Copper without a net belongs to the net that it touches, on any
+/// layer (CopperOwners). Left out: pairs of one net, copper without a net among itself, and what a net tie brings
+/// together (NetTies). Copies of other steps are not part of it: they have a document of their own.
 ///
 /// Neighbours are searched for within a distance that doubles until there are enough, so the cost follows the number of
 /// elements and of results, not the number of pairs. The result does not depend on the number of threads.

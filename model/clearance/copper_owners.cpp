@@ -2,26 +2,11 @@
 
 #include <algorithm>
 
-#include "model/nets/connectivity.h"
 #include "model/nets/disjoint_sets.h"
 
 namespace model {
 
 namespace {
-
-bool isCopper(const Document& document, std::uint32_t element) {
-    return document.layer(document.elements.layer[element]).isCopper() ||
-           isPlatedHole(document.elements.flags[element]);
-}
-
-bool isAnyWithoutNet(const Document& document) {
-    for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
-        if (!document.elements.net[i].isValid() && isCopper(document, i)) {
-            return true;
-        }
-    }
-    return false;
-}
 
 struct Touch {
     std::uint32_t a;
@@ -45,15 +30,9 @@ std::vector<Touch> touchesOf(const Document& document, const Connectivity& conne
 
 }  // namespace
 
-base::Result<CopperOwners> CopperOwners::of(const Document& document, base::Progress& progress) {
-    CopperOwners owners;
-    owners.m_netCount = static_cast<std::uint32_t>(document.nets.size());
-    owners.m_owner.resize(document.elements.size());
-    std::vector<Touch> touches;
-    if (isAnyWithoutNet(document)) {
-        ASSIGN_OR_RETURN(const Connectivity connectivity, Connectivity::of(document, progress));
-        touches = touchesOf(document, connectivity);
-    }
+CopperOwners::CopperOwners(const Document& document, const Connectivity& connectivity)
+    : m_netCount(static_cast<std::uint32_t>(document.nets.size())), m_owner(document.elements.size()) {
+    const std::vector<Touch> touches = touchesOf(document, connectivity);
     const auto netOf = [&](std::uint32_t element) { return document.elements.net[element]; };
     DisjointSets islands(document.elements.size());
     for (const Touch& touch : touches) {
@@ -67,13 +46,17 @@ base::Result<CopperOwners> CopperOwners::of(const Document& document, base::Prog
         std::uint32_t& net = ofIsland[islands.find(touch.a)];
         net = std::min(net, netOf(touch.b).isValid() ? netOf(touch.b).value : kNone);
     }
-    for (std::uint32_t i = 0; i < owners.m_owner.size(); ++i) {
+    for (std::uint32_t i = 0; i < m_owner.size(); ++i) {
         const std::uint32_t island = islands.find(i);
-        owners.m_owner[i] = netOf(i).isValid()          ? netOf(i).value
-                            : ofIsland[island] != kNone ? ofIsland[island]
-                                                        : owners.m_netCount + island;
+        m_owner[i] = netOf(i).isValid()          ? netOf(i).value
+                     : ofIsland[island] != kNone ? ofIsland[island]
+                                                 : m_netCount + island;
     }
-    return owners;
+}
+
+base::Result<CopperNets> CopperNets::of(const Document& document, base::Progress& progress) {
+    ASSIGN_OR_RETURN(const Connectivity connectivity, Connectivity::of(document, progress));
+    return CopperNets{CopperOwners(document, connectivity), NetTies(document, connectivity)};
 }
 
 }  // namespace model

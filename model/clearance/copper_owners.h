@@ -5,7 +5,7 @@
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
-#include "model/board/document.h"
+#include "model/nets/net_ties.h"
 
 namespace model {
 
@@ -14,8 +14,7 @@ namespace model {
 /// what touches none is an island that belongs to itself.
 class CopperOwners {
 public:
-    /// One search for all that touches, and none where all copper has a net. Errors: Cancelled.
-    [[nodiscard]] static base::Result<CopperOwners> of(const Document& document, base::Progress& progress);
+    CopperOwners(const Document& document, const Connectivity& connectivity);
 
     /// Equal for two elements that belong together.
     [[nodiscard]] std::uint32_t of(ElementId element) const { return m_owner[element.row()]; }
@@ -28,6 +27,19 @@ public:
 private:
     std::uint32_t m_netCount = 0;
     std::vector<std::uint32_t> m_owner;  ///< by element: a net's row, or from m_netCount on an island
+};
+
+/// What tells whether two elements have to keep a clearance.
+struct CopperNets {
+    CopperOwners owners;
+    NetTies ties;
+
+    /// One search for all that touches. Errors: Cancelled.
+    [[nodiscard]] static base::Result<CopperNets> of(const Document& document, base::Progress& progress);
+
+    [[nodiscard]] NetId netOf(ElementId element) const { return owners.netOf(element); }
+    /// Is it a net tie that brings these two together?
+    [[nodiscard]] bool areTied(ElementId a, ElementId b) const { return ties.joins(a, netOf(a), b, netOf(b)); }
 };
 
 }  // namespace model

@@ -155,18 +155,6 @@ bool hasNoSize(const Document& document, ElementId hole) {
     return coversNothing(document, hole) || (box.width() < kLeastHole && box.height() < kLeastHole);
 }
 
-PairRequest requestByNets(const Document& document, const LayerGeometry& copper) {
-    const auto netOf = [&](std::uint32_t row) { return document.elements.net[copper.elementOf(row).row()]; };
-    PairRequest request;
-    request.isWanted = [netOf](std::uint32_t a, std::uint32_t b) { return netOf(a) != netOf(b); };
-    request.mayTouch = [netOf](std::uint32_t a, std::uint32_t b) { return netOf(a).isValid() && netOf(b).isValid(); };
-    request.groupOf = [netOf](std::uint32_t a, std::uint32_t b) {
-        const auto [low, high] = std::minmax({netOf(a), netOf(b)});
-        return bothOf(low.value, high.value);
-    };
-    return request;
-}
-
 std::vector<FigurePair> closestPairs(const LayerGeometry& a, const LayerGeometry& b, const PairRequest& request,
                                      base::Progress& progress) {
     const PairSearch search(a, b, request);

@@ -78,10 +78,6 @@ struct PairRequest {
     std::optional<Box> within{};
 };
 
-/// For copper of one layer: a result for each pair of nets. Copper without a net that touches a net belongs to it.
-/// `document` and `copper` must outlive the request.
-[[nodiscard]] PairRequest requestByNets(const Document& document, const LayerGeometry& copper);
-
 /// The closest pair of every group, in rising order of width, then rows. With the same layer geometry twice every pair
 /// is visited once, the lower row first. Over all cores, the same with any number of threads; partial once `progress`
 /// is cancelled.

@@ -27,11 +27,6 @@ std::string textOf(const Unchecked& unchecked) {
                                 : std::to_string(unchecked.count) + ' ' + unchecked.what + ": " + unchecked.why;
 }
 
-std::string textOf(const Document& step, const NetTie& tie) {
-    return step.components[tie.component.row()].refdes + " ties " + step.nets[tie.netA.row()].name + " and " +
-           step.nets[tie.netB.row()].name + " on " + step.layer(tie.layer).name;
-}
-
 Verdict verdictOf(const RuleTable& table, const RuleReport& report, std::size_t rule) {
     const bool isComplete = std::ranges::count(report.unchecked, rule, &Unchecked::rule) == 0;
     return !table.rules[rule].isOn        ? Verdict::Off

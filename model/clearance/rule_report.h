@@ -7,6 +7,7 @@
 #include "model/board/document.h"
 #include "model/clearance/design_rules.h"
 #include "model/geometry/edges.h"
+#include "model/nets/net_ties.h"
 
 /// What a check of rules says: where they are broken, and what they could not check.
 namespace model {
@@ -43,17 +44,6 @@ struct Unchecked {
 };
 /// "36 holes: layer drill does not say which copper layers it passes"
 [[nodiscard]] std::string textOf(const Unchecked& unchecked);
-
-/// Two nets that a component joins on purpose.
-struct NetTie {
-    ComponentId component;
-    LayerId layer;
-    NetId netA;  ///< the lower row
-    NetId netB;
-    bool operator==(const NetTie&) const = default;
-};
-/// "NT1 ties GND and AGND on TOP"
-[[nodiscard]] std::string textOf(const Document& step, const NetTie& tie);
 
 /// A finding that somebody accepts (model::Waiver).
 struct WaivedFinding {

@@ -13,15 +13,6 @@ std::string textOf(const Side& side) {
     return side.element.isValid() ? text + ", element " + std::to_string(side.element.value) : text;
 }
 
-PinId pinOf(const Document& document, const PinFinder& pins, ElementId element) {
-    const SubnetId subnet = document.elements.subnet[element.row()];
-    if (subnet.isValid() && document.subnets[subnet.row()].pin.isValid()) {
-        return document.subnets[subnet.row()].pin;
-    }
-    const std::vector<PinId> found = pins.pinsOf(element);
-    return found.empty() ? PinId{} : found.front();
-}
-
 SideNames::SideNames(const Document& document)
     : m_document(document), m_pins(document), m_isMicrovia(microviasOf(document)) {}
 

@@ -20,10 +20,6 @@ struct Side {
 /// "GND, U5.3, pad, element 1234"
 [[nodiscard]] std::string textOf(const Side& side);
 
-/// The pin of a pad or plated hole: the one that its subnet names, also for pads that are drawn as areas, else the
-/// first that the finder knows. None if it belongs to none.
-[[nodiscard]] PinId pinOf(const Document& document, const PinFinder& pins, ElementId element);
-
 /// Tells sides of findings and clearances of one document apart, also where there is no net. Made once (a look at every
 /// pad and hole); the document must outlive it.
 class SideNames {

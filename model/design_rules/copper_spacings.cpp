@@ -77,8 +77,8 @@ std::uint64_t bothOf(std::uint32_t a, std::uint32_t b) {
 /// The locations between nets on a layer.
 class NetSpacings {
 public:
-    NetSpacings(RuleContext& context, const NetTies& ties, LayerId layer, const LayerGeometry& copper)
-        : m_context(context), m_ties(ties), m_layer(layer), m_copper(copper) {}
+    NetSpacings(RuleContext& context, LayerId layer, const LayerGeometry& copper)
+        : m_context(context), m_layer(layer), m_copper(copper) {}
 
     void check() {
         std::vector<FigurePair> pairs = closestPairs(m_copper, m_copper, request(), m_context.progress());
@@ -106,7 +106,7 @@ private:
         request.isWanted = [this](std::uint32_t a, std::uint32_t b) {
             return areForeign(m_context, m_copper.elementOf(a), m_copper.elementOf(b)) &&
                    m_context.isBetween(m_copper.elementOf(a), m_copper.elementOf(b)) && rule(a, b) &&
-                   !m_ties.joins(m_copper.elementOf(a), m_copper.elementOf(b));
+                   !m_context.nets().areTied(m_copper.elementOf(a), m_copper.elementOf(b));
         };
         request.groupOf = [this](std::uint32_t a, std::uint32_t b) {
             return isApart(a, b) ? kOfElements | bothOf(m_copper.elementOf(a).value, m_copper.elementOf(b).value)
@@ -149,7 +149,6 @@ private:
     }
 
     RuleContext& m_context;
-    const NetTies& m_ties;
     LayerId m_layer;
     const LayerGeometry& m_copper;
     NetPairs m_apart;  ///< nets with a location for each two elements
@@ -157,10 +156,10 @@ private:
 
 }  // namespace
 
-void checkNetSpacings(RuleContext& context, const NetTies& ties, LayerId layer, const LayerGeometry& copper) {
+void checkNetSpacings(RuleContext& context, LayerId layer, const LayerGeometry& copper) {
     const bool isThere = context.choice().reachOf(RuleKind::CopperToCopper) > 0 && !context.document().nets.empty();
     if (isThere && context.isWanted(RuleKind::CopperToCopper, layer)) {
-        NetSpacings(context, ties, layer, copper).check();
+        NetSpacings(context, layer, copper).check();
     }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "model/clearance/net_ties.h"
 #include "model/design_rules/rule_context.h"
 
 /// What copper keeps: distances to other nets, to its own, to holes and to the edge; and holes among each other.
@@ -8,7 +7,7 @@ namespace model {
 
 /// RuleKind::CopperToCopper between nets, one location for each two nets; of nets with an accepted location (RuleScope)
 /// up to one for each two elements. Elements that a net tie joins keep none.
-void checkNetSpacings(RuleContext& context, const NetTies& ties, LayerId layer, const LayerGeometry& copper);
+void checkNetSpacings(RuleContext& context, LayerId layer, const LayerGeometry& copper);
 /// The same within a net: spacings between elements that do not touch each other, unless other copper of the net lies
 /// in the middle.
 void checkOwnNet(RuleContext& context, LayerId layer, const LayerGeometry& copper);

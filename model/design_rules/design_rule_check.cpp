@@ -69,8 +69,7 @@ void finish(RuleReport& report) {
 
 class Check {
 public:
-    explicit Check(RuleContext& context)
-        : m_context(context), m_ties(context.document(), context.owners(), context.progress()), m_rings(context) {}
+    explicit Check(RuleContext& context) : m_context(context), m_rings(context) {}
 
     [[nodiscard]] base::Status run() {
         begin(m_context);
@@ -87,7 +86,7 @@ public:
         RETURN_IF_ERROR(checkFloatingCopper(m_context));
         note(m_context);
         if (m_context.choice().reachOf(RuleKind::CopperToCopper) > 0) {
-            m_context.report().netTies = m_ties.ties();
+            m_context.report().netTies = m_context.nets().ties.ties();
         }
         finish(m_context.report());
         return base::Done{};
@@ -109,7 +108,7 @@ private:
 
     void checkCopper(LayerId layer) {
         const LayerGeometry copper = copperGeometry(m_context.document(), layer, m_context.isThere());
-        checkNetSpacings(m_context, m_ties, layer, copper);
+        checkNetSpacings(m_context, layer, copper);
         checkOwnNet(m_context, layer, copper);
         checkToHoles(m_context, layer);
         checkToEdge(m_context, layer, copper);
@@ -120,7 +119,6 @@ private:
     }
 
     RuleContext& m_context;
-    NetTies m_ties;
     RingChecks m_rings;
 };
 
@@ -132,9 +130,9 @@ bool isRuled(const Layer& layer) {
 
 base::Result<RuleReport> checkRules(const Document& document, const RuleTable& table, base::Progress& progress,
                                     const RuleScope& scope) {
-    ASSIGN_OR_RETURN(const CopperOwners owners, CopperOwners::of(document, progress));
+    ASSIGN_OR_RETURN(const CopperNets nets, CopperNets::of(document, progress));
     progress.beginPhase("Checking rules");
-    RuleContext context(document, table, scope, owners, progress);
+    RuleContext context(document, table, scope, nets, progress);
     RETURN_IF_ERROR(Check(context).run());
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};

@@ -34,11 +34,11 @@ bool isBetweenNets(RuleKind kind) {
 }  // namespace
 
 RuleContext::RuleContext(const Document& document, const RuleTable& table, const RuleScope& scope,
-                         const CopperOwners& owners, base::Progress& progress)
+                         const CopperNets& nets, base::Progress& progress)
     : m_document(document),
       m_table(table),
       m_scope(scope),
-      m_owners(owners),
+      m_nets(nets),
       m_choice(document, table),
       m_isAway(drilledAway(document)),
       m_holes(holeClassesOf(document)),

@@ -15,13 +15,14 @@ namespace model {
 /// function that takes it (copper_spacings.h, mask_checks.h, …).
 class RuleContext {
 public:
-    RuleContext(const Document& document, const RuleTable& table, const RuleScope& scope, const CopperOwners& owners,
+    RuleContext(const Document& document, const RuleTable& table, const RuleScope& scope, const CopperNets& nets,
                 base::Progress& progress);
 
     [[nodiscard]] const Document& document() const { return m_document; }
     [[nodiscard]] const RuleTable& table() const { return m_table; }
     [[nodiscard]] const RuleChoice& choice() const { return m_choice; }
-    [[nodiscard]] const CopperOwners& owners() const { return m_owners; }
+    [[nodiscard]] const CopperOwners& owners() const { return m_nets.owners; }
+    [[nodiscard]] const CopperNets& nets() const { return m_nets; }
     [[nodiscard]] const std::vector<HoleClass>& holeClasses() const { return m_holes; }
     [[nodiscard]] base::Progress& progress() const { return m_progress; }
     [[nodiscard]] RuleReport& report() { return m_report; }
@@ -38,7 +39,7 @@ public:
     [[nodiscard]] const RuleScope& scope() const { return m_scope; }
     [[nodiscard]] LayerId scopeLayer() const { return m_scope.layer; }
 
-    [[nodiscard]] NetId netOf(ElementId element) const { return m_owners.netOf(element); }
+    [[nodiscard]] NetId netOf(ElementId element) const { return m_nets.netOf(element); }
     [[nodiscard]] CopperObject objectOf(ElementId element) const { return m_objects[element.row()]; }
     /// An element as one side of a rule.
     [[nodiscard]] RuleParty partyOf(ElementId element) const {
@@ -65,7 +66,7 @@ private:
     const Document& m_document;
     const RuleTable& m_table;
     const RuleScope& m_scope;
-    const CopperOwners& m_owners;
+    const CopperNets& m_nets;
     RuleChoice m_choice;
     std::vector<bool> m_isAway;           ///< elements that NPTHs take away
     std::vector<HoleClass> m_holes;       ///< by element

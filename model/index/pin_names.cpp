@@ -29,6 +29,15 @@ std::string fullPinName(const Document& document, PinId id) {
     return refdes == nullptr ? name : name.empty() ? *refdes : *refdes + '.' + name;
 }
 
+PinId pinOf(const Document& document, const PinFinder& pins, ElementId element) {
+    const SubnetId subnet = document.elements.subnet[element.row()];
+    if (subnet.isValid() && document.subnets[subnet.row()].pin.isValid()) {
+        return document.subnets[subnet.row()].pin;
+    }
+    const std::vector<PinId> found = pins.pinsOf(element);
+    return found.empty() ? PinId{} : found.front();
+}
+
 std::vector<NetId> netsOf(const Document& document, const Component& component) {
     std::vector<NetId> nets;
     for (const Pin& pin : document.pinsOf(component)) {

@@ -14,7 +14,7 @@ namespace {
 class NetChecker {
 public:
     NetChecker(const Document& document, const Connectivity& connectivity)
-        : m_document(document), m_connectivity(connectivity) {}
+        : m_document(document), m_connectivity(connectivity), m_ties(document, connectivity) {}
 
     NetReport run() {
         findOpens();
@@ -23,6 +23,7 @@ public:
         for (const auto& [key, entry] : m_shorts) {
             m_report.shorts.push_back(entry);
         }
+        m_report.ties = m_ties.ties();
         return std::move(m_report);
     }
 
@@ -75,9 +76,10 @@ private:
         for (const Contact& contact : m_connectivity.contacts()) {
             const NetId a = netOf(contact.a);
             const NetId b = netOf(contact.b);
-            if (a.isValid() && b.isValid() && a != b) {
-                addShort({a, b, contact.layer, m_connectivity.element(contact.a), m_connectivity.element(contact.b),
-                          contact.location, ElementId{}, 0});
+            const ElementId elementA = m_connectivity.element(contact.a);
+            const ElementId elementB = m_connectivity.element(contact.b);
+            if (a.isValid() && b.isValid() && a != b && !m_ties.joins(elementA, a, elementB, b)) {
+                addShort({a, b, contact.layer, elementA, elementB, contact.location, ElementId{}, 0});
             }
         }
     }
@@ -99,9 +101,10 @@ private:
             const std::uint32_t other = isUnassignedA ? contact.a : contact.b;
             const std::uint32_t piece = isUnassignedA ? contact.b : contact.a;
             const std::uint32_t first = firstPiece.try_emplace(unassigned.find(other), piece).first->second;
-            if (netOf(first) != netOf(piece)) {
+            const ElementId through = m_connectivity.element(other);
+            if (netOf(first) != netOf(piece) && !m_ties.joins(through, netOf(first), through, netOf(piece))) {
                 addShort({netOf(first), netOf(piece), contact.layer, m_connectivity.element(first),
-                          m_connectivity.element(piece), contact.location, m_connectivity.element(other), 0});
+                          m_connectivity.element(piece), contact.location, through, 0});
             }
         }
     }
@@ -116,6 +119,7 @@ private:
 
     const Document& m_document;
     const Connectivity& m_connectivity;
+    NetTies m_ties;
     NetReport m_report;
     std::map<std::tuple<NetId, NetId, LayerId>, ShortedNets> m_shorts;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/nets/connectivity.h"
+#include "model/nets/net_ties.h"
 
 namespace model {
 
@@ -33,11 +33,12 @@ struct ShortedNets {
 };
 
 /// How the copper of a board differs from its nets. Only copper and plated holes count; copper without a net belongs to
-/// no net, but may join two.
+/// no net, but may join two. Where a net tie joins them (NetTies) it is listed, and no short.
 struct NetReport {
     std::vector<OpenNet> opens;  ///< by net
     std::vector<NetIsland> islands;
     std::vector<ShortedNets> shorts;  ///< by nets and layer
+    std::vector<NetTie> ties;         ///< by component and layer
     [[nodiscard]] std::span<const NetIsland> islandsOf(const OpenNet& open) const {
         return std::span(islands).subspan(open.firstIsland, open.islandCount);
     }

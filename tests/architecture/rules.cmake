@@ -17,7 +17,7 @@ set(architecture_rows
     "model/solids                  | model           | model/board model/figures model/geometry model/packages |"
     "model/solids/shells           | model           | model/board model/geometry model/geometry/loops |"
     "model/statistics              | model           | model/board model/figures model/geometry |"
-    "model/nets                    | model           | model/board model/figures model/geometry model/statistics model/text |"
+    "model/nets                    | model           | model/board model/figures model/geometry model/index model/statistics model/text |"
     "model/measure                 | model           | model/board model/figures model/geometry model/index model/statistics model/text |"
     "model/clearance               | model           | model/board model/figures model/geometry model/index model/nets model/text | json"
     "model/design_rules            | model           | model/board model/clearance model/figures model/geometry model/nets model/text |"

@@ -10,7 +10,7 @@ namespace ui {
 namespace {
 
 /// In the order of FindingKind; mid tones, readable on a light and on a dark ground; the word says the same.
-constexpr QColor kKindColours[] = {{0xd9, 0x4a, 0x3d}, {0xe0, 0x9a, 0x1f}, {0x56, 0x8c, 0xc8}};
+constexpr QColor kKindColours[] = {{0xd9, 0x4a, 0x3d}, {0xe0, 0x9a, 0x1f}, {0x56, 0x8c, 0xc8}, {0x80, 0x80, 0x80}};
 
 /// "1 short", "2 shorts", "no shorts"
 QString counted(qsizetype count, const QString& none, const QString& one, const QString& many) {
@@ -22,7 +22,7 @@ QString counted(qsizetype count, const QString& none, const QString& one, const 
 NetlistCheckModel::NetlistCheckModel(QObject* parent)
     : TableModel(
           {{tr("Kind"), tr("Short: copper of two nets touches. Open: a net is in several parts. Floating: copper "
-                           "that leads nowhere")},
+                           "that leads nowhere. Tie: a component joins two nets on purpose")},
            {tr("Net"), tr("The nets concerned")},
            {tr("What"), tr("What was found there")},
            {tr("Layer"), tr("Where it is")},
@@ -48,6 +48,9 @@ void NetlistCheckModel::listStep(std::uint32_t step) {
     for (std::uint32_t row = 0; row < report.shorts.size(); ++row) {
         m_findings.push_back({FindingKind::Short, step, row, report.shorts[row].a});
     }
+    for (std::uint32_t row = 0; row < report.ties.size(); ++row) {
+        m_findings.push_back({FindingKind::Tie, step, row, report.ties[row].netA});
+    }
     for (const model::OpenNet& open : report.opens) {
         const bool isOpen = model::hasSeveralPadIslands(report, open);
         for (std::uint32_t at = 0; at < open.islandCount; ++at) {
@@ -62,7 +65,7 @@ void NetlistCheckModel::listStep(std::uint32_t step) {
 
 std::vector<model::ElementId> NetlistCheckModel::elementsOf(const Finding& finding) const {
     if (finding.kind != FindingKind::Short) {
-        return {island(finding).element};
+        return {finding.kind == FindingKind::Tie ? tie(finding).element : island(finding).element};
     }
     const model::ShortedNets& entry = shorted(finding);
     std::vector<model::ElementId> elements{entry.elementA, entry.elementB};
@@ -73,11 +76,15 @@ std::vector<model::ElementId> NetlistCheckModel::elementsOf(const Finding& findi
 }
 
 model::PointD NetlistCheckModel::locationOf(const Finding& finding) const {
-    return finding.kind == FindingKind::Short ? shorted(finding).location : island(finding).location;
+    return finding.kind == FindingKind::Short ? shorted(finding).location
+           : finding.kind == FindingKind::Tie ? tie(finding).location
+                                              : island(finding).location;
 }
 
 model::LayerId NetlistCheckModel::layerOf(const Finding& finding) const {
-    return finding.kind == FindingKind::Short ? shorted(finding).layer : island(finding).layer;
+    return finding.kind == FindingKind::Short ? shorted(finding).layer
+           : finding.kind == FindingKind::Tie ? tie(finding).layer
+                                              : island(finding).layer;
 }
 
 QString NetlistCheckModel::summary() const {
@@ -93,17 +100,21 @@ QString NetlistCheckModel::summary() const {
         });
     }
     const qsizetype floating = std::ranges::count(m_findings, FindingKind::Floating, &Finding::kind);
-    return tr("%1, %2, %3")
+    const qsizetype ties = std::ranges::count(m_findings, FindingKind::Tie, &Finding::kind);
+    return tr("%1, %2, %3%4")
         .arg(counted(shorts, tr("no shorts"), tr("1 short"), tr("%L1 shorts")),
              counted(opens, tr("no open nets"), tr("1 open net"), tr("%L1 open nets")),
              counted(floating, tr("no floating copper"), tr("1 piece of floating copper"),
-                     tr("%L1 pieces of floating copper")));
+                     tr("%L1 pieces of floating copper")),
+             counted(ties, QString(), tr(", 1 net tie"), tr(", %L1 net ties")));
 }
 
 QString NetlistCheckModel::netsText(const Finding& finding) const {
     const model::Document& step = *stepCheck(finding).step;
     const QString first = netName(step, finding.net);
-    return finding.kind == FindingKind::Short ? QStringLiteral("%1, %2").arg(first, netName(step, shorted(finding).b))
+    const auto both = [&](model::NetId second) { return QStringLiteral("%1, %2").arg(first, netName(step, second)); };
+    return finding.kind == FindingKind::Short ? both(shorted(finding).b)
+           : finding.kind == FindingKind::Tie ? both(tie(finding).netB)
                                               : first;
 }
 
@@ -113,6 +124,11 @@ QString NetlistCheckModel::whatText(const Finding& finding) const {
         return entry.through.isValid() ? tr("Joined by copper without a net")
                                        : counted(entry.contactCount, tr("Touch nowhere"), tr("Touch in 1 location"),
                                                  tr("Touch in %L1 locations"));
+    }
+    if (finding.kind == FindingKind::Tie) {
+        const model::Document& step = *stepCheck(finding).step;
+        return tr("Joined by %1 on purpose")
+            .arg(QString::fromStdString(step.components[tie(finding).component.row()].refdes));
     }
     const model::NetIsland& part = island(finding);
     const QString pieces = counted(part.pieceCount, tr("no pieces"), tr("1 piece"), tr("%L1 pieces"));
@@ -125,7 +141,7 @@ QString NetlistCheckModel::whatText(const Finding& finding) const {
 
 Cell NetlistCheckModel::cell(int row, int column) const {
     const Finding& found = finding(row);
-    const QString kinds[] = {tr("Short"), tr("Open"), tr("Floating")};
+    const QString kinds[] = {tr("Short"), tr("Open"), tr("Floating"), tr("Net tie")};
     switch (column) {
         case Kind:
             return {.text = kinds[static_cast<std::size_t>(found.kind)],

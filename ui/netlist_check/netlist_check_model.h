@@ -8,22 +8,23 @@
 namespace ui {
 
 /// What the netlist check found (model/nets/net_check.h), as a table: a row per short, one per island of an open net,
-/// and one per piece of floating copper, the weighty ones first.
+/// one per piece of floating copper and one per net tie, the weighty ones first.
 class NetlistCheckModel : public TableModel {
     Q_OBJECT
 
 public:
     enum Column { Kind, Nets, What, Layer, X, Y, Step };
     enum class FindingKind : std::uint8_t {
-        Short,    ///< copper of two nets touches
-        Open,     ///< an island with pads or holes of a net that has several such
-        Floating  ///< an island without any
+        Short,     ///< copper of two nets touches
+        Open,      ///< an island with pads or holes of a net that has several such
+        Floating,  ///< an island without any
+        Tie        ///< a component joins two nets on purpose
     };
     struct Finding {
         FindingKind kind = FindingKind::Short;
         std::uint32_t step = 0;  ///< row of model::StepTree::steps
-        std::uint32_t row = 0;   ///< of NetReport::shorts, else of NetReport::islands
-        model::NetId net;        ///< the lower one of a short
+        std::uint32_t row = 0;   ///< of NetReport::shorts or ties, else of NetReport::islands
+        model::NetId net;        ///< the lower one of a short or tie
     };
 
     explicit NetlistCheckModel(QObject* parent = nullptr);
@@ -32,13 +33,13 @@ public:
     void setChecks(std::shared_ptr<const model::Document> board, std::vector<model::StepCheck> checks);
 
     [[nodiscard]] const Finding& finding(int row) const { return m_findings[static_cast<std::size_t>(row)]; }
-    /// What is highlighted when it is shown: both sides of a short, an element of an island; rows of the finding's
-    /// step.
+    /// What is highlighted when it is shown: both sides of a short, an element of an island or tie; rows of the
+    /// finding's step.
     [[nodiscard]] std::vector<model::ElementId> elementsOf(const Finding& finding) const;
     [[nodiscard]] model::PointD locationOf(const Finding& finding) const;
     [[nodiscard]] model::LayerId layerOf(const Finding& finding) const;
     [[nodiscard]] bool isChecked() const { return m_board != nullptr; }
-    /// "2 shorts, 1 open net, no floating copper", or that no check was made yet.
+    /// "2 shorts, 1 open net, no floating copper", with net ties if there are any, or that no check was made yet.
     [[nodiscard]] QString summary() const;
 
 private:
@@ -48,6 +49,9 @@ private:
     [[nodiscard]] const model::StepCheck& stepCheck(const Finding& finding) const { return m_checks[finding.step]; }
     [[nodiscard]] const model::ShortedNets& shorted(const Finding& finding) const {
         return stepCheck(finding).report.shorts[finding.row];
+    }
+    [[nodiscard]] const model::NetTie& tie(const Finding& finding) const {
+        return stepCheck(finding).report.ties[finding.row];
     }
     [[nodiscard]] const model::NetIsland& island(const Finding& finding) const {
         return stepCheck(finding).report.islands[finding.row];

@@ -7,6 +7,7 @@
 
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
+#include "model/clearance/copper_owners.h"
 #include "model/figures/distance.h"
 #include "tests/unit/model/figures/element_spacing.h"
 #include "tests/unit/model/hand_made.h"
@@ -54,19 +55,18 @@ std::vector<Clearance> clearancesOf(const model::Document& document, const Clear
     return *model::smallestClearances(document, question, progress);
 }
 
-/// Spacing by layer and nets, every pair of elements looked at.
+/// Spacing by layer and nets, every pair of elements looked at. Copper without a net has that of what it touches.
 std::vector<double> bruteForce(const model::Document& document) {
+    base::Progress progress;
+    const model::CopperNets nets = *model::CopperNets::of(document, progress);
     std::map<std::tuple<LayerId, NetId, NetId>, double> narrowest;
     for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
         for (std::uint32_t j = i + 1; j < document.elements.size(); ++j) {
-            const NetId netI = document.elements.net[i], netJ = document.elements.net[j];
+            const NetId netI = nets.netOf(ElementId{i}), netJ = nets.netOf(ElementId{j});
             if (netI == netJ || document.elements.layer[i] != document.elements.layer[j]) {
                 continue;
             }
             const double gap = figure_testing::spacingBetween(document, ElementId{i}, ElementId{j})->distance;
-            if (gap <= model::kTouchNm && (!netI.isValid() || !netJ.isValid())) {
-                continue;
-            }
             const auto [low, high] = std::minmax(netI, netJ);
             const auto [location, isFirst] = narrowest.try_emplace({document.elements.layer[i], low, high}, gap);
             location->second = std::min(location->second, gap);
@@ -196,6 +196,23 @@ private slots:
         builder.addCircle({{100 * kUm, 0}, 200 * kUm, 0}, of({}));
         const auto touching = builder.finish();
         QVERIFY(clearancesOf(*touching).empty());
+    }
+
+    void copperOfNobodyKeepsTheClearancesOfTheNetItTouches() {
+        DocumentBuilder builder;
+        builder.beginLayer(addLayer(builder, "top"));
+        const NetId a = builder.addNet("a"), b = builder.addNet("b");
+        builder.addCircle({{0, 0}, 200 * kUm, 0}, of(a));
+        builder.addLine({{0, 0}, {300 * kUm, 0}, 100 * kUm, 0}, of({}));  // of a
+        builder.addCircle({{0, 400 * kUm}, 200 * kUm, 0}, of(a));         // closer to it than b is
+        builder.addCircle({{600 * kUm, 0}, 200 * kUm, 0}, of(b));
+        builder.addCircle({{600 * kUm, 1000 * kUm}, 200 * kUm, 0}, of({}));  // of nobody
+        const std::vector<Clearance> found = clearancesOf(*builder.finish());
+        QCOMPARE(found.size(), std::size_t{3});
+        QVERIFY(found[0].netA == a && found[0].netB == b);
+        QCOMPARE(found[0].a, ElementId{1});
+        QCOMPARE(found[0].spacing.distance, 150.0 * kUm);
+        QVERIFY(!found[1].netB.isValid() && !found[2].netB.isValid());
     }
 
     void aCancelIsSaid() {

@@ -6,6 +6,7 @@
 
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
+#include "model/clearance/copper_owners.h"
 #include "model/figures/distance.h"
 #include "tests/unit/model/figures/element_spacing.h"
 #include "tests/unit/model/hand_made.h"
@@ -46,13 +47,16 @@ std::vector<Nearby> near(const model::Document& board, const std::vector<Element
     return *model::copperNear(board, targets, reach, progress);
 }
 
-/// By element; infinite where nothing of the targets is on its layer or it is left out.
+/// By element, copper without a net with that of what it touches; infinite where nothing of the targets is on its layer
+/// or it is left out.
 std::vector<double> bruteForce(const model::Document& board, const std::vector<ElementId>& targets) {
     std::vector<double> nearest(board.elements.size(), std::numeric_limits<double>::infinity());
+    base::Progress progress;
+    const model::CopperNets nets = *model::CopperNets::of(board, progress);
     for (std::uint32_t i = 0; i < board.elements.size(); ++i) {
-        const NetId net = board.elements.net[i];
+        const NetId net = nets.netOf(ElementId{i});
         const bool isLeftOut = std::ranges::any_of(targets, [&](ElementId target) {
-            return target == ElementId{i} || (net.isValid() && board.elements.net[target.row()] == net);
+            return target == ElementId{i} || (net.isValid() && nets.netOf(target) == net);
         });
         for (const ElementId target : targets) {
             if (!isLeftOut && board.elements.layer[target.row()] == board.elements.layer[i]) {

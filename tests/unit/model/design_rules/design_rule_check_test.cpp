@@ -10,8 +10,10 @@
 
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
+#include "model/clearance/clearance.h"
 #include "model/clearance/side_names.h"
 #include "model/export/clearance_export.h"
+#include "model/nets/net_check.h"
 #include "tests/unit/model/hand_made.h"
 
 using namespace hand_made;
@@ -532,6 +534,66 @@ private slots:
         if (ties > 0) {
             QCOMPARE(model::textOf(*document, report.netTies[0]), std::string("X1 ties A and B1 on top"));
         }
+    }
+
+    void aTieIsWhatTheCopperJoins_data() {
+        QTest::addColumn<int>("bridges");
+        QTest::addColumn<QString>("track");
+        QTest::addColumn<QStringList>("ties");
+        QTest::addColumn<int>("shorts");
+        QTest::newRow("one bridge") << 1 << "" << QStringList{"JP3 ties A and B1 on top"} << 0;
+        QTest::newRow("one bridge, a track on the pads that it joins")
+            << 1 << "joined" << QStringList{"JP3 ties A and B1 on top"} << 0;
+        QTest::newRow("one bridge, a track on the open pad")
+            << 1 << "open" << QStringList{"JP3 ties A and B1 on top"} << 1;
+        QTest::newRow("two bridges") << 2 << "" << QStringList{"JP3 ties A and B1 on top", "JP3 ties A and C on top"}
+                                     << 0;
+        QTest::newRow("two bridges, a track on the last pad")
+            << 2 << "open" << QStringList{"JP3 ties A and B1 on top", "JP3 ties A and C on top"} << 0;
+        QTest::newRow("no bridge") << 0 << "" << QStringList{} << 0;
+        QTest::newRow("no bridge, a track on the open pad") << 0 << "open" << QStringList{} << 1;
+    }
+    /// A jumper of three pads that says it is a net tie: rules, the netlist check and the search agree on it.
+    void aTieIsWhatTheCopperJoins() {
+        QFETCH(int, bridges);
+        QFETCH(QString, track);
+        QFETCH(QStringList, ties);
+        QFETCH(int, shorts);
+        Board board;
+        const NetId c = board.builder.addNet("C");
+        model::Component part;
+        part.refdes = "JP3";
+        part.part = "net tie solder jumper bridged";
+        board.builder.beginLayer(board.top);
+        addPart(board, part, {{board.a, {0, 0}}, {board.b, {300 * kUm, 0}}, {c, {600 * kUm, 0}}});
+        for (Nm i = 0; i < bridges; ++i) {
+            const Nm x = i * 300 * kUm;
+            board.builder.addLine({{x, 0}, {x + 150 * kUm, 0}, 40 * kUm, 0}, of({}));
+            board.builder.addLine({{x + 150 * kUm, 0}, {x + 300 * kUm, 0}, 40 * kUm, 0}, of({}));
+        }
+        if (!track.isEmpty()) {
+            const Nm x = track == "open" ? 600 * kUm : 300 * kUm;
+            board.builder.addLine({{x, 0}, {x, 900 * kUm}, 40 * kUm, 0}, of(board.a));
+        }
+        const auto document = board.builder.finish();
+
+        const auto namesOf = [&](const std::vector<model::NetTie>& found) {
+            QStringList names;
+            for (const model::NetTie& tie : found) {
+                names << QString::fromStdString(model::textOf(*document, tie));
+            }
+            return names;
+        };
+        const RuleReport report = check(*document, RuleKind::CopperToCopper, 50 * kUm);
+        QCOMPARE(report.findings.size(), static_cast<std::size_t>(shorts));
+        QCOMPARE(namesOf(report.netTies), ties);
+        base::Progress progress;
+        const model::NetReport nets = model::checkAllNets(*document, progress)->front().report;
+        QCOMPARE(nets.shorts.size(), static_cast<std::size_t>(shorts));
+        QCOMPARE(namesOf(nets.ties), ties);
+        model::ClearanceRequest closest;
+        closest.below = 50.0 * kUm;
+        QCOMPARE(model::smallestClearances(*document, closest, progress)->size(), static_cast<std::size_t>(shorts));
     }
 
     void sidesAreToldApart() {
