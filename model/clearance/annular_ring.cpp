@@ -5,18 +5,25 @@
 
 #include "model/base/parallel.h"
 #include "model/clearance/layer_geometry.h"
+#include "model/figures/distance.h"
 
 namespace model {
 
 namespace {
 
+/// Also a pad that the job draws as an area.
+bool isPad(const Document& document, ElementId copper) {
+    const SubnetId subnet = document.elements.subnet[copper.row()];
+    return (document.elements.flags[copper.row()] & kPad) != 0 ||
+           (subnet.isValid() && document.subnets[subnet.row()].kind == SubnetKind::PinPads);
+}
+
 /// Larger is better for the hole.
-auto rankOf(const Document& document, const AnnularRing& ring) {
-    const bool isPad = ring.pad.isValid() && (document.elements.flags[ring.pad.row()] & kPad) != 0;
+auto rankOf(const AnnularRing& ring) {
     int rank = 0;
     switch (ring.ring.state) {
         case RingState::Apart: break;
-        case RingState::BreaksOut: rank = isPad ? 3 : 1; break;
+        case RingState::BreaksOut: rank = ring.isOfPads ? 3 : 1; break;
         case RingState::Removed: rank = 2; break;
         case RingState::Around: rank = 4; break;
     }
@@ -29,19 +36,45 @@ bool mayBelong(const Document& document, ElementId hole, ElementId copper) {
     return ofHole == ofCopper || !ofHole.isValid() || !ofCopper.isValid();
 }
 
+/// Is it a pad of this hole, and not one beside that the hole happens to cut into?
+bool isPadOf(const Document& document, const LayerGeometry& copper, std::uint32_t row, const AnnularRing& ring) {
+    const Point middle = document.boxOf(ring.hole).middle();
+    const Box& box = copper.figures().box(row);
+    const bool isMiddleIn =
+        box.min.x <= middle.x && middle.x <= box.max.x && box.min.y <= middle.y && middle.y <= box.max.y;
+    return ring.isOfPads &&
+           (ring.ring.state == RingState::Around || (ring.ring.state == RingState::BreaksOut && isMiddleIn));
+}
+
 AnnularRing ringOf(const Document& document, const LayerGeometry& copper, ElementId hole, double below) {
     FigureTable figures;
     figures.add(document, hole);
     AnnularRing best{hole, {}, {}};
+    AnnularRing ofPads{hole, {}, {}, true};
+    std::vector<std::uint32_t> pads;
     copper.visitNear(document.boxOf(hole), 0.0, [&](std::uint32_t row) {
         const ElementId element = copper.elementOf(row);
         if (mayBelong(document, hole, element)) {
-            const AnnularRing found{hole, element, ringAround(figures, copper.figures(), row, below)};
-            const bool isBetter = rankOf(document, found) > rankOf(document, best);
-            best = found.ring.state != RingState::Apart && isBetter ? found : best;
+            const AnnularRing found{hole, element, ringAround(figures, copper.figures(), row, below),
+                                    isPad(document, element)};
+            const auto keepBetter = [&](AnnularRing& kept) { kept = rankOf(found) > rankOf(kept) ? found : kept; };
+            if (found.ring.state != RingState::Apart) {
+                keepBetter(best);
+            }
+            if (isPadOf(document, copper, row, found)) {
+                pads.push_back(row);
+                keepBetter(ofPads);
+            }
         }
     });
-    return best;
+    if (pads.size() > 1) {
+        std::ranges::sort(pads);
+        const RingWidth together = ringAround(figures, copper.figures(), pads, below);
+        const bool isMore =
+            together.state > ofPads.ring.state || together.width.distance > ofPads.ring.width.distance + kTouchNm;
+        ofPads.ring = isMore ? together : ofPads.ring;  // of a ring as wide all around, the location stays
+    }
+    return pads.empty() ? best : ofPads;
 }
 
 std::vector<ElementId> holesThrough(const Document& document, LayerId layer) {

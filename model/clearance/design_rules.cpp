@@ -38,7 +38,7 @@ constexpr std::array<KindTraits, kRuleKindCount> kKinds = {{
      {kAHole, kNone},
      true,
      true,
-     "What is left of a pad around a plated hole or slot, on every layer where it has one."},
+     "What is left of the pads around a plated hole or slot, on every layer; where a layer has none, of other copper."},
     {"mask-sliver", {kNone, kNone}, true, true, "What is left of solder mask between two openings."},
     {"mask-copper", {kNet, kNone}, true, true, "By how much a solder mask opening is larger than the pad in it."},
     {"mask-foreign",

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <vector>
 
 #include "model/figures/distance.h"
@@ -218,6 +219,129 @@ RingWidth ringOf(const HolePart& hole, const Edge& track, double below) {
     return search.result([&](PointD p) { return covers(track, p); });
 }
 
+/// Copper with an outline of its own: an area, or an edge of a track.
+struct Piece {
+    std::vector<Edge> outline;
+    std::function<bool(PointD)> covers;
+};
+
+std::vector<Piece> piecesOf(const FigureTable& copper, std::span<const std::uint32_t> rows, const Box& near) {
+    std::vector<Piece> pieces;
+    for (const std::uint32_t row : rows) {
+        if (copper[row].isFilled) {
+            Piece piece{{}, [&copper, row](PointD p) { return isInside(copper, row, p); }};
+            visitEdges(copper, row, near, [&](const Edge& edge) { piece.outline.push_back(edge); });
+            pieces.push_back(std::move(piece));
+            continue;
+        }
+        for (const Edge& track : copper.edges(row)) {
+            pieces.push_back({outlineOf(track), [track](PointD p) { return covers(track, p); }});
+        }
+    }
+    return pieces;
+}
+
+/// The nearest location of the outline of pieces together. Edges of all pieces wait in the order of their distance from
+/// the hole; one whose nearest point another piece covers is dropped if that piece covers it all, else halved.
+class UnionSearch {
+public:
+    UnionSearch(const HolePart& hole, std::vector<Piece> pieces) : m_hole(hole), m_pieces(std::move(pieces)) {
+        for (std::size_t piece = 0; piece < m_pieces.size(); ++piece) {
+            for (const Edge& edge : m_pieces[piece].outline) {
+                add(piece, edge);
+            }
+        }
+    }
+
+    [[nodiscard]] RingWidth run(double below) {
+        const Spacing least = nearest(below);
+        if (least.distance <= kTouchNm) {
+            return {RingState::BreaksOut, {0.0, least.from, least.from}};
+        }
+        const auto coversBeside = [&](const Piece& piece) { return piece.covers(m_hole.beside); };
+        if (std::ranges::any_of(m_pieces, coversBeside)) {
+            return {RingState::Around, least};
+        }
+        return {m_hasInner ? RingState::Removed : RingState::Apart, {}};
+    }
+
+private:
+    struct Waiting {
+        Spacing spacing;  ///< from the outline of the hole to the edge
+        std::size_t piece = 0;
+        Edge edge;
+        bool operator<(const Waiting& other) const { return spacing.distance > other.spacing.distance; }
+    };
+
+    void add(std::size_t piece, const Edge& edge) {
+        const Spacing spacing = nearestTo(edge, m_hole.outline);
+        if (spacing.distance <= kTouchNm ? m_hole.coversAll(edge) : m_hole.covers(edge.a)) {
+            m_hasInner = true;
+        } else {
+            m_waiting.push({spacing, piece, edge});
+        }
+    }
+
+    static Spacing nearestTo(const Edge& edge, const std::vector<Edge>& outline) {
+        Spacing nearest{kEndless, {}, {}};
+        for (const Edge& side : outline) {
+            const Spacing spacing = spacingBetween(side, edge);
+            nearest = spacing.distance < nearest.distance ? spacing : nearest;
+        }
+        return nearest;
+    }
+
+    Spacing nearest(double below) {
+        while (!m_waiting.empty() && m_waiting.top().spacing.distance < below) {
+            const Waiting first = m_waiting.top();
+            m_waiting.pop();
+            const Piece* over = coverOf(first);
+            if (over == nullptr) {
+                return first.spacing;
+            }
+            if (!isAllWithin(first.edge, *over)) {
+                halve(first);
+            }
+        }
+        return {kEndless, {}, {}};
+    }
+
+    /// Another piece that covers the nearest point, which is not on its outline.
+    [[nodiscard]] const Piece* coverOf(const Waiting& waiting) const {
+        const PointD p = waiting.spacing.to;
+        for (std::size_t other = 0; other < m_pieces.size(); ++other) {
+            const Piece& piece = m_pieces[other];
+            if (other != waiting.piece && piece.covers(p) &&
+                nearestTo(lineBetween(p, p), piece.outline).distance > kTouchNm) {
+                return &piece;
+            }
+        }
+        return nullptr;
+    }
+
+    static bool isAllWithin(const Edge& edge, const Piece& piece) {
+        return nearestTo(edge, piece.outline).distance > kTouchNm && piece.covers(edge.a);
+    }
+
+    void halve(const Waiting& waiting) {
+        constexpr double kShortest = 1.0;
+        const double size = lengthOf(waiting.edge);
+        if (size < kShortest) {
+            return;
+        }
+        Edge first = waiting.edge;
+        Edge second = waiting.edge;
+        first.b = second.a = pointAt(waiting.edge, size / 2);
+        add(waiting.piece, first);
+        add(waiting.piece, second);
+    }
+
+    const HolePart& m_hole;
+    std::vector<Piece> m_pieces;
+    std::priority_queue<Waiting> m_waiting;
+    bool m_hasInner = false;
+};
+
 /// A hole is as well surrounded as its worst part; copper within one part and apart from the other is within the hole.
 RingWidth worseOf(const RingWidth& a, const RingWidth& b) {
     if (a.state == b.state) {
@@ -259,6 +383,14 @@ RingWidth ringAround(const FigureTable& hole, const FigureTable& copper, std::si
         widest = isWider(ring, widest) ? ring : widest;
     }
     return widest;
+}
+
+RingWidth ringAround(const FigureTable& hole, const FigureTable& copper, std::span<const std::uint32_t> rows,
+                     double below) {
+    return overParts(partsOf(hole), [&](const HolePart& part) {
+        const Box near = part.box.grownBy(static_cast<Nm>(below) + 1);
+        return UnionSearch(part, piecesOf(copper, rows, near)).run(below);
+    });
 }
 
 }  // namespace model

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "model/figures/figures.h"
 
 namespace model {
@@ -24,5 +26,8 @@ struct RingWidth {
 /// most is the result; a routed hole of several edges keeps the least of what all of them leave, and breaks out where
 /// an opening within it spans two of them.
 [[nodiscard]] RingWidth ringAround(const FigureTable& hole, const FigureTable& copper, std::size_t row, double below);
+/// What several figures leave together: the outline of one that lies within another is none. Exact to a nanometre.
+[[nodiscard]] RingWidth ringAround(const FigureTable& hole, const FigureTable& copper,
+                                   std::span<const std::uint32_t> rows, double below);
 
 }  // namespace model

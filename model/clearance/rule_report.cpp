@@ -12,6 +12,10 @@ const char* toString(FindingReason reason) {
     return kTexts[static_cast<std::size_t>(reason)];
 }
 
+std::string reasonOf(const RuleFinding& finding) {
+    return finding.isWithoutPad ? "no pad there on this layer: the copper around it counts" : toString(finding.reason);
+}
+
 const char* toString(WaiverNote::State state) {
     constexpr const char* kWords[] = {"gone", "worse", "renamed", "unknown"};
     return kWords[static_cast<std::size_t>(state)];

@@ -33,7 +33,10 @@ struct RuleFinding {
     ElementId b;      ///< none for the edge of the board, and for the pad of a hole without one
     Spacing spacing;  ///< nm; 0: they touch or overlap. Of a ring: from the hole's edge to the pad's
     FindingReason reason = FindingReason::TooClose;
+    bool isWithoutPad = false;  ///< of a ring: the layer has no pad there, other copper leaves it
 };
+/// Why, in words; empty where the spacing says it all.
+[[nodiscard]] std::string reasonOf(const RuleFinding& finding);
 
 /// Items that a rule could not be held against, though it should.
 struct Unchecked {

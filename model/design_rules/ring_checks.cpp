@@ -22,7 +22,9 @@ void RingChecks::check(LayerId layer) {
             rings.removed =
                 RuleFinding{*rule, layer, found.hole, found.pad, middleOf(found.hole), FindingReason::PadRemoved};
         } else if (found.ring.state == RingState::BreaksOut || found.ring.state == RingState::Around) {
-            m_context.add(*rule, layer, found.hole, found.pad, found.ring.width);
+            RuleFinding finding{*rule, layer, found.hole, found.pad, found.ring.width};
+            finding.isWithoutPad = !found.isOfPads;
+            m_context.addIfBroken(finding);
         }
     }
 }

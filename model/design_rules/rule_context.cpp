@@ -71,8 +71,12 @@ std::size_t RuleContext::awayCount() const {
 
 void RuleContext::add(std::size_t rule, LayerId layer, ElementId a, ElementId b, const Spacing& spacing,
                       FindingReason reason) {
-    if (isBroken(m_table.rules[rule], m_table.tolerance, spacing.distance)) {
-        add({rule, layer, a, b, spacing, reason});
+    addIfBroken({rule, layer, a, b, spacing, reason});
+}
+
+void RuleContext::addIfBroken(const RuleFinding& finding) {
+    if (isBroken(m_table.rules[finding.rule], m_table.tolerance, finding.spacing.distance)) {
+        add(finding);
     }
 }
 

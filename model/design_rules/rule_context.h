@@ -60,6 +60,7 @@ public:
     /// A finding if the spacing breaks the rule.
     void add(std::size_t rule, LayerId layer, ElementId a, ElementId b, const Spacing& spacing,
              FindingReason reason = FindingReason::TooClose);
+    void addIfBroken(const RuleFinding& finding);
     void add(RuleFinding finding) { m_report.findings.push_back(finding); }
 
 private:

@@ -108,7 +108,7 @@ ordered_json jsonOf(const StepClearances& found) {
 
 std::string textOf(const Document& step, const SideNames& names, const RuleFinding& f) {
     const auto [a, b] = names.of(f);
-    const std::string reason = toString(f.reason);
+    const std::string reason = reasonOf(f);
     return formatted("  %10.3f um  ", micrometres(f.spacing.distance)) + padded(step.layer(f.layer).name, 20) +
            formatted(" %11.4f %11.4f mm  ", base::toMm(f.spacing.from.x), base::toMm(f.spacing.from.y)) +
            padded(textOf(a), 48) + ' ' + textOf(b) + (reason.empty() ? "" : "  " + reason) + '\n';
@@ -171,7 +171,7 @@ std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t mo
             text += start + ",,,,,,,,,,,,,," + result + ',' + csvField(reason) + end;
         };
         for (const RuleFinding& f : findingsOf(found, row, most)) {
-            text += start + csvOf(step, names, f) + ',' + toString(Verdict::Failed) + ',' + toString(f.reason) + end;
+            text += start + csvOf(step, names, f) + ',' + toString(Verdict::Failed) + ',' + csvField(reasonOf(f)) + end;
         }
         for (const WaivedFinding& waived : waivedOf(found, row, most)) {
             text += start + csvOf(step, names, waived.found) + ",waived," + csvField(waived.reason) + end;
@@ -196,8 +196,8 @@ ordered_json jsonOf(const Unchecked& unchecked) {
 
 ordered_json ruleJson(const Document& step, const SideNames& names, const RuleFinding& finding) {
     ordered_json json = jsonOf(step, names, finding);
-    if (finding.reason != FindingReason::TooClose) {
-        json["reason"] = toString(finding.reason);
+    if (const std::string reason = reasonOf(finding); !reason.empty()) {
+        json["reason"] = reason;
     }
     return json;
 }

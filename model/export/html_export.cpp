@@ -53,7 +53,7 @@ std::string sidesCell(const SideNames& names, const RuleFinding& finding) {
 std::string rowOf(const Document& step, const SideNames& names, LocationPictures& pictures, const RuleFinding& finding,
                   const std::string& waived) {
     std::string sides = sidesCell(names, finding);
-    for (const std::string& text : {std::string(toString(finding.reason)), waived.empty() ? "" : "waived: " + waived}) {
+    for (const std::string& text : {reasonOf(finding), waived.empty() ? "" : "waived: " + waived}) {
         sides += text.empty() ? "" : "<br/>" + tag("b", text);
     }
     const Spacing& s = finding.spacing;

@@ -76,7 +76,7 @@ std::string placeText(const Document& step, const SideNames& names, const RuleFi
 }
 
 std::string shortfallText(const Rule& rule, const RuleFinding& finding) {
-    const std::string reason = toString(finding.reason);
+    const std::string reason = reasonOf(finding);
     if (!hasLeast(rule.kind)) {
         return reason;
     }

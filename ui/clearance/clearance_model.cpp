@@ -11,7 +11,7 @@ namespace {
 
 /// With the reason where the spacing does not say it.
 std::string titleOf(const model::Rule& rule, const model::RuleFinding& found) {
-    const std::string reason = model::toString(found.reason);
+    const std::string reason = model::reasonOf(found);
     return model::titleOf(rule) + (reason.empty() ? "" : ": " + reason);
 }
 

@@ -47,6 +47,13 @@ struct Board {
     void slot(Point from, Point to, Nm width, NetId net) { builder.addLine({from, to, width, width}, of(net, kWall)); }
 };
 
+/// A round pad.
+struct RoundPad {
+    Nm x;
+    Nm y;
+    Nm diameter;
+};
+
 /// A board of 100 holes and slots with and without nets, in pads whose rings are 0.1 to 0.3 mm wide but for one in ten.
 struct Planting {
     std::vector<std::pair<LayerId, Point>> planted;  ///< where they are less
@@ -118,6 +125,77 @@ private slots:
         board.builder.beginLayer(board.top);
         board.builder.addCircle({{10 * kUm, 0}, 600 * kUm, 0}, of(board.a, model::kPad));
         verifyWidth(board.ring([&] { board.hole({0, 0}, 300 * kUm, board.a); }), 140 * kUm);
+    }
+
+    /// The ring is the pad's, whatever plane or track lies around it.
+    void aPlaneAroundAPadIsNoRing() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        const auto shape = board.builder.addShape(rectangle({-1000 * kUm, -1000 * kUm}, {1000 * kUm, 1000 * kUm}));
+        board.builder.addArea({shape, {}}, of(board.a));
+        board.builder.addCircle({{0, 0}, 600 * kUm, 0}, of(board.a, model::kPad));
+        const AnnularRing ring = board.ring([&] { board.hole({0, 0}, 300 * kUm, board.a); });
+        verifyWidth(ring, 150 * kUm);
+        QVERIFY(ring.isOfPads);
+    }
+
+    /// Also where the hole breaks out of it, but not for one beside.
+    void aPadOffTheHoleIsNotMadeGoodByAPlane() {
+        for (const Nm offset : {200 * kUm, 400 * kUm}) {
+            Board board;
+            board.builder.beginLayer(board.top);
+            const auto shape = board.builder.addShape(rectangle({-1000 * kUm, -1000 * kUm}, {1000 * kUm, 1000 * kUm}));
+            board.builder.addArea({shape, {}}, of(board.a));
+            board.builder.addCircle({{offset, 0}, 600 * kUm, 0}, of(board.a, model::kPad));
+            const AnnularRing ring = board.ring([&] { board.hole({0, 0}, 300 * kUm, board.a); });
+            QVERIFY(ring.ring.state == (offset < 300 * kUm ? RingState::BreaksOut : RingState::Around));
+            QCOMPARE(ring.isOfPads, offset < 300 * kUm);
+        }
+    }
+
+    void aLayerWithoutAPadHasTheRingOfThePlaneAndSaysSo() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        const auto shape = board.builder.addShape(rectangle({-250 * kUm, -250 * kUm}, {250 * kUm, 250 * kUm}));
+        board.builder.addArea({shape, {}}, of(board.a));
+        board.builder.beginLayer(board.bottom);
+        board.builder.addCircle({{0, 0}, 460 * kUm, 0}, of(board.a, model::kPad));
+        board.builder.beginLayer(board.drill);
+        board.hole({0, 0}, 300 * kUm, board.a);
+        const auto document = board.builder.finish();
+        const RuleReport report = check(*document, 110 * kUm);
+        QCOMPARE(report.findings.size(), std::size_t{2});
+        QCOMPARE(report.findings[0].layer, board.bottom);
+        QCOMPARE(model::reasonOf(report.findings[0]), std::string());
+        QCOMPARE(report.findings[1].layer, board.top);
+        QCOMPARE(model::reasonOf(report.findings[1]),
+                 std::string("no pad there on this layer: the copper around it counts"));
+    }
+
+    void padsThatOverlapCountTogether_data() {
+        QTest::addColumn<QList<RoundPad>>("pads");
+        QTest::addColumn<double>("width");
+        const Nm r = 150 * kUm;  // of the hole
+        QTest::newRow("one within another") << QList<RoundPad>{{0, 0, 400 * kUm}, {0, 0, 600 * kUm}} << 150.0 * kUm;
+        QTest::newRow("the same twice") << QList<RoundPad>{{0, 0, 600 * kUm}, {0, 0, 600 * kUm}} << 150.0 * kUm;
+        // The outlines cross above and below the hole: sqrt(300^2 - 100^2) - 150.
+        QTest::newRow("two side by side")
+            << QList<RoundPad>{{-100 * kUm, 0, 600 * kUm}, {100 * kUm, 0, 600 * kUm}} << std::sqrt(8.0) * 100 * kUm - r;
+        // The hole breaks out of each of them: sqrt(300^2 - 200^2) - 150.
+        QTest::newRow("two halves") << QList<RoundPad>{{-200 * kUm, 0, 600 * kUm}, {200 * kUm, 0, 600 * kUm}}
+                                    << std::sqrt(5.0) * 100 * kUm - r;
+    }
+    void padsThatOverlapCountTogether() {
+        QFETCH(QList<RoundPad>, pads);
+        QFETCH(double, width);
+        Board board;
+        board.builder.beginLayer(board.top);
+        for (const RoundPad& pad : pads) {
+            board.builder.addCircle({{pad.x, pad.y}, pad.diameter, 0}, of(board.a, model::kPad));
+        }
+        const AnnularRing ring = board.ring([&] { board.hole({0, 0}, 300 * kUm, board.a); });
+        QVERIFY(ring.ring.state == RingState::Around);
+        QVERIFY2(std::abs(ring.ring.width.distance - width) < 2, qPrintable(QString::number(ring.ring.width.distance)));
     }
 
     void slotsInRoundEndedPads() {
