@@ -33,6 +33,11 @@ bool coversAll(const Rule& rule, const Rule& other) {
            (rule.layer.empty() || rule.layer == other.layer);
 }
 
+/// A word for faces, which a board may lack; a name that no layer has may be misspelt.
+bool isFace(const std::string& wanted) {
+    return wanted == "outer" || wanted == "inner" || wanted == "top" || wanted == "bottom";
+}
+
 /// The words for faces, or a name.
 bool fitsLayer(const Document& document, LayerId layer, const std::string& wanted) {
     const LayerSide face = faceOf(document, layer);
@@ -165,6 +170,22 @@ bool RuleChoice::hasNoLayer(std::size_t rule) const {
     const std::vector<Fit>& rules = m_rules[static_cast<std::size_t>(m_table.rules[rule].kind)];
     const auto fit = std::ranges::find(rules, rule, &Fit::row);
     return !m_table.rules[rule].layer.empty() && fit != rules.end() && std::ranges::count(fit->layers, true) == 0;
+}
+
+std::string RuleChoice::whyWithoutLayer(const Document& document, std::size_t rule, LayerId only) const {
+    const std::string& wanted = m_table.rules[rule].layer;
+    const std::vector<Fit>& rules = m_rules[static_cast<std::size_t>(m_table.rules[rule].kind)];
+    const auto fit = std::ranges::find(rules, rule, &Fit::row);
+    if (wanted.empty() || fit == rules.end()) {
+        return {};
+    }
+    if (hasNoLayer(rule)) {
+        return isFace(wanted) ? "the step has no " + wanted + " layer" : "";
+    }
+    const bool isBeyond = only.isValid() && !fit->layers[only.row()];
+    return !isBeyond ? ""
+                     : "it is for " + std::string(isFace(wanted) ? wanted + " layers" : "layer " + wanted) +
+                           ", only layer " + document.layer(only).name + " is checked";
 }
 
 std::uint64_t RuleChoice::maskOf(const std::string& name) const {

@@ -44,6 +44,9 @@ public:
     [[nodiscard]] std::vector<std::string> emptyClassesOf(std::size_t rule) const;
     /// Does the rule name a layer that the document does not have?
     [[nodiscard]] bool hasNoLayer(std::size_t rule) const;
+    /// Why a rule has no layer to hold on: the board has none of the kind ("inner"), or it is not for `only`, the one
+    /// layer that is checked (if any is named). Empty if it has one, and for names that no layer has (hasNoLayer).
+    [[nodiscard]] std::string whyWithoutLayer(const Document& document, std::size_t rule, LayerId only) const;
 
 private:
     /// Of a rule that is on.

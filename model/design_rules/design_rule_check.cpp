@@ -24,14 +24,13 @@ void begin(RuleContext& context) {
     report.counts.resize(table.rules.size());
     report.unchecked = uncheckedItems(context.document(), table, context.choice());
     for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
-        const std::string beyond = context.whyBeyond(table.rules[rule].kind);
+        const std::string beyond = context.whyBeyond(rule);
         report.unused.push_back(!table.rules[rule].isOn ? ""
                                 : !beyond.empty()       ? beyond
                                                         : context.choice().whyUnused(rule, context.holeClasses()));
     }
-    std::erase_if(report.unchecked, [&](const Unchecked& unchecked) {
-        return !context.whyBeyond(table.rules[unchecked.rule].kind).empty();
-    });
+    std::erase_if(report.unchecked,
+                  [&](const Unchecked& unchecked) { return !context.whyBeyond(unchecked.rule).empty(); });
 }
 
 /// What no rule asks for.

@@ -56,6 +56,11 @@ std::string RuleContext::whyBeyond(RuleKind kind) const {
     return {};
 }
 
+std::string RuleContext::whyBeyond(std::size_t rule) const {
+    const std::string why = whyBeyond(m_table.rules[rule].kind);
+    return !why.empty() ? why : m_choice.whyWithoutLayer(m_document, rule, m_scope.layer);
+}
+
 bool RuleContext::isWanted(RuleKind kind, LayerId layer) const {
     return m_choice.isOn(kind, layer) && whyBeyond(kind).empty();
 }

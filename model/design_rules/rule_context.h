@@ -29,6 +29,8 @@ public:
 
     /// Why the scope leaves out rules of a kind; empty if it does not.
     [[nodiscard]] std::string whyBeyond(RuleKind kind) const;
+    /// The same of a rule, whose layers the step may lack.
+    [[nodiscard]] std::string whyBeyond(std::size_t rule) const;
     /// Is there a rule of the kind for a layer, in the scope?
     [[nodiscard]] bool isWanted(RuleKind kind, LayerId layer) const;
     /// Is the layer in the scope?

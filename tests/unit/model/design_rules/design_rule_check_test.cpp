@@ -596,6 +596,36 @@ private slots:
         QCOMPARE(model::smallestClearances(*document, closest, progress)->size(), static_cast<std::size_t>(shorts));
     }
 
+    /// Of inner layers, though the board has none, and of layers that are not looked at. A name may be misspelt.
+    void rulesWithoutALayerAreUnused() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of(board.a));
+        const auto document = board.builder.finish();
+        const auto on = [](const char* layer) {
+            Rule rule{RuleKind::CopperToCopper, 1, {}};
+            rule.layer = layer;
+            return rule;
+        };
+        const RuleTable table{{}, {on(""), on("inner"), on("bottom"), on("BOT*"), on("in7")}};
+        const RuleReport whole = check(*document, table);
+        QCOMPARE(whole.unused[1], std::string("the step has no inner layer"));
+        QVERIFY(model::verdictOf(table, whole, 0) == model::Verdict::Passed);
+        QVERIFY(model::verdictOf(table, whole, 1) == model::Verdict::Unused);
+        QVERIFY(model::verdictOf(table, whole, 2) == model::Verdict::Passed);
+        QVERIFY(model::verdictOf(table, whole, 3) == model::Verdict::Passed);
+        QVERIFY(model::verdictOf(table, whole, 4) == model::Verdict::Incomplete);
+
+        base::Progress progress;
+        model::RuleScope scope;
+        scope.layer = board.top;
+        const RuleReport top = *model::checkRules(*document, table, progress, scope);
+        QVERIFY(model::verdictOf(table, top, 0) == model::Verdict::Passed);
+        QCOMPARE(top.unused[2], std::string("it is for bottom layers, only layer top is checked"));
+        QCOMPARE(top.unused[3], std::string("it is for layer BOT*, only layer top is checked"));
+        QVERIFY(model::verdictOf(table, top, 4) == model::Verdict::Incomplete);
+    }
+
     void sidesAreToldApart() {
         Board board;
         model::Component part;
