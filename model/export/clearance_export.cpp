@@ -121,7 +121,7 @@ std::string textOf(const Document& step, const SideNames& names, const WaivedFin
 std::string textOf(const RuleTable& table, const StepRules& found, const SideNames& names, std::size_t rule,
                    std::size_t most) {
     std::string text = padded(toString(verdictOf(table, found.report, rule)), 12) + limitText(table.rules[rule]) +
-                       ": " + countsText(found.report, rule) + '\n';
+                       ": " + countsText(table, found.report, rule) + '\n';
     if (verdictOf(table, found.report, rule) == Verdict::Unused) {
         text += "            " + found.report.unused[rule] + '\n';
     }

@@ -71,7 +71,7 @@ std::string locationsOf(const RuleTable& table, const StepRules& found, const Si
         return "";
     }
     std::string text = "<h3 id=\"" + anchorOf(at, row) + "\">" + xmlText(limitText(table.rules[row])) + ": " +
-                       countsText(found.report, row) +
+                       countsText(table, found.report, row) +
                        "</h3>\n<table><tr><th>Clearance</th><th>Layer</th><th>x, y in mm" +
                        "</th><th>Sides</th><th>Location</th></tr>\n";
     for (const RuleFinding& finding : listed) {

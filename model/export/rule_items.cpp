@@ -57,10 +57,13 @@ std::vector<std::string> uncheckedOf(const RuleReport& report, std::size_t rule)
     return texts;
 }
 
-std::string countsText(const RuleReport& report, std::size_t rule) {
+std::string countsText(const RuleTable& table, const RuleReport& report, std::size_t rule) {
     const std::size_t count = report.counts[rule];
     const std::size_t waived = waivedOf(report, rule);
-    return std::to_string(count) + (count == 1 ? " location" : " locations") +
+    const bool isOfRuns = table.rules[rule].kind == RuleKind::TrackWidth;  // tracks that lead on as one
+    const char* one = isOfRuns ? " run of tracks" : " location";
+    const char* many = isOfRuns ? " runs of tracks" : " locations";
+    return std::to_string(count) + (count == 1 ? one : many) +
            (waived > 0 ? ", " + std::to_string(waived) + " waived" : "");
 }
 
