@@ -1,0 +1,51 @@
+// What the netlist check lists of a jumper that joins two nets.
+#include "ui/netlist_check/netlist_check_model.h"
+
+#include <QAbstractItemModelTester>
+#include <QtTest>
+
+#include "tests/unit/model/hand_made.h"
+
+using namespace hand_made;
+using model::NetId;
+using ui::NetlistCheckModel;
+
+class NetlistCheckModelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aNetTieIsListedAndIsNoShort() {
+        model::DocumentBuilder builder;
+        const NetId nets[] = {builder.addNet("A"), builder.addNet("B")};
+        builder.beginLayer(addLayer(builder, "top"));
+        model::Component jumper;
+        jumper.refdes = "JP1";
+        std::vector<model::Pin> pins(2);
+        pins[0].net = nets[0];
+        pins[1].net = nets[1];
+        builder.addComponent(jumper, pins);
+        for (std::uint32_t pin = 0; pin < 2; ++pin) {
+            model::DocumentBuilder::Origin origin = of(nets[pin], model::kPad);
+            origin.subnet = builder.addSubnet({nets[pin], model::SubnetKind::PinPads, model::PinId{pin}});
+            builder.addCircle({{pin * 2 * kMm, 0}, kMm, 0}, origin);
+        }
+        const model::ElementId bridge = builder.addLine({{0, 0}, {2 * kMm, 0}, 100 * kUm, 0}, of({}));
+        const std::shared_ptr<const model::Document> board = builder.finish();
+        base::Progress progress;
+        NetlistCheckModel findings;
+        const QAbstractItemModelTester keepsPromises(&findings);
+        findings.setChecks(board, *model::checkAllNets(*board, progress));
+        QCOMPARE(findings.summary(), "no shorts, no open nets, no floating copper, 1 net tie");
+        QCOMPARE(findings.rowCount(), 1);
+        QStringList cells;
+        for (const int column :
+             {NetlistCheckModel::Kind, NetlistCheckModel::Nets, NetlistCheckModel::What, NetlistCheckModel::Layer}) {
+            cells << findings.index(0, column).data().toString();
+        }
+        QCOMPARE(cells.join("|"), "Net tie|A, B|Joined by JP1 on purpose|top");
+        QVERIFY(findings.elementsOf(findings.finding(0)) == std::vector{bridge});
+    }
+};
+
+QTEST_GUILESS_MAIN(NetlistCheckModelTest)
+#include "netlist_check_model_test.moc"
