@@ -27,7 +27,7 @@ private slots:
         for (std::uint32_t pin = 0; pin < 2; ++pin) {
             model::DocumentBuilder::Origin origin = of(nets[pin], model::kPad);
             origin.subnet = builder.addSubnet({nets[pin], model::SubnetKind::PinPads, model::PinId{pin}});
-            builder.addCircle({{pin * 2 * kMm, 0}, kMm, 0}, origin);
+            builder.addCircle({{static_cast<model::Nm>(pin) * 2 * kMm, 0}, kMm, 0}, origin);
         }
         const model::ElementId bridge = builder.addLine({{0, 0}, {2 * kMm, 0}, 100 * kUm, 0}, of({}));
         const std::shared_ptr<const model::Document> board = builder.finish();
