@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "model/board/laser_via.h"
 #include "model/geometry/loops/edge_faults.h"
 #include "model/geometry/loops/edge_union.h"
 #include "model/solids/shells/arc_shell.h"
@@ -113,7 +114,15 @@ ZRange solidHeightsOf(const Document& document, ElementId element) {
         return {};
     }
     const Layer& top = document.layer(span.top);
-    return {document.layer(span.bottom).z, top.z + top.thickness};
+    const Layer& bottom = document.layer(span.bottom);
+    ZRange z{bottom.z, top.z + top.thickness};
+    const LayerId target = targetOf(document, element);
+    if (target.isValid() && target == span.bottom) {
+        z.bottom = bottom.z + bottom.thickness;
+    } else if (target.isValid() && target == span.top) {
+        z.top = top.z;
+    }
+    return z;
 }
 
 ElementShells shellsOf(const Document& document, ElementId element) {
