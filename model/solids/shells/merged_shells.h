@@ -15,7 +15,7 @@ struct MergedShells {
 };
 
 /// The copper of one net on one layer, tracks, pads and pours, as one solid for each piece that hangs together. Holes
-/// that are drilled through it are no part of this: their barrels are solids of their own and nothing is subtracted.
+/// that are drilled through it are no part of this: drilled_copper.h cuts them out of what is merged.
 /// All elements lie on one layer. Pieces whose boxes are apart are united on their own, so that what cannot be united
 /// affects as little as possible.
 [[nodiscard]] MergedShells mergedShells(const Document& document, std::span<const ElementId> elements);
