@@ -8,6 +8,7 @@
 #include "model/figures/distance.h"
 #include "model/geometry/box_index.h"
 #include "model/geometry/vectors.h"
+#include "model/solids/shells/drilled_copper.h"
 
 namespace app {
 
@@ -41,6 +42,39 @@ bool covers(const model::FigureTable& figures, PointD p) {
     return false;
 }
 
+/// What is drilled through the copper of a step.
+class CopperHoles {
+public:
+    explicit CopperHoles(const model::Document& document) : m_document(&document) {
+        for (std::size_t row = 0; row < document.layers.size(); ++row) {
+            m_ofLayers.emplace_back();
+            if (document.layers[row].isCopper()) {
+                m_ofLayers.back() = model::holesThrough(document, model::LayerId{row});
+            }
+            std::vector<Box> boxes;
+            for (const ElementId hole : m_ofLayers.back()) {
+                boxes.push_back(document.boxOf(hole));
+            }
+            m_indices.emplace_back(boxes);
+        }
+    }
+
+    [[nodiscard]] bool isDrilled(model::LayerId layer, PointD p) const {
+        bool isOpen = false;
+        m_indices[layer.row()].visit(model::boxAround(p, 1.0), [&](std::uint32_t row) {
+            model::FigureTable drill;
+            drill.add(*m_document, m_ofLayers[layer.row()][row]);
+            isOpen = isOpen || covers(drill, p);
+        });
+        return isOpen;
+    }
+
+private:
+    const model::Document* m_document;
+    std::vector<std::vector<ElementId>> m_ofLayers;  ///< none on layers that are no copper
+    std::vector<model::BoxIndex> m_indices;
+};
+
 /// The document as a model that knows which points are inside.
 class DocumentSolids {
 public:
@@ -56,6 +90,9 @@ public:
             boxes.push_back(member.box);
         }
         m_index = std::make_unique<model::BoxIndex>(boxes);
+        for (const model::StepSolids& step : plan.steps) {
+            m_holes.emplace_back(*step.document);
+        }
     }
 
     [[nodiscard]] const std::vector<Member>& members() const { return m_members; }
@@ -85,7 +122,9 @@ private:
         const PointD own = model::unplaced(p, member.placement);
         model::FigureTable figures;
         figures.add(*step.document, member.element);
-        return covers(figures, own) && !isInOpening(*step.document, member.element, own);
+        const model::LayerId layer = step.document->elements.layer[member.element.row()];
+        return covers(figures, own) && !isInOpening(*step.document, member.element, own) &&
+               !m_holes[member.step].isDrilled(layer, own);
     }
 
     /// Figures take the inside of a barrel for filled.
@@ -107,6 +146,7 @@ private:
     const model::SolidPlan& m_plan;
     std::vector<Member> m_members;
     std::unique_ptr<model::BoxIndex> m_index;
+    std::vector<CopperHoles> m_holes;  ///< by step
 };
 
 /// The solids of a file by their boxes.

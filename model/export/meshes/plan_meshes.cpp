@@ -88,8 +88,11 @@ private:
             findShapes();
         }
         std::vector<SolidMesh> shapes(m_keys.size());
+        m_isDrilledAway.assign(m_keys.size(), 0);
         base::parallelFor(m_keys.size(), [&](std::size_t i) {
-            for (const Shell& shell : m_plan.shellsOf(m_step, m_keys[i]).shells) {
+            const ElementShells made = m_plan.shellsOf(m_step, m_keys[i]);
+            m_isDrilledAway[i] = made.shells.empty() && made.problem.empty() ? 1 : 0;
+            for (const Shell& shell : made.shells) {
                 static_cast<void>(appendPrisms(polygonsOf(shell.outline, m_how), shell.z, shapes[i]));
             }
         });
@@ -140,7 +143,7 @@ private:
         const std::size_t most = m_plan.choice.isMerged ? 0 : kTracksAtOnce;
         for (const auto& [z, polygons] : united) {
             for (const LoopSet& loops : uniteNear(polygons, most)) {
-                static_cast<void>(appendPrism(loops, {z.first, z.second}, mesh.own));
+                static_cast<void>(appendPrism(drilled(loops, group.layer), {z.first, z.second}, mesh.own));
             }
         }
         return mesh;
@@ -148,6 +151,9 @@ private:
 
     void place(const PlacedMesh& placed, const std::vector<SolidMesh>& shapes, GroupMesh& mesh,
                std::vector<MissingSolid>& missing) const {
+        if (m_isDrilledAway[placed.shape] != 0) {
+            return;
+        }
         if (shapes[placed.shape].triangles.empty()) {
             missing.push_back({m_row, placed.element, kNoTriangles});
         } else {
@@ -156,7 +162,9 @@ private:
     }
 
     void add(ElementId element, GroupMesh& mesh, United& united, std::vector<MissingSolid>& missing) const {
-        const ElementShells made = m_plan.shellsOf(m_step, element);
+        // What is united is drilled then: else each track that ends in a via would need a boolean of its own.
+        const ElementShells made =
+            isUnited(element) ? m_plan.undrilledShellsOf(m_step, element) : m_plan.shellsOf(m_step, element);
         // Regions that overlap or cross themselves are complete all the same: triangles do not mind.
         std::string_view problem = made.shells.empty() ? made.problem : std::string_view{};
         for (const Shell& shell : made.shells) {
@@ -172,6 +180,26 @@ private:
         }
     }
 
+    /// Loops that were united, without what is drilled out of them.
+    [[nodiscard]] LoopSet drilled(LoopSet loops, LayerId layer) const {
+        Box box;
+        std::ranges::for_each(loops.points, [&](Point corner) { box.include(corner); });
+        const std::vector<EdgeLoops> holes = m_plan.holesNear(m_step, layer, box);
+        for (const EdgeLoops& hole : holes) {
+            addTurned(polygonsOf(hole, m_how), loops);
+        }
+        return holes.empty() ? std::move(loops) : unitedLoops(loops);
+    }
+
+    /// Wound the other way, so that the loops cover nothing there.
+    static void addTurned(const PolygonSet& polygons, LoopSet& loops) {
+        for (std::size_t i = 0; i < polygons.loopCount(); ++i) {
+            const std::span<const Point> loop = polygons.loop(i);
+            loops.points.insert(loops.points.end(), loop.rbegin(), loop.rend());
+            loops.loopStart.push_back(static_cast<std::uint32_t>(loops.points.size()));
+        }
+    }
+
     const SolidPlan& m_plan;
     std::uint32_t m_row;
     const StepSolids& m_step;
@@ -179,6 +207,7 @@ private:
     base::Progress& m_progress;
     std::unordered_map<ShapeKey, std::uint32_t, ShapeKeyHash> m_rows;
     std::vector<ShapeKey> m_keys;
+    std::vector<std::uint8_t> m_isDrilledAway;  ///< by shape
     std::atomic<std::size_t> m_done{0};
 };
 

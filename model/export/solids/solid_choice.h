@@ -21,8 +21,8 @@ struct SolidChoice {
     std::vector<std::string> nets;  ///< only copper of these nets, and what is no copper; empty: all
     /// Only elements whose box meets this one, whole; the substrate and other synthetic layers stay whole too.
     std::optional<Box> window;
-    /// Round holes that are drilled narrower than this, nm, are left out: the substrate is closed there, and no barrel
-    /// is written.
+    /// Round holes that are drilled narrower than this, nm, are left out: substrate and copper are closed there, and no
+    /// barrel is written.
     Nm minHole = 0;
     /// What a mechanical design needs: the substrate and the bodies of components. Of outer copper layers that `layers`
     /// names also the pads that are not part of a via. No inner layers, tracks, planes, mask or print.

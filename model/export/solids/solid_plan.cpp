@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "model/board/laser_via.h"
 #include "model/geometry/loops/fit_arcs.h"
 #include "model/geometry/loops/needless_corners.h"
 #include "model/geometry/loops/region_booleans.h"
@@ -11,6 +12,13 @@
 namespace model {
 
 namespace {
+
+/// Round holes that the choice leaves out.
+bool isNarrowHole(const Document& document, ElementId element, Nm minHole) {
+    const std::size_t row = element.row();
+    return (document.elements.flags[row] & kHole) != 0 && document.elements.kind[row] == ElementKind::Circle &&
+           document.circles[document.elements.geometry[row]].diameter < minHole;
+}
 
 /// Which elements of a document the choice wants.
 class Filter {
@@ -61,8 +69,7 @@ private:
     }
 
     [[nodiscard]] bool isTooNarrow(std::size_t row) const {
-        return (m_document.elements.flags[row] & kHole) != 0 && m_document.elements.kind[row] == ElementKind::Circle &&
-               m_document.circles[m_document.elements.geometry[row]].diameter < m_choice.minHole;
+        return isNarrowHole(m_document, ElementId{row}, m_choice.minHole);
     }
 
     const Document& m_document;
@@ -129,7 +136,7 @@ StepSolids solidsOf(const Document& document, bool isFlipped, const SolidChoice&
 
 void countUses(StepSolids& step) {
     for (const ElementId element : step.elements) {
-        if (const auto shape = sharedShapeOf(*step.document, element)) {
+        if (const auto shape = step.holes->sharedShapeOf(element)) {
             ++step.uses[shape->key];
         }
     }
@@ -158,6 +165,40 @@ const MilledElement* milledOf(const StepSolids& step, ElementId element) {
 
 constexpr Placement kUpsideDown{{}, 0.0, true};
 
+constexpr std::string_view kCoarseHoles = "holes are cut out of it with chords of 1 µm";
+
+/// A hole that the outline of the board crosses has been cut out of what it passes when that was milled.
+std::shared_ptr<const CopperHoles> holesOf(const StepSolids& step, const SolidChoice& choice) {
+    auto holes = std::make_shared<CopperHoles>(*step.document, [&](ElementId hole) {
+        return !isNarrowHole(*step.document, hole, choice.minHole) && milledOf(step, hole) == nullptr;
+    });
+    holes->compare(step.elements);
+    return holes;
+}
+
+/// Cuts out what is drilled through copper of a layer.
+RegionBoolean drilledOn(const StepSolids& step, LayerId layer, EdgeLoops region) {
+    const std::vector<RegionSearch> holes = step.holes->near(layer, boxOf(region));
+    return drilled(std::move(region), holes);
+}
+
+void drill(const StepSolids& step, LayerId layer, ElementOutlines& outlines) {
+    RegionBoolean rest;
+    for (EdgeLoops& region : outlines.regions) {
+        rest.append(drilledOn(step, layer, std::move(region)));
+    }
+    outlines.regions = std::move(rest.regions);
+    if (!rest.isExact && outlines.problem.empty()) {
+        outlines.problem = kCoarseHoles;
+    }
+}
+
+/// The regions of an element, milled.
+ElementOutlines milledOutlinesOf(const StepSolids& step, ElementId element) {
+    const MilledElement* milled = milledOf(step, element);
+    return milled != nullptr ? ElementOutlines{regionsOf(milled->rest), {}} : outlinesOf(*step.document, element);
+}
+
 /// Heights of what lies on another layer once the step is turned over.
 ZRange flippedHeights(const Document& document, ElementId element) {
     const auto opposite = [&](LayerId layer) -> const Layer& {
@@ -166,9 +207,14 @@ ZRange flippedHeights(const Document& document, ElementId element) {
     const ZRange own = solidHeightsOf(document, element);
     if (isPlatedHole(document.elements.flags[element.row()])) {
         const PlatedSpan span = document.platedSpanOf(element);
+        const LayerId target = targetOf(document, element);
         const Layer& a = opposite(span.top);
         const Layer& b = opposite(span.bottom);
-        return {std::min(a.z, b.z), std::max(a.z + a.thickness, b.z + b.thickness)};
+        const Layer& low = a.z < b.z ? a : b;
+        const Layer& high = a.z < b.z ? b : a;
+        const bool landsLow = target.isValid() && &opposite(target) == &low;
+        const bool landsHigh = target.isValid() && &opposite(target) == &high;
+        return {landsLow ? low.z + low.thickness : low.z, landsHigh ? high.z : high.z + high.thickness};
     }
     const Layer& layer = opposite(document.elements.layer[element.row()]);
     if (document.bodyOf(element) != nullptr) {
@@ -279,10 +325,17 @@ ZRange SolidPlan::heightsOf(const StepSolids& step, ElementId element) const {
 }
 
 ElementShells SolidPlan::shellsOf(const StepSolids& step, ElementId element) const {
+    ElementOutlines outlines = milledOutlinesOf(step, element);
+    drill(step, step.document->elements.layer[element.row()], outlines);
+    return shellsOf(step, element, std::move(outlines));
+}
+
+ElementShells SolidPlan::undrilledShellsOf(const StepSolids& step, ElementId element) const {
+    return shellsOf(step, element, milledOutlinesOf(step, element));
+}
+
+ElementShells SolidPlan::shellsOf(const StepSolids& step, ElementId element, ElementOutlines outlines) const {
     ElementShells result;
-    const MilledElement* milled = milledOf(step, element);
-    ElementOutlines outlines =
-        milled != nullptr ? ElementOutlines{regionsOf(milled->rest), {}} : outlinesOf(*step.document, element);
     result.problem = outlines.problem;
     const LayerId layer = step.document->elements.layer[element.row()];
     const bool isSubstrate = step.document->layer(layer).type == LayerType::Body;
@@ -296,11 +349,19 @@ ElementShells SolidPlan::shellsOf(const StepSolids& step, ElementId element) con
     return result;
 }
 
+std::vector<EdgeLoops> SolidPlan::holesNear(const StepSolids& step, LayerId layer, const Box& box) const {
+    std::vector<EdgeLoops> holes;
+    for (const RegionSearch& hole : step.holes->near(layer, step.isFlipped ? kUpsideDown.boxOf(box) : box)) {
+        holes.push_back(step.isFlipped ? placed(hole.region(), kUpsideDown) : hole.region());
+    }
+    return holes;
+}
+
 std::optional<SharedShape> SolidPlan::sharedShapeOf(const StepSolids& step, ElementId element) const {
     if (milledOf(step, element) != nullptr) {
         return std::nullopt;
     }
-    std::optional<SharedShape> shape = model::sharedShapeOf(*step.document, element);
+    std::optional<SharedShape> shape = step.holes->sharedShapeOf(element);
     const auto uses = shape ? step.uses.find(shape->key) : step.uses.end();
     if (uses == step.uses.end() || uses->second < 2) {
         return std::nullopt;
@@ -324,17 +385,27 @@ std::optional<MergedShells> SolidPlan::mergedShellsOf(const StepSolids& step, co
     }
     MergedShells merged = mergedShells(*step.document, members);
     const ZRange z = heightsOf(step, members.front());
+    std::vector<Shell> shells;
     for (Shell& shell : merged.shells) {
-        shell = {finished(std::move(shell.outline), choice, step.isFlipped), z};
+        RegionBoolean rest = drilledOn(step, group.layer, std::move(shell.outline));
+        merged.problems += rest.isExact ? 0 : 1;
+        for (EdgeLoops& region : rest.regions) {
+            shells.push_back({finished(std::move(region), choice, step.isFlipped), z});
+        }
     }
+    merged.shells = std::move(shells);
     return merged;
 }
 
 ElementShells SolidPlan::shellsOf(const StepSolids& step, const ShapeKey& key) const {
     ElementOutlines outlines = outlinesOf(*step.document, key);
-    ElementShells result;
-    result.problem = outlines.problem;
+    RegionBoolean rest;
     for (EdgeLoops& region : outlines.regions) {
+        rest.append(drilled(std::move(region), step.holes->through(key)));
+    }
+    ElementShells result;
+    result.problem = !rest.isExact && outlines.problem.empty() ? kCoarseHoles : outlines.problem;
+    for (EdgeLoops& region : rest.regions) {
         result.shells.push_back({finished(std::move(region), choice, step.isFlipped), {key.bottom, key.top}});
     }
     return result;
@@ -350,10 +421,11 @@ base::Result<SolidPlan> planSolids(const Document& board, const SolidChoice& cho
         plan.copies.push_back({row, ofFlipped(copy.placement)});
     }
     for (StepSolids& step : plan.steps) {
-        countUses(step);
         if (!choice.isAsDesigned && plan.copies.size() == 1) {
             step.milled = findMilled(*step.document, {}, progress).elements;
         }
+        step.holes = holesOf(step, choice);
+        countUses(step);
         plan.elements += step.elements.size();
     }
     if (progress.isCancelled()) {

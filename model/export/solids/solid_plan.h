@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -8,6 +9,7 @@
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/board/copies.h"
+#include "model/export/solids/copper_holes.h"
 #include "model/export/solids/solid_choice.h"
 #include "model/solids/milling.h"
 #include "model/solids/shells/element_shells.h"
@@ -32,6 +34,9 @@ struct StepSolids {
     std::vector<SolidGroup> groups;   ///< by layer as in the document, then by net
     std::vector<ElementId> elements;  ///< group by group
     std::vector<MilledElement> milled;
+    /// What is drilled through its copper: all holes of the document, whatever is chosen, but for narrow ones
+    /// (SolidChoice::minHole) and those that milling has cut out already.
+    std::shared_ptr<const CopperHoles> holes;
     /// How often each shape appears; one that appears twice or more is worth sharing.
     std::unordered_map<ShapeKey, std::uint32_t, ShapeKeyHash> uses;
 };
@@ -58,18 +63,25 @@ struct SolidPlan {
 
     /// The name of a group as people read it: the net, "no net", or the component.
     [[nodiscard]] std::string nameOf(const StepSolids& step, const SolidGroup& group) const;
-    /// The solids of an element as the choice wants them: milled, with small holes closed, in the coordinates of the
-    /// step, or of the step upside down.
+    /// The solids of an element as the choice wants them: milled, copper drilled, with small holes closed, in the
+    /// coordinates of the step, or of the step upside down. None, and no problem, where a drill takes all of it.
     [[nodiscard]] ElementShells shellsOf(const StepSolids& step, ElementId element) const;
+    /// The same without what is drilled through copper: for what is united first and drilled then.
+    [[nodiscard]] ElementShells undrilledShellsOf(const StepSolids& step, ElementId element) const;
+    /// What is to be drilled out of copper of that layer near a box, in the coordinates of the shells.
+    [[nodiscard]] std::vector<EdgeLoops> holesNear(const StepSolids& step, LayerId layer, const Box& box) const;
     /// From where to where it is solid.
     [[nodiscard]] ZRange heightsOf(const StepSolids& step, ElementId element) const;
     /// Its shape, if that appears more than once in the step.
     [[nodiscard]] std::optional<SharedShape> sharedShapeOf(const StepSolids& step, ElementId element) const;
     /// With SolidChoice::isMerged, the copper of a net as few solids; elsewhere, and where something of it is milled,
-    /// nothing: then its elements are written one by one.
+    /// nothing: then its elements are written one by one. Drilled.
     [[nodiscard]] std::optional<MergedShells> mergedShellsOf(const StepSolids& step, const SolidGroup& group) const;
     /// The solids of such a shape, where SharedShape::placement is none.
     [[nodiscard]] ElementShells shellsOf(const StepSolids& step, const ShapeKey& key) const;
+
+private:
+    [[nodiscard]] ElementShells shellsOf(const StepSolids& step, ElementId element, ElementOutlines outlines) const;
 };
 
 /// Errors: BadUsage for a net that is not there, or when nothing is left to write: no copper of the nets, or nothing in

@@ -210,13 +210,16 @@ constexpr double kSampled = 1000.0;
 /// What a track or a pad counts, in corners.
 constexpr double kCornersOfPlain = 4.0;
 
-/// How much of the file an element may be: its corners as they were drawn.
-double cornersOf(const Document& document, ElementId element) {
+/// How much of the file an element may be: its corners as they were drawn, and what may be drilled through it.
+double cornersOf(const StepSolids& step, ElementId element) {
+    const Document& document = *step.document;
     if (document.elements.kind[element.row()] != ElementKind::Area) {
         return kCornersOfPlain;
     }
+    const LayerId layer = document.elements.layer[element.row()];
+    const auto holes = static_cast<double>(step.holes->near(layer, document.boxOf(element)).size());
     const ShapeId shape = document.areas[document.elements.geometry[element.row()]].shape;
-    double corners = kCornersOfPlain;
+    double corners = kCornersOfPlain + holes;
     for (const Contour& contour : document.shapes.contoursOf(shape)) {
         corners += contour.nodeCount;
     }
@@ -267,13 +270,13 @@ private:
     double sampledBytes(const StepSolids& step, std::span<const ElementId> elements) {
         double corners = 0.0;
         for (const ElementId element : elements) {
-            corners += cornersOf(*step.document, element);
+            corners += cornersOf(step, element);
         }
         const double stride = std::max(corners / kSampled, 1.0);
         double bytes = 0.0;
         double next = stride / 2;
         for (const ElementId element : elements) {
-            const double own = cornersOf(*step.document, element);
+            const double own = cornersOf(step, element);
             next -= own;
             if (next < 0) {
                 const double picks = std::floor(-next / stride) + 1;

@@ -12,7 +12,8 @@ namespace model {
 
 std::size_t ShapeKeyHash::operator()(const ShapeKey& key) const {
     std::uint64_t hash = static_cast<std::uint64_t>(key.kind);
-    for (const std::int64_t part : {key.first, key.second, std::int64_t{key.bottom}, std::int64_t{key.top}}) {
+    for (const std::int64_t part :
+         {key.first, key.second, std::int64_t{key.bottom}, std::int64_t{key.top}, std::int64_t{key.drilled}}) {
         hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15U;
         hash ^= hash >> 29U;
     }

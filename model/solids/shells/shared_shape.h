@@ -17,6 +17,8 @@ struct ShapeKey {
     std::int64_t second = 0;                 ///< the inner diameter, 1 for a mirrored shape, or the width
     Nm bottom = 0;                           ///< heights of the solid
     Nm top = 0;
+    /// What is drilled through it, as those number it who cut it; 0: nothing. outlinesOf() knows only the whole shape.
+    std::uint32_t drilled = 0;
     auto operator<=>(const ShapeKey&) const = default;
 };
 

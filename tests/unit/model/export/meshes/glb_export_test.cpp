@@ -219,10 +219,10 @@ private slots:
         QCOMPARE(net.extras.Get("layer").Get<std::string>(), std::string("top"));
         QCOMPARE(net.extras.Get("z").Get(0).GetNumberAsDouble(), 0.001035);
         QCOMPARE(net.extras.Get("z").Get(1).GetNumberAsDouble(), 0.00107);
-        QVERIFY(net.mesh >= 0);                         // the tracks
-        QCOMPARE(net.children.size(), std::size_t{3});  // the discs, of one mesh
+        QVERIFY(net.mesh >= 0);                         // the tracks, and a disc that is not drilled
+        QCOMPARE(net.children.size(), std::size_t{2});  // the discs that are drilled alike, of one mesh
         const auto& disc = glb.model.nodes.at(static_cast<std::size_t>(net.children[1]));
-        QCOMPARE(disc.mesh, glb.model.nodes.at(static_cast<std::size_t>(net.children[2])).mesh);
+        QCOMPARE(disc.mesh, glb.model.nodes.at(static_cast<std::size_t>(net.children[0])).mesh);
         QCOMPARE(disc.translation.at(0), 0.01);
         QVERIFY(glb.node({"drill", "A \"1\""}).mesh < 0);
         QCOMPARE(glb.model.meshes.size(), std::size_t{5});

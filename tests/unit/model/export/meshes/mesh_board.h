@@ -16,7 +16,8 @@ using hand_made::kMm;
 using hand_made::kUm;
 
 /// Copper of 35 µm on both sides of 1 mm: on top of net A three equal discs (2 mm), two tracks at a right angle (10 mm
-/// each, 1 mm wide) and of net B a square with a round hole; two plated holes of net A; on the bottom a square pad.
+/// each, 1 mm wide) and of net B a square with a round hole; two plated holes of net A through two of the discs; on the
+/// bottom two equal pads.
 inline std::shared_ptr<const model::Document> board() {
     model::DocumentBuilder builder;
     builder.job().name = "board";
@@ -80,7 +81,7 @@ inline model::SolidPlan planOf(const model::Document& document, const model::Sol
 
 /// mm³, with true circles.
 inline constexpr double kHigh = 0.035;
-inline constexpr double kDiscs = 3 * std::numbers::pi * kHigh;
+inline constexpr double kDiscs = (3 - 2 * 0.25) * std::numbers::pi * kHigh;
 /// Two tracks, less the quarter of the pen's square and the three quarters of its disc that both have.
 inline constexpr double kTracks = (2 * (10.0 + std::numbers::pi / 4) - 0.25 - 0.75 * std::numbers::pi / 4) * kHigh;
 inline constexpr double kPlane = (400.0 - 4 * std::numbers::pi) * kHigh;

@@ -41,8 +41,9 @@ private slots:
         const StepMeshes meshes = made(plan);
         QCOMPARE(meshes.shapes.size(), std::size_t{3});  // disc, pad, barrel
         QCOMPARE(meshes.groups.size(), std::size_t{4});
-        QCOMPARE(meshes.groups[0].placed.size(), std::size_t{3});  // discs, beside the tracks
-        QVERIFY(isNear(model::volumeOf(meshes.groups[0].own) / kMm3, kTracks, 2e-4));
+        QCOMPARE(meshes.groups[0].placed.size(), std::size_t{2});  // discs that are drilled alike
+        const double disc = std::numbers::pi * kHigh;
+        QVERIFY(isNear(model::volumeOf(meshes.groups[0].own) / kMm3, kTracks + disc, 2e-4));
         QVERIFY(meshes.groups[1].placed.empty());  // the plane
         QVERIFY(isNear(model::volumeOf(meshes.groups[1].own) / kMm3, kPlane, 2e-5));
         QVERIFY(meshes.groups[2].own.triangles.empty());
@@ -63,6 +64,48 @@ private slots:
             QVERIFY(group.placed.empty() && isClosed(group.own.triangles));
         }
         QVERIFY(isNear(volumeOf(meshes), kBoard, 1e-3));
+    }
+
+    /// A pad with a via, a track that ends in it, a pad that its hole is larger than, and a plane with a hole in it and
+    /// one across its edge.
+    void copperIsDrilled() {
+        model::DocumentBuilder builder;
+        const hand_made::StackLayer layers[] = {{"top", model::LayerType::Signal, 1'000'000, 35'000, 2},
+                                                {"core", model::LayerType::Dielectric, 0, 1'000'000, 1},
+                                                {"bottom", model::LayerType::Signal, 0, 35'000, 0},
+                                                {"drill", model::LayerType::Drill, 0, 0, 3}};
+        hand_made::addLayers(builder, layers);
+        const model::NetId net = builder.addNet("A");
+        builder.beginLayer(model::LayerId{0});
+        builder.addCircle({{0, 0}, 2 * kMm, 0}, hand_made::of(net));
+        builder.addLine({{0, 0}, {10 * kMm, 0}, kMm}, hand_made::of(net));
+        builder.addCircle({{0, -10 * kMm}, kMm, 0}, hand_made::of(net));
+        builder.addCircle({{5 * kMm, -10 * kMm}, kMm, 0}, hand_made::of(net));
+        const model::ShapeId plane = builder.addShape(hand_made::rectangle({0, 10 * kMm}, {10 * kMm, 20 * kMm}));
+        builder.addArea({plane, {}}, hand_made::of(net));
+        builder.beginLayer(model::LayerId{3});
+        for (const model::Point at : {model::Point{0, 0}, {5 * kMm, 15 * kMm}, {0, 15 * kMm}}) {
+            builder.addCircle({at, kMm, 900 * kUm}, hand_made::of(net, model::kHole | model::kPlated));
+        }
+        for (const model::Nm x : {0, 5 * kMm}) {
+            builder.addCircle({{x, -10 * kMm}, 2 * kMm, 2 * kMm}, hand_made::flagged(model::kHole));
+        }
+        const auto document = builder.finish();
+        const double pi = std::numbers::pi;
+        const double overlap = std::sqrt(0.75) / 2 + pi / 6 + pi / 8;  // of the disc and the track
+        const double merged = pi + (10 + pi / 4) - overlap - pi / 4 + 100 - pi / 4 - pi / 8;
+        const double apart = pi - pi / 4 + 10 + 100 - pi / 4 - pi / 8;
+        model::SolidChoice choice;
+        choice.layers = {model::LayerId{0}};
+        const StepMeshes single = made(planOf(*document, choice));
+        QVERIFY(isNear(volumeOf(single), apart * 0.035, 2e-5));
+        QVERIFY(single.missing.empty());  // a pad that is drilled away is none that failed
+        choice.isMerged = true;
+        const StepMeshes united = made(planOf(*document, choice));
+        QVERIFY(isNear(volumeOf(united), merged * 0.035, 2e-5));
+        for (const model::GroupMesh& group : united.groups) {
+            QVERIFY(isClosed(group.own.triangles));
+        }
     }
 
     void stepsThatAreTurnedOverLieOnTheOtherSide() {

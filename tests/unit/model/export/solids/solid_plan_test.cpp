@@ -1,6 +1,8 @@
 #include "model/export/solids/solid_plan.h"
 
 #include <QtTest>
+#include <cmath>
+#include <numbers>
 
 #include "tests/unit/model/hand_made.h"
 
@@ -39,6 +41,86 @@ Board makeBoard() {
     board.narrow = builder.addCircle({{kMm, kMm}, 300 * kUm, 250 * kUm}, of(a, model::kHole | model::kPlated));
     board.wide = builder.addCircle({{2 * kMm, kMm}, kMm, 950 * kUm}, of(a, model::kHole | model::kPlated));
     board.npth = builder.addCircle({{3 * kMm, kMm}, kMm, kMm}, flagged(model::kHole));
+    board.document = std::move(builder).finish();
+    return board;
+}
+
+SolidPlan planOf(const model::Document& document, const SolidChoice& choice = {}) {
+    base::Progress progress;
+    auto plan = model::planSolids(document, choice, progress);
+    if (!plan) {
+        qFatal("%s", plan.error().text.c_str());
+    }
+    return std::move(*plan);
+}
+
+/// mm², of all regions of an element.
+double areaOf(const SolidPlan& plan, ElementId element) {
+    double area = 0.0;
+    for (const model::Shell& shell : plan.shellsOf(plan.steps.front(), element).shells) {
+        area += model::areaOf(shell.outline) / 1e12;
+    }
+    return area;
+}
+
+bool isNear(double value, double expected) {
+    const bool is = std::abs(value - expected) < 1e-6;
+    if (!is) {
+        qWarning("%.9g is not %.9g", value, expected);
+    }
+    return is;
+}
+
+/// mm²
+double disc(double diameter) {
+    return std::numbers::pi / 4 * diameter * diameter;
+}
+
+/// What a track of 0.2 mm that begins in the middle of a circle has within it, but for its round end.
+double underTrack(double radius) {
+    const double half = std::asin(0.1 / radius);
+    return 0.1 * radius * std::cos(half) + radius * radius * half;
+}
+
+/// Pads, a track and a plane on each of three copper layers, drilled through and from the top down to
+/// the inner layer.
+struct DrilledBoard {
+    std::shared_ptr<const model::Document> document;
+    std::array<ElementId, 3> pads, blind, eaten, planes, slotted, tracks;  ///< by layer of copper
+    ElementId barrel, npth;
+};
+
+DrilledBoard makeDrilledBoard() {
+    model::DocumentBuilder builder;
+    DrilledBoard board;
+    std::array<StackLayer, 4> rows = kStackup;
+    addLayers(builder, rows);
+    model::Layer blind;
+    blind.name = "blind";
+    blind.type = LayerType::Drill;
+    blind.spanTop = LayerId{std::size_t{0}};
+    blind.spanBottom = LayerId{std::size_t{1}};
+    builder.addLayer(blind);
+    const model::NetId a = builder.addNet("A");
+    const model::NetId b = builder.addNet("B");
+    const model::ShapeId plane = builder.addShape(rectangle({0, 10 * kMm}, {10 * kMm, 20 * kMm}));
+    for (const std::size_t layer : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
+        builder.beginLayer(LayerId{layer});
+        board.pads[layer] = builder.addCircle({{0, 0}, kMm, 0}, of(a, model::kPad));
+        board.blind[layer] = builder.addCircle({{5 * kMm, 0}, kMm, 0}, of(a, model::kPad));
+        board.eaten[layer] = builder.addCircle({{10 * kMm, 0}, kMm, 0}, of(a, model::kPad));
+        board.slotted[layer] = builder.addCircle({{20 * kMm, 0}, 3 * kMm, 0}, of(a, model::kPad));
+        board.tracks[layer] = builder.addLine({{0, 0}, {0, -5 * kMm}, 200 * kUm}, of(a));
+        board.planes[layer] = builder.addArea({plane, {}}, of(b));
+    }
+    builder.beginLayer(LayerId{std::size_t{3}});
+    board.barrel = builder.addCircle({{0, 0}, 500 * kUm, 400 * kUm}, of(a, model::kHole | model::kPlated));
+    board.npth = builder.addCircle({{10 * kMm, 0}, kMm, kMm}, flagged(model::kHole));
+    builder.addLine({{19 * kMm, 0}, {21 * kMm, 0}, 500 * kUm, 400 * kUm}, of(a, model::kHole | model::kPlated));
+    builder.addCircle({{5 * kMm, 15 * kMm}, 500 * kUm, 400 * kUm}, of(b, model::kHole | model::kPlated));
+    builder.addCircle({{0, 15 * kMm}, kMm, 900 * kUm}, of(b, model::kHole | model::kPlated));
+    builder.beginLayer(LayerId{std::size_t{4}});
+    builder.addCircle({{5 * kMm, 0}, 500 * kUm, 400 * kUm}, of(a, model::kHole | model::kPlated));
     board.document = std::move(builder).finish();
     return board;
 }
@@ -117,6 +199,137 @@ private slots:
         const auto shells = plan.shellsOf(plan.steps.front(), element).shells;
         QCOMPARE(shells.size(), std::size_t{1});
         QCOMPARE(shells.front().outline.loopCount(), std::size_t{2});
+    }
+
+    void holesAreCutOutOfCopper() {
+        const DrilledBoard board = makeDrilledBoard();
+        const SolidPlan plan = planOf(*board.document);
+        for (const std::size_t layer : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
+            QVERIFY(isNear(areaOf(plan, board.pads[layer]), disc(1) - disc(0.5)));
+            QVERIFY(isNear(areaOf(plan, board.slotted[layer]), disc(3) - disc(0.5) - 2 * 0.5));
+            // One hole in the plane and half of one at its edge.
+            QVERIFY(isNear(areaOf(plan, board.planes[layer]), 100 - disc(0.5) - disc(1) / 2));
+            const auto eaten = plan.shellsOf(plan.steps.front(), board.eaten[layer]);
+            QVERIFY(eaten.shells.empty() && eaten.problem.empty());
+        }
+        QVERIFY(isNear(areaOf(plan, board.tracks[0]), 5 * 0.2 + disc(0.2) / 2 - underTrack(0.25)));
+        // The barrel fits into the hole.
+        const auto barrel = plan.shellsOf(plan.steps.front(), board.barrel).shells;
+        QCOMPARE(barrel.size(), std::size_t{1});
+        const auto pad = plan.shellsOf(plan.steps.front(), board.pads[0]).shells;
+        QCOMPARE(pad.size(), std::size_t{1});
+        QCOMPARE(pad.front().outline.loopCount(), std::size_t{2});
+        QCOMPARE(pad.front().outline.loop(1).front().radius, barrel.front().outline.loop(0).front().radius);
+    }
+
+    void holesEndWhereTheirDrillEnds() {
+        const DrilledBoard board = makeDrilledBoard();
+        const SolidPlan plan = planOf(*board.document);
+        QVERIFY(isNear(areaOf(plan, board.blind[0]), disc(1) - disc(0.5)));
+        QVERIFY(isNear(areaOf(plan, board.blind[1]), disc(1) - disc(0.5)));
+        QVERIFY(isNear(areaOf(plan, board.blind[2]), disc(1)));
+    }
+
+    void laserViasLandOnTheirTarget() {
+        model::Document document = *makeDrilledBoard().document;
+        const DrilledBoard board = makeDrilledBoard();
+        const model::Range blind = document.layers[4].elements;
+        model::CircleGeometry& via = document.circles.edit()[document.elements.geometry[blind.first]];
+        via.diameter = 100 * kUm;
+        via.innerDiameter = 60 * kUm;
+        const SolidPlan plan = planOf(document);
+        QVERIFY(isNear(areaOf(plan, board.blind[0]), disc(1) - disc(0.1)));
+        QVERIFY(isNear(areaOf(plan, board.blind[1]), disc(1)));
+        const model::ZRange z = plan.heightsOf(plan.steps.front(), ElementId{blind.first});
+        QCOMPARE(z.bottom, 835 * kUm);  // the upper face of the inner layer
+        QCOMPARE(z.top, 1'635 * kUm);
+    }
+
+    void holesAreCutOutWhateverIsChosen() {
+        const DrilledBoard board = makeDrilledBoard();
+        SolidChoice choice;
+        choice.layers = {LayerId{std::size_t{0}}};
+        choice.nets = {"A"};
+        QVERIFY(isNear(areaOf(planOf(*board.document, choice), board.pads[0]), disc(1) - disc(0.5)));
+        choice.minHole = 600 * kUm;  // its barrel is left out, and the substrate closed
+        QVERIFY(isNear(areaOf(planOf(*board.document, choice), board.pads[0]), disc(1)));
+    }
+
+    void padsThatAreDrilledAlikeAreOneShape() {
+        const DrilledBoard board = makeDrilledBoard();
+        const SolidPlan plan = planOf(*board.document);
+        const model::StepSolids& step = plan.steps.front();
+        const auto pad = plan.sharedShapeOf(step, board.pads[0]);
+        const auto blind = plan.sharedShapeOf(step, board.blind[0]);
+        QVERIFY(pad && blind && pad->key == blind->key);
+        QVERIFY(
+            isNear(model::areaOf(plan.shellsOf(step, pad->key).shells.front().outline) / 1e12, disc(1) - disc(0.5)));
+        const auto below = plan.sharedShapeOf(step, board.blind[2]);
+        QVERIFY(!below || below->key.drilled != plan.sharedShapeOf(step, board.pads[0])->key.drilled);
+    }
+
+    void mergedCopperIsDrilledToo() {
+        const DrilledBoard board = makeDrilledBoard();
+        SolidChoice choice;
+        choice.isMerged = true;
+        const SolidPlan plan = planOf(*board.document, choice);
+        double merged = 0.0;
+        double single = 0.0;
+        for (const model::SolidGroup& group : plan.steps.front().groups) {
+            if (const auto shells = plan.mergedShellsOf(plan.steps.front(), group)) {
+                QCOMPARE(shells->problems, std::size_t{0});
+                for (const model::Shell& shell : shells->shells) {
+                    merged += model::areaOf(shell.outline) / 1e12;
+                }
+            }
+        }
+        for (const std::size_t layer : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
+            for (const ElementId element : {board.pads[layer], board.blind[layer], board.eaten[layer],
+                                            board.slotted[layer], board.planes[layer], board.tracks[layer]}) {
+                single += areaOf(plan, element);
+            }
+        }
+        // The track overlaps the ring of its pad: from the hole's edge to that of the pad.
+        QVERIFY(isNear(merged, single - 3 * (underTrack(0.5) - underTrack(0.25))));
+    }
+
+    void whatIsMilledIsDrilledToo() {
+        model::DocumentBuilder builder;
+        std::array<StackLayer, 4> rows = kStackup;
+        addLayers(builder, rows);
+        builder.setProfile(builder.addShape(rectangle({0, 0}, {10 * kMm, 10 * kMm})));
+        builder.beginLayer(LayerId{std::size_t{0}});
+        const model::ShapeId bar = builder.addShape(rectangle({-5 * kMm, 4 * kMm}, {6 * kMm, 6 * kMm}));
+        const ElementId copper = builder.addArea({bar, {}}, {});
+        builder.beginLayer(LayerId{std::size_t{3}});
+        builder.addCircle({{3 * kMm, 5 * kMm}, kMm, 900 * kUm}, flagged(model::kHole | model::kPlated));
+        builder.addCircle({{0, 5 * kMm}, kMm, 900 * kUm}, flagged(model::kHole | model::kPlated));  // a castellation
+        const auto document = std::move(builder).finish();
+        const double expected = 12 - disc(1) - disc(1) / 2;
+        const double found = areaOf(planOf(*document), copper);
+        QVERIFY2(std::abs(found - expected) < 5e-3, qPrintable(QString::number(found)));  // chords of 5 µm
+        SolidChoice choice;
+        choice.isAsDesigned = true;
+        QVERIFY(isNear(areaOf(planOf(*document, choice), copper), 22 - 2 * disc(1)));
+    }
+
+    void flippedCopiesAreDrilled() {
+        const DrilledBoard board = makeDrilledBoard();
+        model::Document panel = *board.document;
+        panel.steps = {board.document};
+        panel.instances = {model::StepInstance{0, {{40 * kMm, 0}, 90.0, true}, true}};
+        const SolidPlan plan = planOf(panel);
+        const model::StepSolids& step = plan.steps[1];
+        const auto shells = plan.shellsOf(step, board.planes[0]).shells;
+        QCOMPARE(shells.size(), std::size_t{1});
+        QVERIFY(isNear(model::areaOf(shells.front().outline) / 1e12, 100 - disc(0.5) - disc(1) / 2));
+        const auto blind = plan.sharedShapeOf(step, board.blind[0]);
+        QVERIFY(blind);
+        QVERIFY(
+            isNear(model::areaOf(plan.shellsOf(step, blind->key).shells.front().outline) / 1e12, disc(1) - disc(0.5)));
+        const auto holes = plan.holesNear(step, LayerId{std::size_t{0}}, {{-6 * kMm, -kMm}, {-4 * kMm, kMm}});
+        QCOMPARE(holes.size(), std::size_t{1});  // mirrored: the via of the blind drill
+        QVERIFY(std::abs(holes.front().edges.front().centre.x + 5 * kMm) < 1);
     }
 
     void flippedCopiesLieMirroredOnTheOppositeLayer() {
