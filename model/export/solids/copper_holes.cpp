@@ -52,7 +52,7 @@ CopperHoles::CopperHoles(const Document& document, const std::function<bool(Elem
         }
     }
     for (const auto& [holes, layers] : layersOfHoles) {
-        const HoleRegions regions(document, holes);
+        const auto regions = std::make_shared<const HoleRegions>(document, holes);
         for (const std::size_t row : layers) {
             m_ofLayers[row] = regions;
         }
@@ -60,7 +60,7 @@ CopperHoles::CopperHoles(const Document& document, const std::function<bool(Elem
 }
 
 std::vector<RegionSearch> CopperHoles::near(LayerId layer, const Box& box) const {
-    const std::optional<HoleRegions>& holes = m_ofLayers[layer.row()];
+    const std::shared_ptr<const HoleRegions>& holes = m_ofLayers[layer.row()];
     return holes ? holes->near(box) : std::vector<RegionSearch>();
 }
 

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -50,7 +51,8 @@ private:
     std::uint32_t rowOf(const Pattern& pattern);
 
     const Document* m_document;
-    std::vector<std::optional<HoleRegions>> m_ofLayers;  ///< by layer of copper
+    /// By layer, those of all layers that the same holes pass; none where there is no copper.
+    std::vector<std::shared_ptr<const HoleRegions>> m_ofLayers;
     std::map<Pattern, std::uint32_t> m_rows;
     std::vector<Pattern> m_patterns = std::vector<Pattern>(1);  ///< the first one: nothing is drilled
     std::vector<DrilledElement> m_drilled;                      ///< rising
