@@ -6,6 +6,7 @@
 #include "model/geometry/outlines.h"
 #include "model/solids/restack.h"
 #include "model/solids/solids.h"
+#include "tests/unit/model/hand_made.h"
 
 using model::ComponentId;
 using model::Document;
@@ -26,6 +27,16 @@ model::Box box(Nm x0, Nm y0, Nm x1, Nm y1) {
     return {{x0, y0}, {x1, y1}};
 }
 
+/// Drawn from (0, 0) to (2, 1) mm, with a pin beside each of its short sides.
+model::PackageId drawnPackage(DocumentBuilder& builder) {
+    model::Package package;
+    package.body = builder.addShape(hand_made::rectangle({0, 0}, {2 * kMm, kMm}));
+    model::PackagePin pins[2];
+    pins[0].position = {-kMm / 5, kMm / 2};
+    pins[1].position = {2 * kMm + kMm / 5, kMm / 2};
+    return builder.addPackage(std::move(package), pins);
+}
+
 /// Copper from 0 to 1.6 mm, a mask of 25 µm on the top only.
 struct Board {
     Board() {
@@ -43,26 +54,8 @@ struct Board {
         builder.addLayer(layer);
     }
 
-    /// Drawn from (0, 0) to (2, 1) mm.
-    model::PackageId drawnPackage() {
-        model::ShapeSketch sketch;
-        const Point corners[] = {{0, 0}, {2 * kMm, 0}, {2 * kMm, kMm}, {0, kMm}};
-        sketch.addPolygon(corners, false);
-        model::Package package;
-        package.body = builder.addShape(sketch);
-        model::PackagePin pins[2];
-        pins[0].position = {-kMm / 5, kMm / 2};
-        pins[1].position = {2 * kMm + kMm / 5, kMm / 2};
-        return builder.addPackage(std::move(package), pins);
-    }
-
     /// A board of 40 by 40 mm.
-    void addProfile() {
-        model::ShapeSketch sketch;
-        const Point corners[] = {{0, 0}, {40 * kMm, 0}, {40 * kMm, 40 * kMm}, {0, 40 * kMm}};
-        sketch.addPolygon(corners, false);
-        builder.setProfile(builder.addShape(sketch));
-    }
+    void addProfile() { builder.setProfile(builder.addShape(hand_made::rectangle({0, 0}, {40 * kMm, 40 * kMm}))); }
 
     ComponentId place(model::PackageId package, LayerSide side, Nm height, const model::Placement& placement = {}) {
         model::Component component;
@@ -113,24 +106,7 @@ struct Zones {
         }
     }
 
-    model::ShapeId outline(Nm right) {
-        model::ShapeSketch sketch;
-        const Point corners[] = {{0, 0}, {right, 0}, {right, 20 * kMm}, {0, 20 * kMm}};
-        sketch.addPolygon(corners, false);
-        return builder.addShape(sketch);
-    }
-
-    model::PackageId drawnPackage() {
-        model::ShapeSketch sketch;
-        const Point corners[] = {{0, 0}, {2 * kMm, 0}, {2 * kMm, kMm}, {0, kMm}};
-        sketch.addPolygon(corners, false);
-        model::Package package;
-        package.body = builder.addShape(sketch);
-        model::PackagePin pins[2];
-        pins[0].position = {-kMm / 5, kMm / 2};
-        pins[1].position = {2 * kMm + kMm / 5, kMm / 2};
-        return builder.addPackage(std::move(package), pins);
-    }
+    model::ShapeId outline(Nm right) { return builder.addShape(hand_made::rectangle({0, 0}, {right, 20 * kMm})); }
 
     void place(model::PackageId package, LayerSide side, Nm height, const model::Placement& placement) {
         model::Component component;
@@ -168,7 +144,7 @@ class BodiesTest : public QObject {
 private slots:
     void bodiesStandOnTheOutermostFaceOfTheirSide() {
         Board board;
-        const model::PackageId package = board.drawnPackage();
+        const model::PackageId package = drawnPackage(board.builder);
         board.place(package, LayerSide::Top, 3 * kMm);
         board.place(package, LayerSide::Bottom, 2 * kMm);
         board.place(package, LayerSide::Top, kMm / 2);
@@ -197,7 +173,7 @@ private slots:
 
     void outlinesAreTurnedAndMirroredAsTheComponentIs() {
         Board board;
-        const model::PackageId package = board.drawnPackage();
+        const model::PackageId package = drawnPackage(board.builder);
         board.place(package, LayerSide::Bottom, kMm, {{10 * kMm, 20 * kMm}, 90.0, true});
         const auto d = board.finish({0, kMm});
         // Clockwise: (2, 1) -> (1, -2); then x is mirrored: (-1, -2).
@@ -357,7 +333,7 @@ private slots:
 
     void partsStandOnTheOutermostLayerOfTheirZone() {
         Zones board;
-        const model::PackageId package = board.drawnPackage();
+        const model::PackageId package = drawnPackage(board.builder);
         board.place(package, LayerSide::Top, kMm, {{10 * kMm, 10 * kMm}});
         board.place(package, LayerSide::Top, 2 * kMm, {{24 * kMm, 10 * kMm}});
         board.place(package, LayerSide::Bottom, kMm, {{24 * kMm, 10 * kMm}});
@@ -395,7 +371,7 @@ private slots:
 
     void absurdHeightsAreNotBelievedAndUnpopulatedPartsHaveNoBody() {
         Board board;
-        const model::PackageId package = board.drawnPackage();
+        const model::PackageId package = drawnPackage(board.builder);
         board.place(package, LayerSide::Top, 900 * kMm);
         model::Component absent;
         absent.package = package;
@@ -413,8 +389,8 @@ private slots:
 
     void bodiesFollowTheFacesOfAChangedStack() {
         Board board;
-        board.place(board.drawnPackage(), LayerSide::Top, kMm);
-        board.place(board.drawnPackage(), LayerSide::Bottom, kMm);
+        board.place(drawnPackage(board.builder), LayerSide::Top, kMm);
+        board.place(drawnPackage(board.builder), LayerSide::Bottom, kMm);
         Document d = *board.finish({kMm, kMm});
         d.layers[0].z += 500'000;
         d.layers[2].z -= 100'000;

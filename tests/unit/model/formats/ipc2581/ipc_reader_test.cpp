@@ -7,66 +7,14 @@
 #include "model/formats/registry.h"
 #include "model/geometry/outlines.h"
 #include "tests/locations.h"
+#include "tests/unit/model/formats/ipc2581/ipc_files.h"
 
+using namespace ipc_files;
 using namespace model;
 using formats::DrawnFeature;
 using formats::DrawnJob;
 using formats::DrawnKind;
 using formats::DrawnStep;
-
-namespace {
-
-constexpr Nm kMm = 1'000'000;
-
-base::Result<DrawnJob> parse(const std::string& text, const std::string& step = {}) {
-    base::Progress progress;
-    return ipc2581::parseJob(text, "board.xml", {step, false}, progress);
-}
-
-/// A file with two copper layers in millimetres around what is in its step, its dictionaries and its CadData.
-std::string fileWith(const std::string& step, const std::string& content = {}, const std::string& cadData = {}) {
-    return "<IPC-2581 revision='C'><Content>" + content +
-           "</Content><Ecad><CadHeader units='MILLIMETER'/><CadData>"
-           "<Layer name='T' layerFunction='CONDUCTOR' side='TOP'/>"
-           "<Layer name='B' layerFunction='CONDUCTOR' side='BOTTOM'/>" +
-           cadData + "<Step name='s'>" + step + "</Step></CadData></Ecad></IPC-2581>";
-}
-
-std::string onTop(const std::string& sets) {
-    return "<LayerFeature layerRef='T'>" + sets + "</LayerFeature>";
-}
-
-std::string features(const std::string& shape) {
-    return onTop("<Set net='A'><Features><Location x='0' y='0'/>" + shape + "</Features></Set>");
-}
-
-std::size_t layerNamed(const DrawnJob& job, std::string_view name) {
-    const auto found = std::ranges::find(job.layers, name, &formats::DrawnLayer::name);
-    return static_cast<std::size_t>(found - job.layers.begin());
-}
-
-const std::vector<DrawnFeature>& featuresOn(const DrawnJob& job, std::string_view layer) {
-    return job.steps[0].features[layerNamed(job, layer)];
-}
-
-const formats::PadShape& shapeOf(const DrawnJob& job, const DrawnFeature& feature) {
-    return job.steps[0].symbols[static_cast<std::size_t>(feature.symbol)].shape;
-}
-
-/// Is there a message with these words? Messages begin with a capital, so the first letter is not compared.
-bool reports(const DrawnJob& job, const std::string& words, std::uint32_t line = 0) {
-    const std::string part = words.substr(1);
-    return std::ranges::any_of(job.diagnostics.entries(), [&](const Diagnostic& d) {
-        return d.text.find(part) != std::string::npos && (line == 0 || d.line == line);
-    });
-}
-
-std::string corpusFile(const char* name) {
-    QFile file(QString::fromStdString((std::filesystem::path(locations::kFuzzCorpus) / "ipc2581" / name).string()));
-    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
-}
-
-}  // namespace
 
 class IpcReaderTest : public QObject {
     Q_OBJECT
@@ -483,49 +431,6 @@ private slots:
         QCOMPARE(hole.a, (Point{3 * kMm, 3 * kMm}));
         QCOMPARE(shapeOf(*job, hole).width, 2 * kMm);
         QCOMPARE(job->layers[layerNamed(*job, "Drill")].tools.at(0).finishedSize, 2 * kMm);
-    }
-
-    void outlinesOfALayerAreUnited_data() {
-        QTest::addColumn<int>("x");
-        QTest::addColumn<std::size_t>("contours");
-        QTest::newRow("apart") << 20 << std::size_t{2};
-        QTest::newRow("overlapping") << 5 << std::size_t{1};
-    }
-    void outlinesOfALayerAreUnited() {
-        QFETCH(int, x);
-        QFETCH(std::size_t, contours);
-        const auto profile = [](int from) {
-            const std::string left = std::to_string(from);
-            const std::string right = std::to_string(from + 10);
-            return "<Profile><Polygon><PolyBegin x='" + left + "' y='0'/><PolyStepSegment x='" + right +
-                   "' y='0'/><PolyStepSegment x='" + right + "' y='10'/><PolyStepSegment x='" + left +
-                   "' y='10'/></Polygon></Profile>";
-        };
-        const auto job = parse(fileWith(
-            {}, {}, "<Layer name='X' layerFunction='PLANE' side='INTERNAL'>" + profile(0) + profile(x) + "</Layer>"));
-        const ShapeSketch& outline = job->layers[layerNamed(*job, "X")].outline;
-        QCOMPARE(outline.contourCount(), contours);
-        QCOMPARE(boxOf(outline), (Box{{0, 0}, {(x + 10) * kMm, 10 * kMm}}));
-    }
-
-    void outlinesThatAreUnitedKeepTheirArcs() {
-        const auto profile = [](int middle) {
-            const std::string x = std::to_string(middle);
-            return "<Profile><Polygon><PolyBegin x='" + std::to_string(middle + 5) + "' y='0'/><PolyStepCurve x='" +
-                   std::to_string(middle - 5) + "' y='0' centerX='" + x +
-                   "' centerY='0' clockwise='false'/><PolyStepCurve x='" + std::to_string(middle + 5) +
-                   "' y='0' centerX='" + x + "' centerY='0' clockwise='false'/></Polygon></Profile>";
-        };
-        const auto job = parse(fileWith(
-            {}, {}, "<Layer name='X' layerFunction='PLANE' side='INTERNAL'>" + profile(0) + profile(6) + "</Layer>"));
-        const ShapeSketch& outline = job->layers[layerNamed(*job, "X")].outline;
-        QCOMPARE(outline.contourCount(), std::size_t{1});
-        const model::PathNodes nodes = outline.contour(0);
-        QVERIFY(nodes.size() <= 6);
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            QVERIFY(isArc(nodes[i].edge));
-        }
-        QVERIFY(!reports(*job, "straight edges"));
     }
 
     void aFaultKeepsWhatComesBeforeIt() {

@@ -5,7 +5,10 @@
 
 #include "model/geometry/loops/edge_faults.h"
 #include "model/geometry/region.h"
+#include "tests/unit/model/geometry/loop_shapes.h"
 
+using loop_shapes::disc;
+using loop_shapes::rectangle;
 using model::EdgeLoops;
 using model::PolygonSet;
 using model::RegionBoolean;
@@ -14,24 +17,6 @@ using model::ShapeSketch;
 namespace {
 
 constexpr double kMm = 1e6;
-
-EdgeLoops disc(double x, double y, double radius) {
-    EdgeLoops loops;
-    loops.addCircle({x * kMm, y * kMm}, radius * kMm);
-    return loops;
-}
-
-EdgeLoops box(double x, double y, double size) {
-    EdgeLoops loops;
-    const model::PointD corners[] = {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
-    for (int i = 0; i < 4; ++i) {
-        const model::PointD a = corners[i];
-        const model::PointD b = corners[(i + 1) % 4];
-        loops.addLine({a.x * kMm, a.y * kMm}, {b.x * kMm, b.y * kMm});
-    }
-    loops.endLoop();
-    return loops;
-}
 
 double areaOf(std::span<const EdgeLoops> regions) {
     double area = 0.0;
@@ -48,7 +33,7 @@ class RegionBooleansTest : public QObject {
 
 private slots:
     void arcsStayArcs() {
-        const EdgeLoops whole = box(0, 0, 10);
+        const EdgeLoops whole = rectangle(0, 0, 10, 10);
         const EdgeLoops holes[] = {disc(3, 3, 1), disc(10, 5, 2)};
         const RegionBoolean left = model::differenceOf({&whole, 1}, holes);
         QVERIFY(left.isExact);
@@ -106,10 +91,10 @@ private slots:
         QVERIFY(model::sketchOf(std::span<const EdgeLoops>()).isEmpty());
         QVERIFY(model::polygonsOf(std::span<const EdgeLoops>()).polygons.empty());
         QVERIFY(model::regionsOf(PolygonSet()).empty());
-        const EdgeLoops whole = box(0, 0, 1);
+        const EdgeLoops whole = rectangle(0, 0, 1, 1);
         const RegionBoolean same = model::differenceOf({&whole, 1}, {});
         QCOMPARE(areaOf(same.regions), 1.0);
-        const EdgeLoops larger = box(-1, -1, 3);
+        const EdgeLoops larger = rectangle(-1, -1, 2, 2);
         QVERIFY(model::differenceOf({&whole, 1}, {&larger, 1}).regions.empty());
     }
 };

@@ -2,6 +2,8 @@
 
 #include <QtTest>
 
+#include "tests/unit/model/geometry/loop_shapes.h"
+
 using model::CutLie;
 using model::EdgeLoops;
 using model::RegionSearch;
@@ -11,27 +13,16 @@ namespace {
 constexpr double kMm = 1e6;
 
 RegionSearch disc(double x, double y, double radius) {
-    EdgeLoops loops;
-    loops.addCircle({x * kMm, y * kMm}, radius * kMm);
-    return RegionSearch(loops);
-}
-
-void addSquare(EdgeLoops& loops, double x, double y, double size) {
-    const model::PointD corners[] = {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
-    for (int i = 0; i < 4; ++i) {
-        const model::PointD a = corners[i];
-        const model::PointD b = corners[(i + 1) % 4];
-        loops.addLine({a.x * kMm, a.y * kMm}, {b.x * kMm, b.y * kMm});
-    }
-    loops.endLoop();
+    return RegionSearch(loop_shapes::disc(x, y, radius));
 }
 
 /// A square of 100 mm with a square hole of 2 mm every 10 mm: enough edges for a tree.
 RegionSearch plane() {
-    EdgeLoops loops;
-    addSquare(loops, 0, 0, 100);
+    EdgeLoops loops = loop_shapes::rectangle(0, 0, 100, 100);
     for (int i = 0; i < 100; ++i) {
-        addSquare(loops, 4.0 + 10.0 * (i % 10), 4.0 + 10.0 * (i / 10), 2);
+        const double x = 4.0 + 10.0 * (i % 10);
+        const double y = 4.0 + 10.0 * (i / 10);
+        loop_shapes::addRectangle(loops, x, y, x + 2, y + 2);
     }
     return RegionSearch(loops);
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "model/geometry/loops/edge_faults.h"
+#include "tests/unit/model/geometry/loop_shapes.h"
 #include "tests/unit/model/hand_made.h"
 
 using namespace hand_made;
@@ -17,19 +18,6 @@ using model::RegionSearch;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// In mm.
-EdgeLoops rectangleOf(double left, double bottom, double right, double top) {
-    const model::PointD corners[] = {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-    EdgeLoops loops;
-    for (int i = 0; i < 4; ++i) {
-        const model::PointD a = corners[i];
-        const model::PointD b = corners[(i + 1) % 4];
-        loops.addLine({a.x * kMm, a.y * kMm}, {b.x * kMm, b.y * kMm});
-    }
-    loops.endLoop();
-    return loops;
-}
 
 void addRound(model::DocumentBuilder& builder, double x, double y, double diameter) {
     const auto nm = [](double mm) { return static_cast<model::Nm>(std::lround(mm * kMm)); };
@@ -79,7 +67,7 @@ class DrilledCopperTest : public QObject {
 
 private slots:
     void aHoleWithinIsOneMoreLoop() {
-        const RegionBoolean result = cut(rectangleOf(0, 0, 10, 10), [](auto& builder) {
+        const RegionBoolean result = cut(loop_shapes::rectangle(0, 0, 10, 10), [](auto& builder) {
             addRound(builder, 3, 3, 1);
             addRound(builder, 7, 7, 2);
             addRound(builder, 20, 3, 1);
@@ -91,7 +79,7 @@ private slots:
     }
 
     void aHoleAcrossTheEdgeIsCutOutOfIt() {
-        const RegionBoolean result = cut(rectangleOf(0, 0, 10, 10), [](auto& builder) {
+        const RegionBoolean result = cut(loop_shapes::rectangle(0, 0, 10, 10), [](auto& builder) {
             addRound(builder, 0, 5, 2);
             addRound(builder, 5, 5, 1);
         });
@@ -101,7 +89,7 @@ private slots:
 
     /// Two parts are left; what lies within one of them stays in it.
     void aHoleMayCutCopperInTwo() {
-        EdgeLoops copper = rectangleOf(0, 0, 20, 4);
+        EdgeLoops copper = loop_shapes::rectangle(0, 0, 20, 4);
         copper.addCircle({18.0 * kMm, 2.0 * kMm}, 1.0 * kMm);
         const RegionBoolean result = cut(copper, [](auto& builder) {
             addRound(builder, 10, 2, 6);
@@ -133,7 +121,7 @@ private slots:
     }
 
     void slotsAndRoutsAreCutOut() {
-        const RegionBoolean result = cut(rectangleOf(0, 0, 20, 10), [](auto& builder) {
+        const RegionBoolean result = cut(loop_shapes::rectangle(0, 0, 20, 10), [](auto& builder) {
             builder.addLine({{4 * kMm, 5 * kMm}, {8 * kMm, 5 * kMm}, kMm, 800 * kUm},
                             flagged(model::kHole | model::kPlated));
             const model::ShapeId square = builder.addShape(rectangle({14 * kMm, 4 * kMm}, {16 * kMm, 6 * kMm}));
@@ -144,7 +132,7 @@ private slots:
     }
 
     void holesThatOverlapAreOne() {
-        const RegionBoolean result = cut(rectangleOf(0, 0, 20, 10), [](auto& builder) {
+        const RegionBoolean result = cut(loop_shapes::rectangle(0, 0, 20, 10), [](auto& builder) {
             addRound(builder, 3, 3, 1);  // a counterbore
             addRound(builder, 3, 3, 2);
             addRound(builder, 3, 3, 2);
@@ -159,7 +147,7 @@ private slots:
 
     /// Routed around, an island stays.
     void ringsLeaveWhatIsWithin() {
-        const RegionBoolean result = cut(rectangleOf(0, 0, 20, 10), [](auto& builder) {
+        const RegionBoolean result = cut(loop_shapes::rectangle(0, 0, 20, 10), [](auto& builder) {
             model::ShapeSketch ring;
             ring.addCircle({10 * kMm, 5 * kMm}, 3 * kMm, false);
             ring.addCircle({10 * kMm, 5 * kMm}, 2 * kMm, true);
@@ -173,7 +161,7 @@ private slots:
     /// A tool of unknown size is drawn as a point.
     void pointsTakeNothing() {
         const RegionBoolean result =
-            cut(rectangleOf(0, 0, 10, 10), [](auto& builder) { addRound(builder, 5, 5, 1e-5); });
+            cut(loop_shapes::rectangle(0, 0, 10, 10), [](auto& builder) { addRound(builder, 5, 5, 1e-5); });
         QCOMPARE(result.regions.front().loopCount(), std::size_t{1});
     }
 

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/base/parallel.h"
+#include "model/board/document_builder.h"
+#include "model/design_rules/design_rule_check.h"
+#include "tests/unit/model/hand_made.h"
+
+/// What tests of design rules check: a small board made by hand.
+namespace rule_board {
+
+/// Two copper layers, a mask on top, a drill through both.
+struct Board {
+    model::DocumentBuilder builder;
+    model::LayerId mask = hand_made::addLayer(builder, "mask", model::LayerType::SolderMask);
+    model::LayerId top = hand_made::addLayer(builder, "top", model::LayerType::Signal);
+    model::LayerId bottom = hand_made::addLayer(builder, "bottom", model::LayerType::Signal);
+    model::LayerId drill = hand_made::addDrill(builder, top, bottom);
+    model::NetId a = builder.addNet("A");
+    model::NetId b = builder.addNet("B1");
+    std::uint32_t pins = 0;  ///< added by addPart
+};
+
+/// Without tolerance: to the nanometre.
+[[nodiscard]] inline model::RuleReport check(const model::Document& board, model::RuleTable table) {
+    base::Progress progress;
+    table.tolerance = 0;
+    return *model::checkRules(board, table, progress);
+}
+
+[[nodiscard]] inline model::RuleReport check(const model::Document& board, model::RuleKind kind, model::Nm least) {
+    return check(board, model::RuleTable{{}, {{kind, least, {}}}});
+}
+
+struct PadAt {
+    model::NetId net;
+    model::Point at;
+};
+
+/// A component with pads of 100 um on the layer that was begun, a pin each.
+inline void addPart(Board& board, model::Component part, const std::vector<PadAt>& pads) {
+    std::vector<model::Pin> pins;
+    for (const PadAt& pad : pads) {
+        model::Pin pin;
+        pin.net = pad.net;
+        pin.position = pad.at;
+        pin.name = board.builder.string(std::to_string(pins.size() + 1));
+        pins.push_back(pin);
+    }
+    board.builder.addComponent(std::move(part), pins);
+    for (const PadAt& pad : pads) {
+        model::DocumentBuilder::Origin origin = hand_made::of(pad.net, model::kPad);
+        origin.subnet = board.builder.addSubnet({pad.net, model::SubnetKind::PinPads, model::PinId{board.pins++}});
+        board.builder.addCircle({pad.at, 100 * hand_made::kUm, 0}, origin);
+    }
+}
+
+}  // namespace rule_board

@@ -1,0 +1,124 @@
+// Nets that a component ties together: no fault of the rule of copper, and the same ties wherever they are looked for.
+#include <QtTest>
+
+#include "model/clearance/clearance.h"
+#include "model/nets/net_check.h"
+#include "tests/unit/model/design_rules/rule_board.h"
+
+using namespace hand_made;
+using namespace rule_board;
+using model::NetId;
+using model::Nm;
+using model::RuleKind;
+using model::RuleReport;
+
+class TiedNetsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void netTies_data() {
+        QTest::addColumn<QString>("what");
+        QTest::addColumn<int>("shorts");
+        QTest::addColumn<int>("ties");
+        QTest::newRow("pads of one component") << "one component" << 0 << 1;
+        QTest::newRow("pads of two components") << "two components" << 1 << 0;
+        QTest::newRow("joined by copper without a net") << "bridge" << 0 << 1;
+        QTest::newRow("tracks beside it") << "tracks" << 1 << 1;
+        QTest::newRow("a component that says so") << "declared" << 0 << 1;
+    }
+    void netTies() {
+        QFETCH(QString, what);
+        QFETCH(int, shorts);
+        QFETCH(int, ties);
+        Board board;
+        model::Component part;
+        part.refdes = "X1";
+        part.part = what == "declared" ? "Net-Tie 2" : "R0";
+        const Nm second = what == "bridge" || what == "declared" ? 500 * kUm : 90 * kUm;
+        board.builder.beginLayer(board.top);
+        if (what == "two components") {
+            addPart(board, part, {{board.a, {0, 0}}});
+            addPart(board, part, {{board.b, {second, 0}}});
+        } else {
+            addPart(board, part, {{board.a, {0, 0}}, {board.b, {second, 0}}});
+        }
+        if (what == "bridge") {
+            board.builder.addLine({{0, 0}, {second, 0}, 50 * kUm, 0}, of({}));
+        } else if (what == "declared") {
+            board.builder.addLine({{0, 0}, {second, 0}, 50 * kUm, 0}, of(board.a));
+        } else if (what == "tracks") {
+            board.builder.addLine({{0, 5000 * kUm}, {0, 6000 * kUm}, 50 * kUm, 0}, of(board.a));
+            board.builder.addLine({{0, 6000 * kUm}, {0, 7000 * kUm}, 50 * kUm, 0}, of(board.b));
+        }
+        const auto document = board.builder.finish();
+        const RuleReport report = check(*document, RuleKind::CopperToCopper, 50 * kUm);
+        QCOMPARE(report.findings.size(), static_cast<std::size_t>(shorts));
+        QCOMPARE(report.netTies.size(), static_cast<std::size_t>(ties));
+        if (ties > 0) {
+            QCOMPARE(model::textOf(*document, report.netTies[0]), std::string("X1 ties A and B1 on top"));
+        }
+    }
+
+    void aTieIsWhatTheCopperJoins_data() {
+        QTest::addColumn<int>("bridges");
+        QTest::addColumn<QString>("track");
+        QTest::addColumn<QStringList>("ties");
+        QTest::addColumn<int>("shorts");
+        QTest::newRow("one bridge") << 1 << "" << QStringList{"JP3 ties A and B1 on top"} << 0;
+        QTest::newRow("one bridge, a track on the pads that it joins")
+            << 1 << "joined" << QStringList{"JP3 ties A and B1 on top"} << 0;
+        QTest::newRow("one bridge, a track on the open pad")
+            << 1 << "open" << QStringList{"JP3 ties A and B1 on top"} << 1;
+        QTest::newRow("two bridges") << 2 << "" << QStringList{"JP3 ties A and B1 on top", "JP3 ties A and C on top"}
+                                     << 0;
+        QTest::newRow("two bridges, a track on the last pad")
+            << 2 << "open" << QStringList{"JP3 ties A and B1 on top", "JP3 ties A and C on top"} << 0;
+        QTest::newRow("no bridge") << 0 << "" << QStringList{} << 0;
+        QTest::newRow("no bridge, a track on the open pad") << 0 << "open" << QStringList{} << 1;
+    }
+    /// A jumper of three pads that says it is a net tie: rules, the netlist check and the search agree on it.
+    void aTieIsWhatTheCopperJoins() {
+        QFETCH(int, bridges);
+        QFETCH(QString, track);
+        QFETCH(QStringList, ties);
+        QFETCH(int, shorts);
+        Board board;
+        const NetId c = board.builder.addNet("C");
+        model::Component part;
+        part.refdes = "JP3";
+        part.part = "net tie solder jumper bridged";
+        board.builder.beginLayer(board.top);
+        addPart(board, part, {{board.a, {0, 0}}, {board.b, {300 * kUm, 0}}, {c, {600 * kUm, 0}}});
+        for (Nm i = 0; i < bridges; ++i) {
+            const Nm x = i * 300 * kUm;
+            board.builder.addLine({{x, 0}, {x + 150 * kUm, 0}, 40 * kUm, 0}, of({}));
+            board.builder.addLine({{x + 150 * kUm, 0}, {x + 300 * kUm, 0}, 40 * kUm, 0}, of({}));
+        }
+        if (!track.isEmpty()) {
+            const Nm x = track == "open" ? 600 * kUm : 300 * kUm;
+            board.builder.addLine({{x, 0}, {x, 900 * kUm}, 40 * kUm, 0}, of(board.a));
+        }
+        const auto document = board.builder.finish();
+
+        const auto namesOf = [&](const std::vector<model::NetTie>& found) {
+            QStringList names;
+            for (const model::NetTie& tie : found) {
+                names << QString::fromStdString(model::textOf(*document, tie));
+            }
+            return names;
+        };
+        const RuleReport report = check(*document, RuleKind::CopperToCopper, 50 * kUm);
+        QCOMPARE(report.findings.size(), static_cast<std::size_t>(shorts));
+        QCOMPARE(namesOf(report.netTies), ties);
+        base::Progress progress;
+        const model::NetReport nets = model::checkAllNets(*document, progress)->front().report;
+        QCOMPARE(nets.shorts.size(), static_cast<std::size_t>(shorts));
+        QCOMPARE(namesOf(nets.ties), ties);
+        model::ClearanceRequest closest;
+        closest.below = 50.0 * kUm;
+        QCOMPARE(model::smallestClearances(*document, closest, progress)->size(), static_cast<std::size_t>(shorts));
+    }
+};
+
+QTEST_APPLESS_MAIN(TiedNetsTest)
+#include "tied_nets_test.moc"
