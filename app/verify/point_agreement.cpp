@@ -42,10 +42,10 @@ bool covers(const model::FigureTable& figures, PointD p) {
     return false;
 }
 
-/// What is drilled through the copper of a step.
-class CopperHoles {
+/// Which points of the copper of a step are drilled away, by the figures of the holes: not as the export cuts them.
+class DrilledPoints {
 public:
-    explicit CopperHoles(const model::Document& document) : m_document(&document) {
+    explicit DrilledPoints(const model::Document& document) : m_document(&document) {
         for (std::size_t row = 0; row < document.layers.size(); ++row) {
             m_ofLayers.emplace_back();
             if (document.layers[row].isCopper()) {
@@ -146,7 +146,7 @@ private:
     const model::SolidPlan& m_plan;
     std::vector<Member> m_members;
     std::unique_ptr<model::BoxIndex> m_index;
-    std::vector<CopperHoles> m_holes;  ///< by step
+    std::vector<DrilledPoints> m_holes;  ///< by step
 };
 
 /// The solids of a file by their boxes.

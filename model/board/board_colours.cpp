@@ -87,6 +87,25 @@ void setIfUnknown(std::optional<Value>& known, const std::optional<Value>& value
     known = known ? known : value;
 }
 
+/// Is the copper that lies nearest to a body, on either side, of the flexible parts alone?
+bool isBetweenFlexibleCopper(const Document& document, const Layer& body) {
+    const auto middleOf = [](const Layer& layer) { return std::int64_t{2} * layer.z + layer.thickness; };
+    const Layer* above = nullptr;
+    const Layer* below = nullptr;
+    for (const Layer& layer : document.layers) {
+        if (!layer.isCopper()) {
+            continue;
+        }
+        if (middleOf(layer) > middleOf(body)) {
+            above = above == nullptr || layer.z < above->z ? &layer : above;
+        } else {
+            below = below == nullptr || layer.z > below->z ? &layer : below;
+        }
+    }
+    const auto isFlexible = [](const Layer* copper) { return copper == nullptr || copper->use == LayerUse::Flex; };
+    return (above != nullptr || below != nullptr) && isFlexible(above) && isFlexible(below);
+}
+
 }  // namespace
 
 const std::vector<std::string>& boardColourNames() {
@@ -136,29 +155,6 @@ BoardColours boardColours(const Document& document, const BoardColourChoice& cho
     return {mask, known.silkscreen.value_or(isPale ? BoardColour::Black : BoardColour::White),
             known.finish.value_or(SurfaceFinish::Gold)};
 }
-
-namespace {
-
-/// Is the copper that lies nearest to a body, on either side, of the flexible parts alone?
-bool isBetweenFlexibleCopper(const Document& document, const Layer& body) {
-    const auto middleOf = [](const Layer& layer) { return std::int64_t{2} * layer.z + layer.thickness; };
-    const Layer* above = nullptr;
-    const Layer* below = nullptr;
-    for (const Layer& layer : document.layers) {
-        if (!layer.isCopper()) {
-            continue;
-        }
-        if (middleOf(layer) > middleOf(body)) {
-            above = above == nullptr || layer.z < above->z ? &layer : above;
-        } else {
-            below = below == nullptr || layer.z > below->z ? &layer : below;
-        }
-    }
-    const auto isFlexible = [](const Layer* copper) { return copper == nullptr || copper->use == LayerUse::Flex; };
-    return (above != nullptr || below != nullptr) && isFlexible(above) && isFlexible(below);
-}
-
-}  // namespace
 
 bool isFlexibleFilm(const Document& document, const Layer& layer) {
     if (layer.type == LayerType::SolderMask && layer.openings.isValid()) {

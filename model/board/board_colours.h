@@ -48,8 +48,8 @@ struct BoardColours {
 /// The user's choice, else the job's, else green mask, white print (black on white and yellow masks) and gold.
 [[nodiscard]] BoardColours boardColours(const Document& document, const BoardColourChoice& chosen = {});
 
-/// Is the layer film of a flexible part: coverlay, or a part of the substrate around flexible copper? It is amber
-/// polyimide.
+/// Is the layer film of a flexible part: coverlay, or a part of the substrate next to flexible copper alone? It is
+/// amber polyimide.
 [[nodiscard]] bool isFlexibleFilm(const Document& document, const Layer& layer);
 
 }  // namespace model

@@ -375,8 +375,7 @@ private:
     }
 
     /// Masks and paste lie on the copper, silk on the thickest mask of its side (without one on the copper); layers of
-    /// one kind lie side by side. What is laid or glued
-    /// on (rigid-flex) lies one on the other, from the board outwards.
+    /// one kind lie side by side. What is laid or glued on (rigid-flex) lies one on the other, from the board outwards.
     void placeSurfaceLayers(Nm top) {
         assumeSurfaces();
         Nm laid = 0;

@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
+#include "model/base/disjoint_sets.h"
 #include "model/base/parallel.h"
 #include "model/figures/covered_runs.h"
 #include "model/figures/distance.h"
-#include "model/nets/disjoint_sets.h"
 
 namespace model {
 

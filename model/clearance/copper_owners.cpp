@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/nets/disjoint_sets.h"
+#include "model/base/disjoint_sets.h"
 
 namespace model {
 

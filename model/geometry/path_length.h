@@ -4,7 +4,7 @@
 
 namespace model {
 
-/// The way along an edge, in nm: straight, or on the circle around the node's centre, of the mean of the two radii.
+/// The length of an edge, in nm: straight, or on the circle around the node's centre, of the mean of the two radii.
 [[nodiscard]] double pathLength(const PathNode& from, Point to);
 
 }  // namespace model

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <atomic>
 
+#include "model/base/disjoint_sets.h"
 #include "model/base/parallel.h"
 #include "model/figures/distance.h"
-#include "model/nets/disjoint_sets.h"
 
 namespace model {
 

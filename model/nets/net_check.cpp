@@ -4,8 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "model/base/disjoint_sets.h"
 #include "model/board/copies.h"
-#include "model/nets/disjoint_sets.h"
 
 namespace model {
 

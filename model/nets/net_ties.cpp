@@ -6,9 +6,9 @@
 #include <span>
 #include <string_view>
 
+#include "model/base/disjoint_sets.h"
 #include "model/index/attributes.h"
 #include "model/index/pin_names.h"
-#include "model/nets/disjoint_sets.h"
 
 namespace model {
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "model/board/holes.h"
+#include "model/board/laser_via.h"
 #include "model/section/leg_shape.h"
 #include "model/section/line_cut.h"
 #include "model/section/standing_parts.h"
@@ -138,7 +139,7 @@ private:
         SectionPiece piece{layer, {placed.copy, element}};
         piece.material = materialOf(board(), layer);
         const std::optional<LandingVia> via =
-            isHole && !found.covered.empty() ? landingOf(placed, element, layer, leg) : std::nullopt;
+            isHole && !found.covered.empty() ? landingOf(placed, element, leg) : std::nullopt;
         if (isHole) {
             const ZRange bore =
                 via ? ZRange{std::min(via->entry, via->target), std::max(via->entry, via->target)} : boreOf(layer);
@@ -191,39 +192,27 @@ private:
         }
     }
 
-    /// A laser via, drilled from the face of the board that is nearer.
-    [[nodiscard]] std::optional<LandingVia> landingOf(const Placed& placed, ElementId hole, LayerId drill,
-                                                      const Leg& leg) const {
+    /// A laser via, which ends on its target pad.
+    [[nodiscard]] std::optional<LandingVia> landingOf(const Placed& placed, ElementId hole, const Leg& leg) const {
         const Document& step = placed.step;
-        const Layer& layer = board().layer(drill);
-        const bool isRound = step.elements.kind[hole.row()] == ElementKind::Circle;
-        if (!isRound || !isPlatedHole(step.elements.flags[hole.row()]) || !layer.spanTop.isValid() ||
-            !layer.spanBottom.isValid() || spanOf(step, hole) != HoleSpan::Micro) {
+        const LayerId landsOn = targetOf(step, hole);
+        if (!landsOn.isValid()) {
             return std::nullopt;
         }
-        const Layer* entry = &board().layer(layer.spanTop);
-        const Layer* target = &board().layer(layer.spanBottom);
-        if (copperOutside(*entry, *target) > copperOutside(*target, *entry)) {
-            std::swap(entry, target);
-        }
-        const bool isFromTop = entry->z > target->z;
+        const Layer& drill = step.layer(step.elements.layer[hole.row()]);
+        const LayerId beginsOn = landsOn == drill.spanTop ? drill.spanBottom : drill.spanTop;
+        const Layer& entry = board().layer(board().layerOfCopy(beginsOn, placed.how.isFlipped));
+        const Layer& target = board().layer(board().layerOfCopy(landsOn, placed.how.isFlipped));
+        const bool isFromTop = entry.z > target.z;
         const auto faceOf = [](const Layer& of, bool isUpper) { return isUpper ? of.z + of.thickness : of.z; };
         const CircleGeometry& circle = step.circles[step.elements.geometry[hole.row()]];
         const PointD centre = base::toDouble(circle.centre);
         LandingVia via{leg.start + placed.line.along(centre), std::abs(placed.line.beside(centre)),
                        circle.diameter / 2.0, (double{1} * circle.diameter - circle.innerDiameter) / 2};
-        via.entry = faceOf(*entry, isFromTop);
-        via.shoulder = faceOf(*entry, !isFromTop);
-        via.target = faceOf(*target, isFromTop);
+        via.entry = faceOf(entry, isFromTop);
+        via.shoulder = faceOf(entry, !isFromTop);
+        via.target = faceOf(target, isFromTop);
         return via.shoulder != via.target ? std::optional(via) : std::nullopt;
-    }
-
-    /// How many copper layers lie beyond one, seen from another.
-    [[nodiscard]] int copperOutside(const Layer& of, const Layer& from) const {
-        return static_cast<int>(std::ranges::count_if(board().layers, [&](const Layer& layer) {
-            const bool isBeyond = of.z > from.z ? layer.z > of.z : layer.z < of.z;
-            return layer.isCopper() && layer.context == LayerContext::Board && isBeyond;
-        }));
     }
 
     [[nodiscard]] ZRange boreOf(LayerId drill) const {

@@ -45,15 +45,19 @@ ShapeId intersectionOf(DocumentBuilder& builder, const std::vector<ShapeId>& sha
     if (shapes.size() < 2) {
         return shapes.empty() ? ShapeId{} : shapes.front();
     }
-    PolygonSet all = discretise(builder.shapes(), shapes.front(), kBooleanChords);
+    std::vector<PolygonSet> outlines;
     for (const ShapeId shape : shapes) {
-        all = intersect(all, discretise(builder.shapes(), shape, kBooleanChords));
+        outlines.push_back(discretise(builder.shapes(), shape, kBooleanChords));
+    }
+    PolygonSet all = outlines.front();
+    for (std::size_t i = 1; i < outlines.size(); ++i) {
+        all = intersect(all, outlines[i]);
     }
     const auto area = static_cast<double>(twiceArea(all));
-    for (const ShapeId shape : shapes) {
-        const auto own = static_cast<double>(twiceArea(discretise(builder.shapes(), shape, kBooleanChords)));
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const auto own = static_cast<double>(twiceArea(outlines[i]));
         if (own - area <= kSameArea * own) {
-            return shape;
+            return shapes[i];
         }
     }
     const ShapeSketch sketch = sketchOf(all);

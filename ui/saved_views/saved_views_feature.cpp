@@ -228,7 +228,6 @@ void SavedViewsFeature::restoreLayers(const model::Document& board, const sessio
     LayerSettings settings = m_layers.settings();
     settings.solo = board.findLayer(desk.solo);
     m_layers.setSettings(settings);
-    m_workspace.setCurrentLayer(settings.solo);
 }
 
 void SavedViewsFeature::restoreKept(const LoadedBoard& board) {
@@ -259,6 +258,7 @@ void SavedViewsFeature::restoreDesk(const LoadedBoard& board) {
     const std::optional<session::Desk>& desk = board.session.desk;
     if (desk && m_workspace.isOpen(desk->step)) {
         restoreLayers(*board.document, *desk);
+        m_workspace.setCurrentLayer(m_layers.soloLayer());
         setCameras(desk->flat, desk->solid);
         showUnit(unitNamed(desk->unit));
     } else {

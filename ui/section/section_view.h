@@ -115,7 +115,7 @@ private:
     [[nodiscard]] bool isHighlighted(const model::SectionPiece& piece) const;
     [[nodiscard]] bool isEdge(const model::SectionPosition& position) const;
     void measureAt(QPointF at);
-    /// Repaints, and tells the prompt if it is another.
+    /// Repaints, and signals the prompt if it is another.
     void updateMeasuring();
     [[nodiscard]] std::pair<double, double> fittedHeights() const;
     void arrange();
@@ -166,7 +166,7 @@ private:
     SectionDimensions m_dimensions;
     bool m_isMeasuring = false;
     bool m_isPointedAt = false;
-    QString m_prompt;                               ///< as it was told last
+    QString m_prompt;                               ///< as it was signalled last
     std::optional<model::SectionPosition> m_under;  ///< the pointer, while measuring
     QPointF m_pressed;
     QPointF m_last;

@@ -403,7 +403,7 @@ void MainWindow::restoreSettings() {
     std::ranges::for_each(m_features.restorers, [](const auto& restore) { restore(); });
     statusBar()->clearMessage();
     if (!m_settings.areKept()) {
-        m_workspace.report(tr("Settings cannot be saved: %1 cannot be written").arg(m_settings.place()));
+        m_workspace.report(tr("Settings cannot be saved: %1 cannot be written").arg(m_settings.path()));
     }
 }
 

@@ -114,14 +114,14 @@ double LabelPlacing::crossedBy(const QRectF& box) const {
     return length;
 }
 
-std::array<QPointF, 4> TurnedBox::corners() const {
+std::array<QPointF, 4> RotatedBox::corners() const {
     const double angle = angleDeg * std::numbers::pi / 180.0;
     const QPointF along = QPointF(std::cos(angle), std::sin(angle)) * (size.width() / 2.0);
     const QPointF across = QPointF(-std::sin(angle), std::cos(angle)) * (size.height() / 2.0);
     return {middle - along - across, middle + along - across, middle + along + across, middle - along + across};
 }
 
-bool TurnedBox::meets(const TurnedBox& other) const {
+bool RotatedBox::meets(const RotatedBox& other) const {
     const std::array<QPointF, 4> own = corners();
     const std::array<QPointF, 4> others = other.corners();
     // Two convex shapes lie apart if a side of one of them parts them.
@@ -142,7 +142,7 @@ bool TurnedBox::meets(const TurnedBox& other) const {
            !isParted(others[3] - others[0]);
 }
 
-LabelRoom::Cells LabelRoom::cellsOf(const TurnedBox& box) {
+LabelRoom::Cells LabelRoom::cellsOf(const RotatedBox& box) {
     const std::array<QPointF, 4> corners = box.corners();
     const auto [left, right] = std::ranges::minmax(corners, {}, &QPointF::x);
     const auto [top, bottom] = std::ranges::minmax(corners, {}, &QPointF::y);
@@ -150,7 +150,7 @@ LabelRoom::Cells LabelRoom::cellsOf(const TurnedBox& box) {
     return {cell(left.x()), cell(right.x()), cell(top.y()), cell(bottom.y())};
 }
 
-bool LabelRoom::take(const TurnedBox& box) {
+bool LabelRoom::take(const RotatedBox& box) {
     const Cells cells = cellsOf(box);
     const auto each = [&cells](const auto& visit) {
         for (int column = cells.left; column <= cells.right; ++column) {

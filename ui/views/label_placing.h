@@ -54,15 +54,15 @@ private:
     std::vector<QRectF> m_taken;
 };
 
-/// A box about its middle, turned.
-struct TurnedBox {
+/// A box about its middle, rotated.
+struct RotatedBox {
     QPointF middle;
     QSizeF size;
     double angleDeg = 0.0;
 
     [[nodiscard]] std::array<QPointF, 4> corners() const;
     /// Have they more in common than an edge?
-    [[nodiscard]] bool meets(const TurnedBox& other) const;
+    [[nodiscard]] bool meets(const RotatedBox& other) const;
 };
 
 /// Which labels of many have room where they must be: one that meets an earlier one has none. A grid knows which may
@@ -70,7 +70,7 @@ struct TurnedBox {
 class LabelRoom {
 public:
     /// Takes the room of a label; false if another one has some of it, and then nothing is taken.
-    [[nodiscard]] bool take(const TurnedBox& box);
+    [[nodiscard]] bool take(const RotatedBox& box);
 
 private:
     struct Cells {
@@ -79,9 +79,9 @@ private:
         int top = 0;
         int bottom = 0;
     };
-    [[nodiscard]] static Cells cellsOf(const TurnedBox& box);
+    [[nodiscard]] static Cells cellsOf(const RotatedBox& box);
 
-    std::vector<TurnedBox> m_taken;
+    std::vector<RotatedBox> m_taken;
     QHash<QPair<int, int>, std::vector<std::size_t>> m_cells;  ///< rows of m_taken by column and row of the grid
 };
 

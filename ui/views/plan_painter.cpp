@@ -125,7 +125,7 @@ double widthOf(const QString& line) {
 }
 
 /// What the letters of a label cover.
-TurnedBox boxOf(const PlanPainter::Label& label) {
+RotatedBox boxOf(const PlanPainter::Label& label) {
     constexpr double kCapitals = 0.8;  // of the height of letters
     const QStringList lines = label.text.split('\n');
     double widest = 0.0;

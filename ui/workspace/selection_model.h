@@ -94,7 +94,7 @@ public:
     [[nodiscard]] std::shared_ptr<const model::Document> sharedStepOf(const model::BoardElement& element) const {
         return {m_board, &stepOf(element)};
     }
-    /// The layer of the board that an element is on: of a copy that is turned over another one than in its step.
+    /// The layer of the board that an element is on: of a flipped copy not the one that it has in its step.
     [[nodiscard]] model::LayerId layerOf(const model::BoardElement& element) const;
     /// Row of `tree().copies`: the first copy of a step.
     [[nodiscard]] std::uint32_t firstCopyOf(std::uint32_t step) const;

@@ -71,8 +71,8 @@ public:
 
     /// False: the system does not let them be written, so they end with the program.
     [[nodiscard]] bool areKept() const { return m_store.isWritable(); }
-    /// Where they are kept, in words of the system.
-    [[nodiscard]] QString place() const { return m_store.fileName(); }
+    /// Of their file, or what the system has instead of one.
+    [[nodiscard]] QString path() const { return m_store.fileName(); }
 
     /// Forgets everything.
     void reset() { m_store.clear(); }

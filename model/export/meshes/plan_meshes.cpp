@@ -186,13 +186,13 @@ private:
         std::ranges::for_each(loops.points, [&](Point corner) { box.include(corner); });
         const std::vector<EdgeLoops> holes = m_plan.holesNear(m_step, layer, box);
         for (const EdgeLoops& hole : holes) {
-            addTurned(polygonsOf(hole, m_how), loops);
+            addReversed(polygonsOf(hole, m_how), loops);
         }
         return holes.empty() ? std::move(loops) : unitedLoops(loops);
     }
 
     /// Wound the other way, so that the loops cover nothing there.
-    static void addTurned(const PolygonSet& polygons, LoopSet& loops) {
+    static void addReversed(const PolygonSet& polygons, LoopSet& loops) {
         for (std::size_t i = 0; i < polygons.loopCount(); ++i) {
             const std::span<const Point> loop = polygons.loop(i);
             loops.points.insert(loops.points.end(), loop.rbegin(), loop.rend());

@@ -1,10 +1,10 @@
 #include "model/export/meshes/united.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 #include <utility>
 
+#include "model/base/disjoint_sets.h"
 #include "model/geometry/box_index.h"
 
 namespace model {
@@ -21,34 +21,15 @@ std::vector<Box> boxesOf(const PolygonSet& set) {
     return boxes;
 }
 
-/// Polygons that hang together by their boxes have one root.
-class Groups {
-public:
-    explicit Groups(const std::vector<Box>& boxes) : m_parent(boxes.size()) {
-        std::iota(m_parent.begin(), m_parent.end(), 0U);
-        const BoxIndex index(boxes);
-        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-            index.visit(boxes[i], [&](std::uint32_t other) { join(i, other); });
-        }
+/// Polygons that hang together by their boxes.
+DisjointSets groupsOf(const std::vector<Box>& boxes) {
+    DisjointSets groups(boxes.size());
+    const BoxIndex index(boxes);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        index.visit(boxes[i], [&](std::uint32_t other) { groups.join(i, other); });
     }
-
-    std::uint32_t rootOf(std::uint32_t row) {
-        while (m_parent[row] != row) {
-            m_parent[row] = m_parent[m_parent[row]];
-            row = m_parent[row];
-        }
-        return row;
-    }
-
-private:
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = rootOf(a);
-        b = rootOf(b);
-        m_parent[std::max(a, b)] = std::min(a, b);
-    }
-
-    std::vector<std::uint32_t> m_parent;
-};
+    return groups;
+}
 
 void append(const PolygonSet& set, std::size_t row, LoopSet& to) {
     const PolygonSet::Polygon& polygon = set.polygons[row];
@@ -68,10 +49,10 @@ LoopSet loopsOf(const PolygonSet& set, std::size_t row) {
 }
 
 std::vector<LoopSet> uniteNear(const PolygonSet& set, std::size_t atOnce) {
-    Groups groups(boxesOf(set));
+    DisjointSets groups = groupsOf(boxesOf(set));
     std::vector<std::pair<std::uint32_t, std::uint32_t>> members;  // of a root, rising
     for (std::uint32_t i = 0; i < set.polygons.size(); ++i) {
-        members.emplace_back(groups.rootOf(i), i);
+        members.emplace_back(groups.find(i), i);
     }
     std::ranges::sort(members);
     std::vector<LoopSet> united;

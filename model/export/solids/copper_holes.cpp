@@ -64,6 +64,11 @@ std::vector<RegionSearch> CopperHoles::near(LayerId layer, const Box& box) const
     return holes ? holes->near(box) : std::vector<RegionSearch>();
 }
 
+std::size_t CopperHoles::countNear(LayerId layer, const Box& box) const {
+    const std::shared_ptr<const HoleRegions>& holes = m_ofLayers[layer.row()];
+    return holes ? holes->countNear(box) : 0;
+}
+
 void CopperHoles::compare(std::span<const ElementId> elements) {
     std::unordered_map<ShapeKey, std::uint32_t, ShapeKeyHash> uses;
     for (const ElementId element : elements) {

@@ -21,6 +21,7 @@ public:
 
     /// Near a box on that layer; none on a layer that is no copper.
     [[nodiscard]] std::vector<RegionSearch> near(LayerId layer, const Box& box) const;
+    [[nodiscard]] std::size_t countNear(LayerId layer, const Box& box) const;
 
     /// Compares how those of these elements are drilled that have a shape in common with others.
     void compare(std::span<const ElementId> elements);

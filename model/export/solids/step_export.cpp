@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
+#include <vector>
 
 #include "model/export/solids/step_assembly.h"
 #include "model/export/solids/step_solid_text.h"
@@ -217,7 +219,7 @@ double cornersOf(const StepSolids& step, ElementId element) {
         return kCornersOfPlain;
     }
     const LayerId layer = document.elements.layer[element.row()];
-    const auto holes = static_cast<double>(step.holes->near(layer, document.boxOf(element)).size());
+    const auto holes = static_cast<double>(step.holes->countNear(layer, document.boxOf(element)));
     const ShapeId shape = document.areas[document.elements.geometry[element.row()]].shape;
     double corners = kCornersOfPlain + holes;
     for (const Contour& contour : document.shapes.contoursOf(shape)) {
@@ -268,20 +270,20 @@ private:
     /// A sample in which each element appears as often as it has corners, so that planes, which are most of a file, are
     /// all in it.
     double sampledBytes(const StepSolids& step, std::span<const ElementId> elements) {
-        double corners = 0.0;
+        std::vector<double> corners;
+        corners.reserve(elements.size());
         for (const ElementId element : elements) {
-            corners += cornersOf(step, element);
+            corners.push_back(cornersOf(step, element));
         }
-        const double stride = std::max(corners / kSampled, 1.0);
+        const double stride = std::max(std::accumulate(corners.begin(), corners.end(), 0.0) / kSampled, 1.0);
         double bytes = 0.0;
         double next = stride / 2;
-        for (const ElementId element : elements) {
-            const double own = cornersOf(step, element);
-            next -= own;
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            next -= corners[i];
             if (next < 0) {
                 const double picks = std::floor(-next / stride) + 1;
                 next += picks * stride;
-                bytes += picks * stride / own * bytesOf(m_plan.shellsOf(step, element).shells);
+                bytes += picks * stride / corners[i] * bytesOf(m_plan.shellsOf(step, elements[i]).shells);
             }
         }
         return bytes;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "model/base/disjoint_sets.h"
 #include "model/board/holes.h"
 #include "model/board/laser_via.h"
 #include "model/geometry/loops/edge_union.h"
@@ -133,26 +134,6 @@ Regions joined(Regions group) {
     return unionOf(group).regions;
 }
 
-class Groups {
-public:
-    explicit Groups(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), 0U); }
-
-    std::uint32_t rootOf(std::uint32_t row) {
-        while (m_parent[row] != row) {
-            row = m_parent[row] = m_parent[m_parent[row]];
-        }
-        return row;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = rootOf(a);
-        b = rootOf(b);
-        m_parent[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> m_parent;
-};
-
 std::vector<Box> boxesOf(std::span<const RegionSearch> regions) {
     std::vector<Box> boxes;
     std::ranges::transform(regions, std::back_inserter(boxes), &RegionSearch::box);
@@ -174,17 +155,17 @@ bool areOne(const RegionSearch& a, const RegionSearch& b) {
 
 std::vector<RegionSearch> withoutOverlaps(std::vector<RegionSearch> holes) {
     const BoxIndex index(boxesOf(holes));
-    Groups groups(holes.size());
+    DisjointSets groups(holes.size());
     for (std::uint32_t row = 0; row < holes.size(); ++row) {
         index.visit(holes[row].box().grownBy(kJoining), [&](std::uint32_t other) {
-            if (other > row && groups.rootOf(row) != groups.rootOf(other) && areOne(holes[row], holes[other])) {
+            if (other > row && groups.find(row) != groups.find(other) && areOne(holes[row], holes[other])) {
                 groups.join(row, other);
             }
         });
     }
     std::vector<std::vector<std::uint32_t>> members(holes.size());
     for (std::uint32_t row = 0; row < holes.size(); ++row) {
-        members[groups.rootOf(row)].push_back(row);
+        members[groups.find(row)].push_back(row);
     }
     std::vector<RegionSearch> apart;
     for (const std::vector<std::uint32_t>& group : members) {
@@ -246,6 +227,12 @@ std::vector<RegionSearch> HoleRegions::near(const Box& box) const {
     found.reserve(rows.size());
     std::ranges::transform(rows, std::back_inserter(found), [this](std::uint32_t row) { return m_regions[row]; });
     return found;
+}
+
+std::size_t HoleRegions::countNear(const Box& box) const {
+    std::size_t count = 0;
+    m_index.visit(box, [&](std::uint32_t) { ++count; });
+    return count;
 }
 
 RegionBoolean drilled(EdgeLoops region, std::span<const RegionSearch> holes) {

@@ -23,6 +23,8 @@ public:
 
     /// Those whose boxes meet this one, in an order that depends on the holes only.
     [[nodiscard]] std::vector<RegionSearch> near(const Box& box) const;
+    /// How many those are.
+    [[nodiscard]] std::size_t countNear(const Box& box) const;
 
 private:
     std::vector<RegionSearch> m_regions;

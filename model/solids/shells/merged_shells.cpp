@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 
+#include "model/base/disjoint_sets.h"
 #include "model/geometry/box_index.h"
 #include "model/geometry/loops/edge_union.h"
 #include "model/solids/shells/element_shells.h"
@@ -14,23 +14,6 @@ namespace {
 
 using Regions = std::vector<EdgeLoops>;
 
-/// Rows that are joined directly or by others.
-class Groups {
-public:
-    explicit Groups(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), 0u); }
-
-    [[nodiscard]] std::uint32_t groupOf(std::uint32_t row) {
-        while (m_parent[row] != row) {
-            row = m_parent[row] = m_parent[m_parent[row]];
-        }
-        return row;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { m_parent[groupOf(a)] = groupOf(b); }
-
-private:
-    std::vector<std::uint32_t> m_parent;
-};
-
 /// The regions whose boxes touch each other, directly or by others. Empties `regions`.
 std::vector<Regions> groupsOf(Regions& regions) {
     std::vector<Box> boxes;
@@ -39,14 +22,14 @@ std::vector<Regions> groupsOf(Regions& regions) {
         boxes.push_back(boxOf(region));
     }
     const BoxIndex index(boxes);
-    Groups groups(regions.size());
+    DisjointSets groups(regions.size());
     for (std::uint32_t row = 0; row < regions.size(); ++row) {
         index.visit(boxes[row], [&](std::uint32_t other) { groups.join(row, other); });
     }
     std::vector<std::uint32_t> place(regions.size(), static_cast<std::uint32_t>(regions.size()));
     std::vector<Regions> found;
     for (std::uint32_t row = 0; row < regions.size(); ++row) {
-        std::uint32_t& at = place[groups.groupOf(row)];
+        std::uint32_t& at = place[groups.find(row)];
         if (at == regions.size()) {
             at = static_cast<std::uint32_t>(found.size());
             found.emplace_back();

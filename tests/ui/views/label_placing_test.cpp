@@ -76,12 +76,12 @@ private slots:
     void roomIsAsWithoutAGrid() {
         QRandomGenerator random(11);
         ui::LabelRoom room;
-        std::vector<ui::TurnedBox> taken;
+        std::vector<ui::RotatedBox> taken;
         int refused = 0;
         for (int i = 0; i < 1500; ++i) {
-            const ui::TurnedBox box{{random.bounded(1600.0), random.bounded(1000.0)},
-                                    {10.0 + random.bounded(80.0), 6.0 + random.bounded(30.0)},
-                                    random.bounded(180.0) - 90.0};
+            const ui::RotatedBox box{{random.bounded(1600.0), random.bounded(1000.0)},
+                                     {10.0 + random.bounded(80.0), 6.0 + random.bounded(30.0)},
+                                     random.bounded(180.0) - 90.0};
             const bool isFree = std::ranges::none_of(taken, [&](const auto& other) { return other.meets(box); });
             QCOMPARE(room.take(box), isFree);
             if (isFree) {

@@ -48,7 +48,7 @@ private slots:
         QVERIFY(Settings(iniFile()).areKept());
         Settings settings(QStringLiteral("/dev/null/folder/settings.ini"));
         QVERIFY(!settings.areKept());
-        QCOMPARE(settings.place(), "/dev/null/folder/settings.ini");
+        QCOMPARE(settings.path(), "/dev/null/folder/settings.ini");
         settings.choose(ui::Theme::Dark);
         QCOMPARE(settings.choice<ui::Theme>(), ui::Theme::Dark);
     }
