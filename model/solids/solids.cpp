@@ -39,6 +39,12 @@ Layer plateLayer(std::string name, LayerType type, LayerSide side, Nm bottom, Nm
     return layer;
 }
 
+bool hasArcs(const ShapeTable& shapes, ShapeId shape) {
+    return std::ranges::any_of(shapes.contoursOf(shape), [&](const Contour& contour) {
+        return std::ranges::any_of(shapes.nodesOf(contour), [](const PathNode& node) { return isArc(node.edge); });
+    });
+}
+
 /// What all of the shapes cover together; where one of them lies in the others, that one, with its arcs. None where
 /// they cover nothing together.
 ShapeId intersectionOf(DocumentBuilder& builder, const std::vector<ShapeId>& shapes) {
@@ -61,7 +67,15 @@ ShapeId intersectionOf(DocumentBuilder& builder, const std::vector<ShapeId>& sha
         }
     }
     const ShapeSketch sketch = sketchOf(all);
-    return sketch.isEmpty() ? ShapeId{} : builder.addShape(sketch);
+    if (sketch.isEmpty()) {
+        return {};
+    }
+    if (std::ranges::any_of(shapes, [&](ShapeId shape) { return hasArcs(builder.shapes(), shape); })) {
+        builder.diagnostics().report(Severity::Warning, "", 0,
+                                     "outlines of zones cross each other; where the substrate is within both of them "
+                                     "its outline has straight edges within 1 µm in place of arcs");
+    }
+    return builder.addShape(sketch);
 }
 
 void planBody(DocumentBuilder& builder, std::vector<Plate>& plates) {

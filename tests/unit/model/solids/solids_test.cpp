@@ -5,7 +5,9 @@
 #include "model/base/parallel.h"
 #include "model/figures/element_polygons.h"
 #include "model/geometry/discretise.h"
+#include "tests/unit/model/hand_made.h"
 
+using hand_made::kMm;
 using model::DocumentBuilder;
 using model::ElementId;
 using model::Layer;
@@ -88,6 +90,44 @@ std::shared_ptr<const model::Document> boardWithMask() {
     return withSolids(builder);
 }
 
+model::ShapeSketch upTo6Mm() {
+    return hand_made::rectangle({0, 0}, {6 * kMm, 10 * kMm});
+}
+
+/// Three copper layers of a square of 10 mm, and two dielectrics between them with outlines of their own.
+std::shared_ptr<const model::Document> twoZones(const model::ShapeSketch& upper, const model::ShapeSketch& lower) {
+    DocumentBuilder builder;
+    addSquare(builder);
+    const auto addCopper = [&](model::Nm z) {
+        Layer layer;
+        layer.type = LayerType::Signal;
+        layer.z = z;
+        layer.thickness = 100'000;
+        builder.addLayer(layer);
+    };
+    const auto addDielectric = [&](model::Nm z, const model::ShapeSketch& outline, std::uint32_t group) {
+        Layer layer;
+        layer.type = LayerType::Dielectric;
+        layer.z = z;
+        layer.thickness = 500'000;
+        layer.profile = builder.addShape(outline);
+        layer.outlineGroup = group;
+        builder.addLayer(layer);
+    };
+    addCopper(1'200'000);
+    addDielectric(700'000, upper, 1);
+    addCopper(600'000);
+    addDielectric(100'000, lower, 2);
+    addCopper(0);
+    return withSolids(builder);
+}
+
+bool saysThatArcsAreLost(const model::Document& document) {
+    return std::ranges::any_of(document.diagnostics.entries(), [](const model::Diagnostic& entry) {
+        return entry.text.find("straight edges within 1 µm") != std::string::npos;
+    });
+}
+
 }  // namespace
 
 class SolidsTest : public QObject {
@@ -121,29 +161,7 @@ private slots:
 
     /// A dielectric to x = 6 mm, the next from x = 4 mm on; copper between them has resin beside it where they overlap.
     void besideCopperTheBodyIsWhereBothDielectricsAre() {
-        DocumentBuilder builder;
-        addSquare(builder);
-        std::uint32_t group = 0;
-        const auto add = [&](LayerType type, model::Nm z, model::Nm from, model::Nm to) {
-            Layer layer;
-            layer.type = type;
-            layer.z = z;
-            layer.thickness = type == LayerType::Dielectric ? 500'000 : 100'000;
-            if (type == LayerType::Dielectric) {
-                model::ShapeSketch outline;
-                const model::Point corners[] = {{from, 0}, {to, 0}, {to, 10'000'000}, {from, 10'000'000}};
-                outline.addPolygon(corners, false);
-                layer.profile = builder.addShape(outline);
-                layer.outlineGroup = ++group;
-            }
-            builder.addLayer(layer);
-        };
-        add(LayerType::Signal, 1'200'000, 0, 0);
-        add(LayerType::Dielectric, 700'000, 0, 6'000'000);
-        add(LayerType::Signal, 600'000, 0, 0);
-        add(LayerType::Dielectric, 100'000, 4'000'000, 10'000'000);
-        add(LayerType::Signal, 0, 0, 0);
-        const auto document = withSolids(builder);
+        const auto document = twoZones(upTo6Mm(), hand_made::rectangle({4 * kMm, 0}, {10 * kMm, 10 * kMm}));
         std::vector<double> areas;
         for (const Layer& layer : document->layers) {
             if (layer.type == LayerType::Body) {
@@ -151,6 +169,22 @@ private slots:
             }
         }
         QCOMPARE(areas, (std::vector<double>{60.0, 20.0, 60.0}));
+        QVERIFY(!saysThatArcsAreLost(*document));
+    }
+
+    void outlinesThatCrossLoseTheirArcsAndSayIt_data() {
+        QTest::addColumn<int>("centreXMm");
+        QTest::addColumn<bool>("isLost");
+        QTest::newRow("across the edge of the other") << 6 << true;
+        QTest::newRow("within the other") << 3 << false;
+        QTest::newRow("apart") << 8 << false;
+    }
+    void outlinesThatCrossLoseTheirArcsAndSayIt() {
+        QFETCH(int, centreXMm);
+        QFETCH(bool, isLost);
+        model::ShapeSketch disc;
+        disc.addCircle({centreXMm * kMm, 5 * kMm}, kMm, false);
+        QCOMPARE(saysThatArcsAreLost(*twoZones(upTo6Mm(), disc)), isLost);
     }
 
     void solderMaskIsTheOutlineMinusOpeningsAndOpenHoles() {
