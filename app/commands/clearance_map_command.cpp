@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/commands/clearance_map_image.h"
+#include "app/common/window_option.h"
 #include "model/base/thickness_units.h"
 #include "model/clearance/board_distances.h"
 #include "model/clearance/clearance.h"
@@ -60,28 +61,9 @@ base::Result<double> reachOf(const std::string& text) {
     return static_cast<double>(reach);
 }
 
-/// The lower left corner and the size of what is mapped, nm.
-struct Window {
-    PointD corner;
-    PointD size;
-};
-
-base::Result<Window> windowOf(const std::vector<double>& window, const base::Box& board) {
-    if (window.empty()) {
-        return Window{base::toDouble(board.min),
-                      {static_cast<double>(board.width()), static_cast<double>(board.height())}};
-    }
-    const auto [x0, x1] = std::minmax(window[0], window[2]);
-    const auto [y0, y1] = std::minmax(window[1], window[3]);
-    if (!(x0 < x1 && y0 < y1)) {
-        return refused("the window is empty");
-    }
-    return Window{{x0 * base::kNmPerMm, y0 * base::kNmPerMm}, {(x1 - x0) * base::kNmPerMm, (y1 - y0) * base::kNmPerMm}};
-}
-
 /// Says how many cells there would be before anything is made of so many.
-base::Result<MapFrame> frameFor(const Window& window, const std::string& resolution, Form form) {
-    const double longest = std::max(window.size.x, window.size.y);
+base::Result<MapFrame> frameFor(const base::Box& window, const std::string& resolution, Form form) {
+    const double longest = static_cast<double>(std::max(window.width(), window.height()));
     double cell = std::ceil(longest / (form == Form::Picture ? kPictureCells : kTableCells));
     if (!resolution.empty()) {
         ASSIGN_OR_RETURN(const base::Nm wanted, model::parseLength(resolution));
@@ -90,8 +72,8 @@ base::Result<MapFrame> frameFor(const Window& window, const std::string& resolut
     if (!(cell >= 1.0) || cell > model::kMostMapCell) {
         return refused("the cells of a clearance map have sides of 1 nm to 10 mm");
     }
-    const double width = std::ceil(window.size.x / cell);
-    const double height = std::ceil(window.size.y / cell);
+    const double width = std::ceil(static_cast<double>(window.width()) / cell);
+    const double height = std::ceil(static_cast<double>(window.height()) / cell);
     const double most = form == Form::Picture ? double{model::kMostMapCells} : kMostTableCells;
     if (width * height > most) {
         return refused(
@@ -99,7 +81,7 @@ base::Result<MapFrame> frameFor(const Window& window, const std::string& resolut
                              "coarser --resolution or a smaller --window makes it smaller",
                              width, height, form == Form::Picture ? "picture" : "table", most));
     }
-    return MapFrame{window.corner, cell, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+    return MapFrame{base::toDouble(window.min), cell, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
 }
 
 base::Status write(const ClearanceMapArguments& arguments, Form form, const model::Document& board,
@@ -120,7 +102,11 @@ Outcome runClearanceMap(const ClearanceMapArguments& arguments, const model::Doc
     ASSIGN_OR_RETURN(const model::LayerId onLayer, layerOf(board, layer));
     ASSIGN_OR_RETURN(const double reach, reachOf(arguments.reach));
     ASSIGN_OR_RETURN(const auto distances, model::BoardDistances::betweenNets(board, onLayer, progress));
-    ASSIGN_OR_RETURN(const Window window, windowOf(arguments.window, distances.extent()));
+    base::Box window = distances.extent();
+    if (!arguments.window.empty()) {
+        ASSIGN_OR_RETURN(window, boxOfWindow(arguments.window));
+        RETURN_IF_ERROR(checkMeets(window, board.extent));
+    }
     ASSIGN_OR_RETURN(const MapFrame frame, frameFor(window, arguments.resolution, form));
     const auto detail = form == Form::Table ? model::MapDetail::Nets : model::MapDetail::Distances;
     ASSIGN_OR_RETURN(const model::ClearanceMap map, distances.map(frame, reach, progress, detail));

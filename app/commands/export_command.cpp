@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "app/common/console_progress.h"
+#include "app/common/window_option.h"
 #include "model/base/thickness_units.h"
 #include "model/export/files/export_file.h"
 #include "render/scene/layer_style.h"
@@ -38,16 +39,6 @@ private:
     void (*m_before)(int) = nullptr;
 };
 
-Result<base::Box> windowOf(const std::vector<double>& window) {
-    const auto nm = [](double mm) { return static_cast<base::Nm>(std::llround(mm * base::kNmPerMm)); };
-    const auto [x0, x1] = std::minmax(window[0], window[2]);
-    const auto [y0, y1] = std::minmax(window[1], window[3]);
-    if (x0 == x1 || y0 == y1 || std::max({-x0, x1, -y0, y1}) * base::kNmPerMm > base::kMaxCoordinate) {
-        return base::Error{ErrorCode::BadUsage, "--window is empty or larger than a board can be"};
-    }
-    return base::Box{{nm(x0), nm(y0)}, {nm(x1), nm(y1)}};
-}
-
 Result<model::SolidChoice> choiceOf(const Document& board, const ExportArguments& arguments) {
     model::SolidChoice choice;
     for (const std::string& name : arguments.layers) {
@@ -56,7 +47,7 @@ Result<model::SolidChoice> choiceOf(const Document& board, const ExportArguments
     }
     choice.nets = arguments.nets;
     if (!arguments.window.empty()) {
-        ASSIGN_OR_RETURN(choice.window, windowOf(arguments.window));
+        ASSIGN_OR_RETURN(choice.window, boxOfWindow(arguments.window));
     }
     if (!arguments.minHole.empty()) {
         ASSIGN_OR_RETURN(choice.minHole, model::parseLength(arguments.minHole));
@@ -133,6 +124,17 @@ base::Status checkChords(const model::ExportFormat& format, const ExportArgument
     return base::Done{};
 }
 
+/// Who saves them may set them with any file.
+base::Status checkThicknesses(const model::ExportFormat& format, const ExportArguments& arguments) {
+    const bool isSet = !arguments.board.request.thicknesses.empty() && !arguments.board.saveSession;
+    if (isSet && !format.isSolid) {
+        return base::Error{ErrorCode::BadUsage, std::string(format.name) +
+                                                    " is flat: --set-thickness is for solids and triangles, or with "
+                                                    "--save-session"};
+    }
+    return base::Done{};
+}
+
 }  // namespace
 
 Outcome runExport(const ExportArguments& arguments) {
@@ -143,6 +145,7 @@ Outcome runExport(const ExportArguments& arguments) {
             arguments.output + ": what the name ends with is the format; it is one of " + model::exportEndings()};
     }
     RETURN_IF_ERROR(checkChords(*format, arguments));
+    RETURN_IF_ERROR(checkThicknesses(*format, arguments));
     ConsoleProgress console;
     const Interrupt interrupt(console.progress());
     ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));

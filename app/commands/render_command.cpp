@@ -9,6 +9,7 @@
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
 #include "app/common/memory_limit.h"
+#include "app/common/window_option.h"
 #include "model/board/copies.h"
 #include "render/frame/transparent.h"
 #include "render/gpu/check.h"
@@ -272,6 +273,7 @@ base::Status checkMode(const RenderArguments& arguments) {
         {"--silkscreen-colour", !arguments.silkscreenColour.empty(), false},
         {"--finish", !arguments.finish.empty(), false},
         {"--as-designed", arguments.isAsDesigned, false},
+        {"--set-thickness", !arguments.board.request.thicknesses.empty() && !arguments.board.saveSession, false},
     };
     for (const auto& option : options) {
         if (option.isGiven && option.isOf2d != is2d) {
@@ -310,12 +312,28 @@ base::Status checkArguments(const RenderArguments& arguments) {
     if (extension != ".png" && extension != ".PNG") {
         return base::Error{ErrorCode::BadUsage, arguments.output + ": pictures are written as .png"};
     }
-    if (!arguments.window.empty() &&
-        (arguments.window[0] == arguments.window[2] || arguments.window[1] == arguments.window[3])) {
-        return base::Error{ErrorCode::BadUsage, "the window is empty"};
+    if (!arguments.window.empty()) {
+        ASSIGN_OR_RETURN([[maybe_unused]] const base::Box window, boxOfWindow(arguments.window));
     }
     RETURN_IF_ERROR(checkMode(arguments));
     return checkPipeline(arguments);
+}
+
+/// Drawings may lie beside the board.
+base::Status checkWindow(const RenderArguments& arguments, const Document& document,
+                         const std::vector<render::LayerStyle>& styles) {
+    if (arguments.window.empty()) {
+        return base::Done{};
+    }
+    base::Box extent = document.extent;
+    for (std::size_t row = 0; row < styles.size(); ++row) {
+        const model::Range elements = styles[row].isVisible ? document.layers[row].elements : model::Range{};
+        for (std::uint32_t i = 0; i < elements.count; ++i) {
+            extent.include(document.boxOf(model::ElementId{elements.first + i}));
+        }
+    }
+    ASSIGN_OR_RETURN(const base::Box window, boxOfWindow(arguments.window));
+    return checkMeets(window, extent);
 }
 
 base::Status renderToFile(const RenderArguments& arguments) {
@@ -324,6 +342,7 @@ base::Status renderToFile(const RenderArguments& arguments) {
     std::future<Result<Painter>> opening = beginOpening(arguments);
     ASSIGN_OR_RETURN(const std::shared_ptr<const Document> document, readDocument(arguments));
     ASSIGN_OR_RETURN(const std::vector<render::LayerStyle> styles, chooseLayers(*document, arguments));
+    RETURN_IF_ERROR(checkWindow(arguments, *document, styles));
     ASSIGN_OR_RETURN(const Highlights highlight, elementsOfNets(*document, arguments.nets));
     ASSIGN_OR_RETURN(const std::shared_ptr<const render::SectionCut> cut, cutOf(arguments, document));
     ASSIGN_OR_RETURN(const render::Image image,

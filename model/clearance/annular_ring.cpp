@@ -77,7 +77,8 @@ AnnularRing ringOf(const Document& document, const LayerGeometry& copper, Elemen
     return pads.empty() ? best : ofPads;
 }
 
-std::vector<ElementId> holesThrough(const Document& document, LayerId layer) {
+/// Those whose barrels join the layer.
+std::vector<ElementId> platedHolesOf(const Document& document, LayerId layer) {
     std::vector<ElementId> holes;
     for (const Layer& drill : document.layers) {
         const Range range = drill.spans(layer) ? drill.elements : Range{};
@@ -96,7 +97,7 @@ std::vector<ElementId> holesThrough(const Document& document, LayerId layer) {
 
 std::vector<AnnularRing> annularRings(const Document& document, LayerId layer, double below) {
     const LayerGeometry copper = layerGeometry(document, layer);
-    const std::vector<ElementId> holes = holesThrough(document, layer);
+    const std::vector<ElementId> holes = platedHolesOf(document, layer);
     std::vector<AnnularRing> rings(holes.size());
     base::parallelFor(holes.size(), [&](std::size_t i) { rings[i] = ringOf(document, copper, holes[i], below); });
     return rings;

@@ -276,6 +276,7 @@ private slots:
         row("export -o x.step --chord 3", "has the exact curves");
         row("export -o x.svg --paper-segments", "has the exact curves");
         row("export -o x.svg --as-designed", "whole layers");
+        row("export -o x.svg --set-thickness DIELECTRIC_1=1mm", "is flat");
         ofRender("--mode 3d --window 1,1,5,5", "--window is for pictures in 2D");
         ofRender("--outlines", "--outlines is for pictures in 2D");
         ofRender("--mode 2d --clip 0,0,9,9", "--clip is for pictures in 3D");
@@ -284,6 +285,8 @@ private slots:
         ofRender("--mode 2d --mask-colour blue", "--mask-colour is for pictures in 3D");
         ofRender("--mode 2d --silkscreen-colour blue", "--silkscreen-colour is for pictures in 3D");
         ofRender("--mode 2d --finish tin", "--finish is for pictures in 3D");
+        ofRender("--mode 2d --set-thickness DIELECTRIC_1=1mm", "--set-thickness is for pictures in 3D");
+        ofRender("--window 900,900,901,901", "--window lies beside the board");
         ofRender("--mode 2d --as-designed", "--as-designed is for pictures in 3D");
         ofRender("--components --layers L01-TOP_LAYER", "excludes");
         ofRender("--mono --net GND", "excludes");

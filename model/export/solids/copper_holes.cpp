@@ -70,24 +70,23 @@ std::size_t CopperHoles::countNear(LayerId layer, const Box& box) const {
 }
 
 void CopperHoles::compare(std::span<const ElementId> elements) {
+    std::vector<std::pair<ElementId, SharedShape>> sharing;
     std::unordered_map<ShapeKey, std::uint32_t, ShapeKeyHash> uses;
     for (const ElementId element : elements) {
         if (const auto shape = model::sharedShapeOf(*m_document, element)) {
             ++uses[shape->key];
+            sharing.emplace_back(element, *shape);
         }
     }
+    std::erase_if(sharing, [&](const auto& user) { return uses[user.second.key] < 2; });
     Shapes shapes(*m_document);
-    for (const ElementId element : elements) {
-        const auto shape = model::sharedShapeOf(*m_document, element);
-        if (!shape || uses[shape->key] < 2) {
-            continue;
-        }
+    for (const auto& [element, shape] : sharing) {
         const std::vector<RegionSearch> holes =
             near(m_document->elements.layer[element.row()], m_document->boxOf(element));
         if (holes.empty()) {
             continue;
         }
-        const std::optional<Pattern> pattern = patternOf(*shape, holes, shapes);
+        const std::optional<Pattern> pattern = patternOf(shape, holes, shapes);
         if (!pattern) {
             m_drilled.push_back({element, std::nullopt});
         } else if (!pattern->empty()) {
