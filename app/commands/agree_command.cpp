@@ -43,7 +43,9 @@ base::Result<model::OpenedBoard> open(const AgreeArguments& arguments, const std
     request.path = path;
     request.noSession = true;
     request.format = format.empty() ? request.format : format;
-    return model::openBoard(request, progress);
+    ASSIGN_OR_RETURN(model::OpenedBoard board, model::openBoard(request, progress));
+    sayErrors(*board.document);
+    return board;
 }
 
 /// One of them is enough: a Gerber job is often compared with a board of another format.

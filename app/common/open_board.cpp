@@ -30,6 +30,25 @@ base::Status checkLayerMap(const model::OpenedBoard& board) {
                            board.format + ", where they say it themselves"};
 }
 
+namespace {
+
+/// Errors that are named on stderr, one by one.
+constexpr std::size_t kNamedErrors = 5;
+
+}  // namespace
+
+void sayErrors(const model::Document& document) {
+    std::size_t errors = 0;
+    for (const model::Diagnostic& entry : document.diagnostics.entries()) {
+        if (entry.severity == model::Severity::Error && errors++ < kNamedErrors) {
+            std::fprintf(stderr, "%s:%u: error: %s\n", entry.file.c_str(), entry.line, entry.text.c_str());
+        }
+    }
+    if (errors > kNamedErrors) {
+        std::fprintf(stderr, "... and %zu more errors, which copperscope info lists\n", errors - kNamedErrors);
+    }
+}
+
 base::Result<model::OpenedBoard> openWithSession(const BoardArguments& arguments, base::Progress& progress) {
     if (arguments.saveSession && arguments.request.thicknesses.empty() && !arguments.request.noSession) {
         return base::Error{base::ErrorCode::BadUsage,
@@ -40,6 +59,7 @@ base::Result<model::OpenedBoard> openWithSession(const BoardArguments& arguments
     for (const std::string& note : board.notes) {
         std::fprintf(stderr, "copperscope: %s\n", note.c_str());
     }
+    sayErrors(*board.document);
     if (arguments.saveSession) {
         RETURN_IF_ERROR(model::session::saveThicknesses(board.request.path, *board.document, board.thicknesses.all()));
     }

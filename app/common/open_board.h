@@ -25,8 +25,13 @@ struct BoardArguments {
 /// Errors: BadUsage if a layer map is named and the board is none of Gerber, which alone has a use for it.
 [[nodiscard]] base::Status checkLayerMap(const model::OpenedBoard& board);
 
-/// model::openBoard; what of the session is not used is said on stderr. Errors: also those of checkLayerMap; BadUsage
-/// if there is nothing to save in the session; OutputFailed when that cannot be saved.
+/// Says on stderr what of the job could not be read, with file and line, and so is not on the board, or not as it should
+/// be. What else was noticed is for `info`.
+void sayErrors(const model::Document& document);
+
+/// model::openBoard; what of the job could not be read (sayErrors) and what of the session is not used is said on
+/// stderr. Errors: also those of checkLayerMap; BadUsage if there is nothing to save in the session; OutputFailed when
+/// that cannot be saved.
 [[nodiscard]] base::Result<std::shared_ptr<const model::Document>> openDocument(const BoardArguments& arguments,
                                                                                 base::Progress& progress);
 /// The same with all that is known of it.

@@ -66,6 +66,7 @@ public:
         : m_document(document), m_table(table), m_choice(choice) {}
 
     std::vector<Unchecked> run() {
+        addWhatIsMissing();
         addCopperWithoutNets();
         addNamesOfNothing();
         addEdges();
@@ -95,6 +96,23 @@ private:
 
     [[nodiscard]] std::size_t copperCount() const {
         return countOf(m_document, isCopperLayer, [](std::uint32_t) { return true; });
+    }
+
+    /// What could not be read may break every rule.
+    void addWhatIsMissing() {
+        const std::size_t errors = m_document.diagnostics.count(Severity::Error);
+        if (errors == 0) {
+            return;
+        }
+        const Diagnostic& first =
+            *std::ranges::find(m_document.diagnostics.entries(), Severity::Error, &Diagnostic::severity);
+        const std::string why = "not all of the job could be read: " + first.file + ':' + std::to_string(first.line) +
+                                ": " + first.text;
+        for (std::size_t rule = 0; rule < m_table.rules.size(); ++rule) {
+            if (m_table.rules[rule].isOn) {
+                m_items.push_back({rule, errors, errors == 1 ? "error" : "errors", why});
+            }
+        }
     }
 
     void addCopperWithoutNets() {

@@ -345,6 +345,29 @@ private slots:
         QVERIFY(run.err.contains("/nowhere/board.tgz"));
     }
 
+    /// Nobody may take half a board for a whole one, least of all a script that looks at exit codes.
+    void whatCouldNotBeReadIsSaidByAllCommands() {
+        const QTemporaryDir folder;
+        QFile whole(locations::kTestData + QStringLiteral("/kicad/small.kicad_pcb"));
+        QFile cut(folder.filePath("cut.kicad_pcb"));
+        QVERIFY(whole.open(QIODevice::ReadOnly) && cut.open(QIODevice::WriteOnly));
+        cut.write(whole.read(whole.size() * 2 / 3));
+        cut.close();
+        const QByteArray loss = "error: The file ends before the board does; it was cut off";
+        const auto run = [&](QStringList words) { return copperscope(words, folder.path()); };
+        for (const QStringList& words : {QStringList{"export", "cut.kicad_pcb", "-o", "cut.svg"},
+                                         QStringList{"render", "cut.kicad_pcb", "-o", "cut.png", "--size", "64x64"},
+                                         QStringList{"agree", "cut.kicad_pcb", "cut.kicad_pcb"},
+                                         QStringList{"info", "cut.kicad_pcb"}}) {
+            const Outcome said = run(words);
+            QVERIFY2(said.exitCode == 0 && said.err.contains(loss), said.err.constData());
+        }
+        const QStringList rules{"clearance", "cut.kicad_pcb", "--rules", "default"};
+        QVERIFY(run(rules).out.contains("1 error: not all of the job could be read"));
+        QCOMPARE(run(rules).exitCode, 4);
+        QVERIFY(!run({"clearance", whole.fileName(), "--rules", "default"}).out.contains("could be read"));
+    }
+
     void renderWritesOnlyThePicture_data() {
         QTest::addColumn<QStringList>("options");
         QTest::addRow("3D, pull") << QStringList{"--backend", "pull"};

@@ -407,7 +407,8 @@ private slots:
         isRefused(map("huge.png", {"--resolution", "0.1um"}), 1, "cells is too large: a picture has 33554432 at most");
         isRefused(map("huge.csv", {"--resolution", "5um"}), 1, "a table has 4000000 at most");
         isRefused(map("map.png", {"--reach", "11mm"}), 1, "up to 10 mm, not 11mm");
-        isRefused(map("map.png", {"--window", "1,1,1,2"}), 1, "the window is empty");
+        isRefused(map("map.png", {"--window", "1,1,1,2"}), 1, "--window is empty");
+        isRefused(map("map.png", {"--window", "90,90,91,91"}), 1, "--window lies beside the board");
         isRefused(map("map.png", {"--rules", "default"}), 1, "--map");
         isRefused(copperscope({"clearance", locations::kSample, "--map", "m.png", "--layer", "nowhere"}), 1,
                   "no copper layer nowhere");

@@ -32,6 +32,20 @@ std::size_t elementsOfJob(const model::Document& board) {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
+/// The first thing in the job that is not on the board as it should be, and how many more there are.
+QStringList lossesOf(const LoadedBoard& board) {
+    const std::size_t errors = board.document->diagnostics.count(model::Severity::Error);
+    if (errors == 0) {
+        return {};
+    }
+    const auto& first =
+        *std::ranges::find(board.document->diagnostics.entries(), model::Severity::Error, &model::Diagnostic::severity);
+    const QString place = QStringLiteral("%1:%2").arg(QString::fromStdString(first.file)).arg(first.line);
+    const QString loss = Workspace::tr("Not all of %1 could be read. %2 (%3).")
+                             .arg(displayName(board.request.path), QString::fromStdString(first.text), place);
+    return {errors == 1 ? loss : loss + ' ' + Workspace::tr("Messages lists %L1 more errors.").arg(errors - 1)};
+}
+
 /// "Opened board.tgz: 24 layers, 141,000 elements, 3 warnings, in 1.2 s"
 QString summaryOf(const LoadedBoard& board) {
     const auto counted = [](std::size_t count, const QString& one, const QString& many) {
@@ -117,8 +131,8 @@ void Workspace::take(const LoadedBoard& board) {
         restack(model::session::applyThicknesses(m_board->document, later->thicknesses.all()), later->thicknesses,
                 later->areSaved);
     }
-    if (!board.notes.empty()) {
-        reportError(textsOf(board.notes).join('\n'));
+    if (const QStringList troubles = lossesOf(board) + textsOf(board.notes); !troubles.isEmpty()) {
+        reportError(troubles.join('\n'));
     }
     report(summaryOf(*m_board));
 }

@@ -25,6 +25,27 @@ private slots:
         QVERIFY2(badge().text().contains(QString("%1 warnings").arg(warnings)), qPrintable(badge().text()));
     }
 
+    /// A badge alone is overlooked, and half a board is no small matter.
+    void aBoardThatIsCutOffSaysSoAboveTheViews() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("cut.kicad_pcb");
+        QFile whole(locations::kTestData + QStringLiteral("/kicad/small.kicad_pcb"));
+        QFile cut(path);
+        QVERIFY(whole.open(QIODevice::ReadOnly) && cut.open(QIODevice::WriteOnly));
+        cut.write(whole.read(whole.size() * 2 / 3));
+        cut.close();
+        QVERIFY(m_fixture->openAndWait(path));
+        QVERIFY(badge().text().startsWith("1 error"));
+        const QWidget& bar = *window().findChild<QWidget*>("messageBar");
+        QVERIFY(bar.isVisible());
+        const QString text = bar.findChild<QLabel*>()->text();
+        QVERIFY2(text.startsWith("Not all of cut.kicad_pcb could be read. The file ends") &&
+                     text.contains("(cut.kicad_pcb:"),
+                 qPrintable(text));
+        QVERIFY(m_fixture->openAndWait(whole.fileName()));
+        QVERIFY(bar.isHidden());
+    }
+
     void aClickOpensTheListAndASecondClosesIt() {
         QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/everything")));
         const QDockWidget& panel = *window().findChild<QDockWidget*>("messages");

@@ -237,6 +237,20 @@ private slots:
         QCOMPARE(model::textOf(report.unchecked.front()), std::string("1 hole: the job gives them no size"));
     }
 
+    /// Nobody may take a board that was read in part for one without faults.
+    void aJobThatWasReadInPartLeavesAllRulesIncomplete() {
+        Board board;
+        board.builder.diagnostics().report(model::Severity::Error, "board.kicad_pcb", 9, "the file ends early");
+        const auto document = board.builder.finish();
+        const RuleTable table = model::defaultRules();
+        const RuleReport report = check(*document, table);
+        for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
+            QCOMPARE(model::verdictOf(table, report, rule) == model::Verdict::Incomplete, table.rules[rule].isOn);
+        }
+        QCOMPARE(model::textOf(report.unchecked.front()),
+                 std::string("1 error: not all of the job could be read: board.kicad_pcb:9: The file ends early"));
+    }
+
     void aClassWithoutNetsLeavesItsRuleIncomplete() {
         Board board;
         const auto document = board.builder.finish();
