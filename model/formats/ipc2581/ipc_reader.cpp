@@ -63,7 +63,10 @@ public:
             return base::Error{base::ErrorCode::Cancelled, "cancelled"};
         }
         if (steps.empty()) {
-            return badInput(m_path, "the file has no Step in its CadData: there is no board in it");
+            return badInput(m_path, outline.fault.empty()
+                                        ? "the file has no Step in its CadData: there is no board in it"
+                                        : "no sound XML from line " + std::to_string(outline.faultLine) + " on (" +
+                                              std::string(outline.fault) + "), and no board before it");
         }
         const base::Result<std::size_t> shown = choose(steps, wantedStep);
         if (!shown) {

@@ -317,7 +317,7 @@ void ImageParser::addMoved(const std::vector<DrawnFeature>& features, Point by) 
 
 void ImageParser::finish() {
     if (m_isInRegion) {
-        report(Severity::Warning, "the file ends within a region");
+        report(Severity::Error, "the file ends within a region");
         endRegion();
     }
     while (!m_frames.empty()) {

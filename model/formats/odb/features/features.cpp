@@ -302,7 +302,7 @@ private:
 
     void finish() {
         if (m_isInSurface) {
-            m_at.report(Severity::Warning, "the file ends inside a surface");
+            m_at.report(Severity::Error, "the file ends inside a surface");
             endSurface();
         }
         if (m_expected >= 0 && static_cast<std::size_t>(m_expected) != m_file.features.size()) {

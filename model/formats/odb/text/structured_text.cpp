@@ -52,7 +52,7 @@ StructuredText parseStructured(std::string_view text, std::string_view path, Dia
         }
     }
     if (isInside) {
-        diagnostics.report(Severity::Warning, path, parsed.blocks.back().line,
+        diagnostics.report(Severity::Error, path, parsed.blocks.back().line,
                            "the block is not closed: the file ends early");
     }
     return parsed;

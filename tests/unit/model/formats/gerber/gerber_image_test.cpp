@@ -272,6 +272,9 @@ private slots:
         const Image open = parse("G36*X0Y0D02*G01X1000000D01*Y1000000D01*G37*");
         QCOMPARE(open.features.size(), std::size_t{1});
         QVERIFY(isReported(open, "not closed"));
+        const Image cut = parse("G36*X0Y0D02*G01X1000000D01*Y1000000D01*");
+        QVERIFY(isReported(cut, "ends within a region"));
+        QCOMPARE(cut.diagnostics.count(model::Severity::Error), std::size_t{1});
     }
 
     void arcsOfASingleQuadrantFindTheirCentre() {

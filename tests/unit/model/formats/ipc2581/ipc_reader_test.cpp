@@ -447,6 +447,8 @@ private slots:
         QTest::addColumn<QByteArray>("message");
         QTest::newRow("document type") << QByteArray("<!DOCTYPE x [<!ENTITY a 'b'>]><IPC-2581/>")
                                        << QByteArray("line 1: the file has a document type");
+        QTest::newRow("cut off") << QByteArray("<IPC-2581 revision='C'>\n<Content>\n<FunctionMode")
+                                 << QByteArray("no sound XML from line 3 on");
         QTest::newRow("other XML") << QByteArray("<svg/>") << QByteArray("no IPC-2581");
         QTest::newRow("empty") << QByteArray("") << QByteArray("no IPC-2581");
         QTest::newRow("no step") << QByteArray("<IPC-2581><Ecad/></IPC-2581>") << QByteArray("no Step");

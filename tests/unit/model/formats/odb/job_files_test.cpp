@@ -50,7 +50,8 @@ private slots:
         const auto text = model::odb::parseStructured("nonsense\nBLOCK {\nA=1\n", "f", diagnostics);
         QCOMPARE(text.blocks[0].value("A"), std::string_view("1"));
         QVERIFY(findDiagnostic(diagnostics, "neither KEY=value") != nullptr);
-        QVERIFY(findDiagnostic(diagnostics, "not closed") != nullptr);
+        const model::Diagnostic* cut = findDiagnostic(diagnostics, "not closed");
+        QVERIFY(cut != nullptr && cut->severity == model::Severity::Error);
     }
 
     void matrixRowsAndColumnsDecideTheOrder() {

@@ -111,6 +111,11 @@ private slots:
         }
     }
 
+    void aFileThatIsCutOffInASurfaceHasAnError() {
+        const Result result = parse("S P 0\nOB 0 0 I\nOS 1 0\nOS 1 1\nOE\n");
+        QCOMPARE(result.diagnostics.count(model::Severity::Error), std::size_t{1});
+    }
+
     void textsAndBarcodesAreReadInFull() {
         const Result result = parse(
             "UNITS=INCH\nT 1 2 standard N 9 30 0.1 0.2 0.5 'It's; 100' 1;0=1;ID=5\n"
