@@ -6,8 +6,8 @@
 #include "app/bench/bench_command.h"
 #include "app/bench/calibration_bench.h"
 #include "app/bench/triangulation_bench.h"
+#include "app/clearance/clearance_command.h"
 #include "app/commands/agree_command.h"
-#include "app/commands/clearance_command.h"
 #include "app/commands/export_command.h"
 #include "app/commands/generate_command.h"
 #include "app/commands/info_command.h"
@@ -353,7 +353,7 @@ void addExport(CLI::App& parent, Command& chosen) {
     command.add_flag("--outer-only", arguments.isOuterOnly,
                      "only the substrate and the bodies of components; of outer copper in --layers the solder pads");
     command.add_flag("--merge", arguments.isMerged, "touching copper of one net and layer as one solid");
-    command.add_flag("--one-part", arguments.isOnePart, "one part instead of a tree of layers and nets");
+    command.add_flag("--one-part", arguments.isOnePart, "STEP, GLB: one part instead of a tree of layers and nets");
     command.add_flag("--as-designed", arguments.isAsDesigned, "also what is milled away beyond the board outline");
     command.add_flag("--instancing", arguments.isInstanced,
                      "GLB: equal pads of a net as one node (EXT_mesh_gpu_instancing), which not all viewers show");

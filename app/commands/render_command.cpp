@@ -5,11 +5,11 @@
 #include <future>
 #include <memory>
 
+#include "app/commands/render_checks.h"
 #include "app/common/board_styles.h"
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
 #include "app/common/memory_limit.h"
-#include "app/common/window_option.h"
 #include "model/board/copies.h"
 #include "render/frame/transparent.h"
 #include "render/gpu/check.h"
@@ -122,7 +122,7 @@ render::Camera cameraFor(const RenderArguments& arguments, const render::BoardFr
             return glm::vec2(x - base::toMm(model.origin.x), y - base::toMm(model.origin.y));
         };
         camera.fitWindow(corner(arguments.window[0], arguments.window[1]),
-                         corner(arguments.window[2], arguments.window[3]), model.boxMax.z, aspect);
+                         corner(arguments.window[2], arguments.window[3]), model.boxMax.z, aspect, view);
     }
     return camera;
 }
@@ -256,93 +256,13 @@ Result<std::shared_ptr<const Document>> readDocument(const RenderArguments& argu
     return openDocument(arguments.board, console.progress());
 }
 
-/// What only the other kind of picture has.
-base::Status checkMode(const RenderArguments& arguments) {
-    const bool is2d = arguments.mode == "2d";
-    const struct {
-        const char* name;
-        bool isGiven;
-        bool isOf2d;
-    } options[] = {
-        {"--window", !arguments.window.empty(), true},
-        {"--outlines", arguments.isOutlined, true},
-        {"--clip", !arguments.clip.empty(), false},
-        {"--explode", arguments.explode != 0.0F, false},
-        {"--z-scale", !arguments.zScale.empty(), false},
-        {"--mask-colour", !arguments.maskColour.empty(), false},
-        {"--silkscreen-colour", !arguments.silkscreenColour.empty(), false},
-        {"--finish", !arguments.finish.empty(), false},
-        {"--as-designed", arguments.isAsDesigned, false},
-        {"--set-thickness", !arguments.board.request.thicknesses.empty() && !arguments.board.saveSession, false},
-    };
-    for (const auto& option : options) {
-        if (option.isGiven && option.isOf2d != is2d) {
-            return base::Error{ErrorCode::BadUsage,
-                               std::string(option.name) + " is for pictures in " +
-                                   (is2d ? "3D, and --mode 2d or --window draws in 2D" : "2D, which --mode 2d draws")};
-        }
-    }
-    return base::Done{};
-}
-
-/// What the standard pipeline has no use for.
-base::Status checkPipeline(const RenderArguments& arguments) {
-    const RenderArguments usual;
-    const struct {
-        const char* name;
-        bool isGiven;
-    } options[] = {
-        {"--backend", arguments.backend != usual.backend},
-        {"--lod", arguments.levels != usual.levels},
-        {"--triangulator", arguments.board.triangulator != usual.board.triangulator},
-    };
-    for (const auto& option : options) {
-        if (arguments.pipeline == "standard" && option.isGiven) {
-            return base::Error{ErrorCode::BadUsage, std::string(option.name) +
-                                                        " is of the hybrid pipeline; the standard one draws all "
-                                                        "elements alike"};
-        }
-    }
-    return base::Done{};
-}
-
-/// What is wrong with the arguments themselves, before a board is read.
-base::Status checkArguments(const RenderArguments& arguments) {
-    const std::string extension = std::filesystem::path(arguments.output).extension().string();
-    if (extension != ".png" && extension != ".PNG") {
-        return base::Error{ErrorCode::BadUsage, arguments.output + ": pictures are written as .png"};
-    }
-    if (!arguments.window.empty()) {
-        ASSIGN_OR_RETURN([[maybe_unused]] const base::Box window, boxOfWindow(arguments.window));
-    }
-    RETURN_IF_ERROR(checkMode(arguments));
-    return checkPipeline(arguments);
-}
-
-/// Drawings may lie beside the board.
-base::Status checkWindow(const RenderArguments& arguments, const Document& document,
-                         const std::vector<render::LayerStyle>& styles) {
-    if (arguments.window.empty()) {
-        return base::Done{};
-    }
-    base::Box extent = document.extent;
-    for (std::size_t row = 0; row < styles.size(); ++row) {
-        const model::Range elements = styles[row].isVisible ? document.layers[row].elements : model::Range{};
-        for (std::uint32_t i = 0; i < elements.count; ++i) {
-            extent.include(document.boxOf(model::ElementId{elements.first + i}));
-        }
-    }
-    ASSIGN_OR_RETURN(const base::Box window, boxOfWindow(arguments.window));
-    return checkMeets(window, extent);
-}
-
 base::Status renderToFile(const RenderArguments& arguments) {
     RETURN_IF_ERROR(checkArguments(arguments));
     ASSIGN_OR_RETURN(const render::NamedView view, viewOf(arguments));
     std::future<Result<Painter>> opening = beginOpening(arguments);
     ASSIGN_OR_RETURN(const std::shared_ptr<const Document> document, readDocument(arguments));
     ASSIGN_OR_RETURN(const std::vector<render::LayerStyle> styles, chooseLayers(*document, arguments));
-    RETURN_IF_ERROR(checkWindow(arguments, *document, styles));
+    RETURN_IF_ERROR(checkDrawn(arguments, *document, styles));
     ASSIGN_OR_RETURN(const Highlights highlight, elementsOfNets(*document, arguments.nets));
     ASSIGN_OR_RETURN(const std::shared_ptr<const render::SectionCut> cut, cutOf(arguments, document));
     ASSIGN_OR_RETURN(const render::Image image,

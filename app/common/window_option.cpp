@@ -31,9 +31,9 @@ base::Status checkMeets(const Box& window, const Box& extent) {
         return base::Done{};
     }
     const auto mm = [](Nm length) { return model::formatted("%.6g", base::toMm(length)); };
-    return base::Error{base::ErrorCode::BadUsage,
-                       "--window lies beside the board, all of which is within " + mm(extent.min.x) + ',' +
-                           mm(extent.min.y) + ',' + mm(extent.max.x) + ',' + mm(extent.max.y)};
+    return base::Error{base::ErrorCode::BadUsage, "--window lies beside the board, all of which is within " +
+                                                      mm(extent.min.x) + ',' + mm(extent.min.y) + ',' +
+                                                      mm(extent.max.x) + ',' + mm(extent.max.y)};
 }
 
 }  // namespace app

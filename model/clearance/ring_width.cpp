@@ -182,6 +182,7 @@ public:
         const bool isWithin = nearest.distance <= kTouchNm ? m_hole.coversAll(edge) : m_hole.covers(edge.a);
         if (isWithin) {
             m_hasInner = true;
+            m_touch = nearest.distance <= kTouchNm ? nearest.from : m_touch;
         } else if (nearest.distance < m_least.distance) {
             m_least = nearest;
         }
@@ -195,7 +196,7 @@ public:
         if (isInside(m_hole.beside)) {
             return {RingState::Around, m_least.distance < m_below ? m_least : Spacing{kEndless, {}, {}}};
         }
-        return {m_hasInner ? RingState::Removed : RingState::Apart, {}};
+        return {m_hasInner ? RingState::Removed : RingState::Apart, {0.0, m_touch, m_touch}};
     }
 
 private:
@@ -203,6 +204,7 @@ private:
     double m_below;
     Spacing m_least{kEndless, {}, {}};  ///< to what of the outline does not lie within the hole
     bool m_hasInner = false;
+    PointD m_touch;  ///< where the outlines meet, if the copper's does not cross that of the hole
 };
 
 RingWidth ringOf(const HolePart& hole, const FigureTable& copper, std::size_t row, double below) {

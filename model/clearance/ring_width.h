@@ -17,7 +17,8 @@ enum class RingState : std::uint8_t {
 /// The ring that copper leaves around a hole.
 struct RingWidth {
     RingState state = RingState::Apart;
-    Spacing width;  ///< Around: from the outline of the hole to that of the copper; BreaksOut: 0, where they meet
+    Spacing width;  ///< Around: from the outline of the hole to that of the copper; BreaksOut, and Removed if they
+                    ///< touch: 0, where they meet
 };
 
 /// What figure `row` of `copper` leaves around a hole (all figures of `hole`, round, slot or area). Outlines of the

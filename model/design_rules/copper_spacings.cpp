@@ -154,6 +154,17 @@ private:
     NetPairs m_apart;  ///< nets with a location for each two elements
 };
 
+/// The same copper, where each edge of a trail is a figure of its own.
+LayerGeometry edgewise(const Document& document, const LayerGeometry& copper) {
+    FigureTable figures;
+    for (std::size_t row = 0; row < copper.size(); ++row) {
+        if (row == 0 || copper.elementOf(row) != copper.elementOf(row - 1)) {
+            figures.addEdgewise(document, copper.elementOf(row));
+        }
+    }
+    return LayerGeometry(std::move(figures));
+}
+
 }  // namespace
 
 void checkNetSpacings(RuleContext& context, LayerId layer, const LayerGeometry& copper) {
@@ -169,22 +180,28 @@ void checkOwnNet(RuleContext& context, LayerId layer, const LayerGeometry& coppe
         std::ranges::none_of(context.table().rules, isWithin)) {
         return;
     }
+    // Tracks that lead on are one element or several, as the job has them in order or not: that must not matter.
+    const LayerGeometry edges = edgewise(context.document(), copper);
     const auto rule = [&](std::uint32_t a, std::uint32_t b) {
-        return ruleOf(context, RuleKind::CopperToCopper, layer, copper.elementOf(a), copper.elementOf(b));
+        return ruleOf(context, RuleKind::CopperToCopper, layer, edges.elementOf(a), edges.elementOf(b));
     };
     PairRequest request;
     request.reach = context.choice().reachOf(RuleKind::CopperToCopper);
     request.isWanted = [&](std::uint32_t a, std::uint32_t b) {
-        const NetId net = context.netOf(copper.elementOf(a));
-        return net.isValid() && net == context.netOf(copper.elementOf(b)) &&
-               copper.elementOf(a) != copper.elementOf(b) && rule(a, b);
+        const NetId net = context.netOf(edges.elementOf(a));
+        return net.isValid() && net == context.netOf(edges.elementOf(b)) && rule(a, b);
     };
     request.mayTouch = [](std::uint32_t, std::uint32_t) { return false; };  // they are one piece
-    for (const FigurePair& pair : closestPairs(copper, copper, request, context.progress())) {
-        const NetId net = context.netOf(copper.elementOf(pair.a));
-        const auto isOwn = [&](std::uint32_t row) { return context.netOf(copper.elementOf(row)) == net; };
-        if (!isBridged(copper, pair.spacing, isOwn)) {
-            context.add(*rule(pair.a, pair.b), layer, copper.elementOf(pair.a), copper.elementOf(pair.b), pair.spacing);
+    request.groupOf = [](std::uint32_t a, std::uint32_t b) { return bothOf(a, b); };
+    std::set<std::uint64_t> seen;  // pairs of elements
+    for (const FigurePair& pair : closestPairs(edges, edges, request, context.progress())) {
+        const ElementId a = edges.elementOf(pair.a);
+        const ElementId b = edges.elementOf(pair.b);
+        const auto isOwn = [&](std::uint32_t row) {
+            return context.netOf(copper.elementOf(row)) == context.netOf(a);
+        };
+        if (!isBridged(copper, pair.spacing, isOwn) && seen.insert(bothOf(a.value, b.value)).second) {
+            context.add(*rule(pair.a, pair.b), layer, a, b, pair.spacing);
         }
     }
 }

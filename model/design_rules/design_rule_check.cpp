@@ -51,6 +51,9 @@ void note(RuleContext& context) {
             context.report().notes.push_back(std::to_string(count) + what);
         }
     };
+    if (std::ranges::any_of(context.table().rules, [](const Rule& rule) { return rule.isOn && rule.isSameNet; })) {
+        context.report().notes.push_back("within a net, notches and slits of one area are not measured");
+    }
     add(document.nets.empty() ? 0 : islands,
         " copper elements of no net, neither pads nor holes, are held against nets, not against each other");
     add(thin, " copper elements have no width and leave no copper");

@@ -37,6 +37,14 @@ struct Opening {
     RingWidth ring;
 };
 
+/// Does all of a pad lie within the element of an opening?
+bool isWithin(const LayerGeometry& pads, std::uint32_t pad, const LayerGeometry& openings, std::uint32_t opening,
+              const Document& document) {
+    FigureTable figures;
+    figures.add(document, openings.elementOf(opening));
+    return ringAround(figures, pads.figures(), pad, 0.0).state == RingState::Removed;
+}
+
 Opening openingAround(const LayerGeometry& openings, const LayerGeometry& pads, std::uint32_t pad,
                       const Document& document, double reach) {
     FigureTable figures;
@@ -51,6 +59,10 @@ Opening openingAround(const LayerGeometry& openings, const LayerGeometry& pads, 
             best = {row, ring};
         }
     });
+    // An opening within the pad that has the pad within itself is as large: nothing is left on either side.
+    if (best.row && best.ring.state == RingState::Removed && isWithin(pads, pad, openings, *best.row, document)) {
+        best.ring.state = RingState::BreaksOut;
+    }
     return best;
 }
 

@@ -122,6 +122,17 @@ void FigureTable::add(const Document& document, ElementId element, const Placeme
     m_placement = {};
 }
 
+void FigureTable::addEdgewise(const Document& document, ElementId element) {
+    if (document.elements.kind[element.row()] != ElementKind::Trail) {
+        return addElement(document, element);
+    }
+    forEachTrack(document, element, [&](const PathNode& node, Point end, Nm width, Nm) {
+        begin(element, false);
+        addTrack(edgeOf(node, end), width);
+        finish();
+    });
+}
+
 void FigureTable::addElement(const Document& document, ElementId element) {
     const std::uint32_t row = document.elements.geometry[element.row()];
     const std::uint8_t flags = document.elements.flags[element.row()];

@@ -33,6 +33,8 @@ public:
     /// Adds the figures of an element, laid on the board by `placement`. Tracks without width cover nothing and add
     /// none.
     void add(const Document& document, ElementId element, const Placement& placement = {});
+    /// The same where each edge of a track is a figure of its own, so that edges can be measured with each other.
+    void addEdgewise(const Document& document, ElementId element);
     /// Adds the contours of a shape as lines without width, a figure each: an outline that covers nothing.
     void addOutline(const ShapeTable& shapes, ShapeId shape);
     /// Adds a disc that belongs to no element; radius 0 is a point.

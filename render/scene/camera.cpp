@@ -32,12 +32,14 @@ std::array<glm::vec3, 8> cornersOf(const glm::vec3& boxMin, const glm::vec3& box
     return corners;
 }
 
+/// Of the named views. The bottom is seen as if the board were flipped about its vertical axis: left and right change
+/// sides, up stays up.
+constexpr std::pair<float, float> kYawAndPitch[] = {
+    {0.0F, kStraightDown}, {kPi, -kStraightDown}, {kPi / 6.0F, -kPi / 4.5F}};
+
 }  // namespace
 
 void Camera::fit(const glm::vec3& boxMin, const glm::vec3& boxMax, NamedView view, float aspect) {
-    // The bottom as if the board were flipped about its vertical axis: left and right change sides, up stays up.
-    constexpr std::pair<float, float> kYawAndPitch[] = {
-        {0.0F, kStraightDown}, {kPi, -kStraightDown}, {kPi / 6.0F, -kPi / 4.5F}};
     std::tie(m_pose.yaw, m_pose.pitch) = kYawAndPitch[static_cast<std::size_t>(view)];
     fit(boxMin, boxMax, aspect);
 }
@@ -85,9 +87,8 @@ void Camera::centre(const std::array<glm::vec3, 8>& corners) {
     m_pose.target += glm::transpose(rotation) * glm::vec3(middle * m_pose.distance, 0.0F);
 }
 
-void Camera::fitWindow(const glm::vec2& min, const glm::vec2& max, float z, float aspect) {
-    m_pose.yaw = 0.0F;
-    m_pose.pitch = kStraightDown;
+void Camera::fitWindow(const glm::vec2& min, const glm::vec2& max, float z, float aspect, NamedView view) {
+    std::tie(m_pose.yaw, m_pose.pitch) = kYawAndPitch[static_cast<std::size_t>(view)];
     m_pose.isOrthographic = true;
     m_pose.target = {(min + max) / 2.0F, z};
     const glm::vec2 half = glm::abs(max - min) / 2.0F;

@@ -28,8 +28,9 @@ public:
     static constexpr float kMargin = 1.06F;
     /// Fills the picture with a part of the scene, direction unchanged.
     void show(const glm::vec3& boxMin, const glm::vec3& boxMax, float aspect);
-    /// Looks straight down on a rectangle given in mm, orthographic and without margin (`render --window`).
-    void fitWindow(const glm::vec2& min, const glm::vec2& max, float z, float aspect);
+    /// Looks straight on a rectangle given in mm, from the top or the bottom, orthographic and without margin (`render
+    /// --window`).
+    void fitWindow(const glm::vec2& min, const glm::vec2& max, float z, float aspect, NamedView view = NamedView::Top);
 
     void orbit(float yawRad, float pitchRad);
     /// Looks from the other side at the same target: left and right change sides, up stays up.

@@ -276,6 +276,8 @@ private slots:
         row("export -o x.step --chord 3", "has the exact curves");
         row("export -o x.svg --paper-segments", "has the exact curves");
         row("export -o x.svg --as-designed", "whole layers");
+        row("export -o x.obj --one-part", "OBJ does not know --one-part");
+        row("export -o x.stl --one-part", "STL does not know --one-part");
         row("export -o x.svg --set-thickness DIELECTRIC_1=1mm", "is flat");
         ofRender("--mode 3d --window 1,1,5,5", "--window is for pictures in 2D");
         ofRender("--outlines", "--outlines is for pictures in 2D");
@@ -290,6 +292,10 @@ private slots:
         ofRender("--mode 2d --as-designed", "--as-designed is for pictures in 3D");
         ofRender("--components --layers L01-TOP_LAYER", "excludes");
         ofRender("--mono --net GND", "excludes");
+        ofRender("--mono --components", "excludes");
+        ofRender("--layers TOP_SOLDER --mask-colour red", "--mask-colour: the layers that are drawn have no solder mask");
+        ofRender("--layers TOP_SOLDER --silkscreen-colour red", "have no silkscreen");
+        ofRender("--layers TOP_OVERLAY --finish tin", "have no copper");
         ofRender("--mono --finish tin", "excludes");
         ofRender("--pipeline standard --backend pull", "--backend is of the hybrid pipeline");
         ofRender("--pipeline standard --lod paper", "--lod is of the hybrid pipeline");

@@ -53,7 +53,7 @@ constexpr Option kOptions[] = {
      &ExportFormat::isSolid, [](ExportRequest& request) -> bool& { return request.choice.hasFittedArcs; }},
     {"onePart", QT_TRANSLATE_NOOP("ui::ExportDialog", "One &part"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "One product with all solids instead of a tree of layers and nets"),
-     &ExportFormat::isSolid, [](ExportRequest& request) -> bool& { return request.choice.isOnePart; }},
+     &ExportFormat::isTree, [](ExportRequest& request) -> bool& { return request.choice.isOnePart; }},
     {"asDesigned", QT_TRANSLATE_NOOP("ui::ExportDialog", "As &designed"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "With what the fabricator mills away beyond the board outline"),
      &ExportFormat::isSolid, [](ExportRequest& request) -> bool& { return request.choice.isAsDesigned; }},

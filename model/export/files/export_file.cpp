@@ -131,15 +131,16 @@ Result<ExportSummary> drawPdf(const Document& board, const ExportRequest& reques
 }
 
 constexpr ExportFormat kFormats[] = {
-    {"STEP", ".step .stp", "exact solids for mechanical CAD", true, true, false, false, writeStep<false>},
-    {"Compressed STEP", ".stpz", "the same with gzip, a fifth of the size", true, true, false, false, writeStep<true>},
-    {"GLB", ".glb", "triangles with names and colours for viewers", true, false, false, true,
+    {"STEP", ".step .stp", "exact solids for mechanical CAD", true, true, false, false, true, writeStep<false>},
+    {"Compressed STEP", ".stpz", "the same with gzip, a fifth of the size", true, true, false, false, true,
+     writeStep<true>},
+    {"GLB", ".glb", "triangles with names and colours for viewers", true, false, false, true, true,
      writeMesh<GlbOptions, exportGlb>},
-    {"STL", ".stl", "triangles for printers", true, false, false, false, writeMesh<MeshOptions, exportStl>},
-    {"OBJ", ".obj", "triangles for renderers", true, false, false, false, writeMesh<MeshOptions, exportObj>},
-    {"DXF", ".dxf", "outlines of layers for CAD", false, false, false, false, draw<writeDxf>},
-    {"SVG", ".svg", "a drawing of layers, true to scale", false, false, false, false, draw<writeSvg>},
-    {"PDF", ".pdf", "a drawing of layers, true to scale", false, false, true, false, drawPdf},
+    {"STL", ".stl", "triangles for printers", true, false, false, false, false, writeMesh<MeshOptions, exportStl>},
+    {"OBJ", ".obj", "triangles for renderers", true, false, false, false, false, writeMesh<MeshOptions, exportObj>},
+    {"DXF", ".dxf", "outlines of layers for CAD", false, false, false, false, false, draw<writeDxf>},
+    {"SVG", ".svg", "a drawing of layers, true to scale", false, false, false, false, false, draw<writeSvg>},
+    {"PDF", ".pdf", "a drawing of layers, true to scale", false, false, true, false, false, drawPdf},
 };
 
 std::vector<std::string> endingsOf(const ExportFormat& format) {
@@ -172,6 +173,7 @@ base::Status checkKnown(const ExportFormat& format, const ExportRequest& request
         {"--one-page", request.isOnePage, format.isPdf, "PDF"},
         {"--compress", request.isCompressed, format.isGlb, "GLB"},
         {"--instancing", request.isInstanced, format.isGlb, "GLB"},
+        {"--one-part", choice.isOnePart, format.isTree, "STEP and GLB"},
     };
     for (const auto& option : options) {
         if (option.isOn && !option.isKnown) {

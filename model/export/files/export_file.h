@@ -47,10 +47,11 @@ struct ExportFormat {
     std::string_view name;     ///< "STEP"
     std::string_view endings;  ///< in lower case, separated by spaces: ".step .stp"
     std::string_view purpose;  ///< "exact solids for mechanical CAD"
-    bool isSolid = false;      ///< it knows all of SolidChoice; otherwise layers only
+    bool isSolid = false;      ///< it knows all of SolidChoice but isOnePart; otherwise layers only
     bool isStep = false;       ///< it knows ExportRequest::isWrittenOut and hasPolylines
     bool isPdf = false;        ///< it knows ExportRequest::isOnePage
     bool isGlb = false;        ///< it knows ExportRequest::isCompressed and isInstanced
+    bool isTree = false;       ///< it knows SolidChoice::isOnePart
     base::Result<ExportSummary> (*write)(const Document& board, const ExportRequest& request,
                                          const std::filesystem::path& path, base::Progress& progress) = nullptr;
 };

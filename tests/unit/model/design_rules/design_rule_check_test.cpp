@@ -463,6 +463,54 @@ private slots:
         }
     }
 
+    /// Whatever the shape: a mask that leaves exactly the pad free leaves no margin.
+    void openingsAsLargeAsTheirPadsHaveNoMargin() {
+        for (const Nm more : {-2 * kUm, Nm{0}, 2 * kUm}) {
+            Board board;
+            board.builder.beginLayer(board.mask);
+            board.builder.addCircle({{0, 0}, 600 * kUm + more, 0}, of({}));
+            board.builder.addLine({{kMm, 0}, {2 * kMm, 0}, 500 * kUm + more, 0}, of({}));
+            board.builder.beginLayer(board.top);
+            board.builder.addCircle({{0, 0}, 600 * kUm, 0}, of(board.a, model::kPad));
+            board.builder.addLine({{kMm, 0}, {2 * kMm, 0}, 500 * kUm, 0}, of(board.a, model::kPad));
+            const RuleReport report = check(*board.builder.finish(), RuleKind::MaskToCopper, 50 * kUm);
+            QCOMPARE(report.findings.size(), more < 0 ? std::size_t{0} : std::size_t{2});
+            for (const model::RuleFinding& finding : report.findings) {
+                QVERIFY(std::abs(finding.spacing.distance - static_cast<double>(more) / 2) < 1);
+                const model::PointD at = finding.spacing.from;  // on the outline
+                const double out = at.x < double{kMm} ? std::hypot(at.x, at.y) - 300e3 : 0.0;
+                QVERIFY2(std::abs(out) < double{2 * kUm}, qPrintable(QString::number(out)));
+            }
+            QCOMPARE(report.notes.size(), more < 0 ? std::size_t{1} : std::size_t{0});
+        }
+    }
+
+    /// Tracks that lead on are one element, as long as the job has them in order.
+    void legsOfOneTrackKeepTheirDistance() {
+        using model::PathNode;
+        const std::vector<PathNode> hairpin{
+            {{0, 0}, {}}, {{0, 10 * kMm}, {}}, {{kMm, 10 * kMm}, {}}, {{kMm, 0}, {}}};
+        const auto found = [&](Nm least, bool isOne) {
+            Board board;
+            board.builder.beginLayer(board.top);
+            if (isOne) {
+                board.builder.addTrail(hairpin, 200 * kUm, of(board.a));
+            }
+            for (std::size_t i = 0; i + 1 < hairpin.size() && !isOne; ++i) {
+                board.builder.addLine({hairpin[i].point, hairpin[i + 1].point, 200 * kUm, 0}, of(board.a));
+            }
+            Rule rule{RuleKind::CopperToCopper, least, {}};
+            rule.isSameNet = true;
+            return check(*board.builder.finish(), RuleTable{{}, {rule}}).findings;
+        };
+        for (const bool isOne : {true, false}) {
+            QCOMPARE(found(800 * kUm, isOne).size(), std::size_t{0});
+            const auto narrow = found(801 * kUm, isOne);
+            QCOMPARE(narrow.size(), std::size_t{1});
+            QVERIFY(std::abs(narrow.front().spacing.distance - 800e3) < 1);
+        }
+    }
+
     /// Of inner layers, though the board has none, and of layers that are not looked at. A name may be misspelt.
     void rulesWithoutALayerAreUnused() {
         Board board;

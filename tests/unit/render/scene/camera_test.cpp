@@ -106,6 +106,9 @@ private slots:
         const glm::vec3 high = project(camera, {26.0F, 20.0F, 0.0F});
         QVERIFY(glm::length(glm::vec2(low) - glm::vec2(-1.0F)) < 1e-4F);
         QVERIFY(glm::length(glm::vec2(high) - glm::vec2(1.0F)) < 1e-4F);
+        camera.fitWindow({10.0F, 10.0F}, {26.0F, 20.0F}, 1.6F, kAspect, NamedView::Bottom);
+        const glm::vec3 right = project(camera, {10.0F, 10.0F, 1.6F});  // as the board is flipped
+        QVERIFY(glm::length(glm::vec2(right) - glm::vec2(1.0F, -1.0F)) < 1e-4F);
     }
 
     void orbitStopsAtThePoles() {

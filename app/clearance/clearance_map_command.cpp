@@ -1,11 +1,11 @@
-#include "app/commands/clearance_map_command.h"
+#include "app/clearance/clearance_map_command.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 
-#include "app/commands/clearance_map_image.h"
+#include "app/clearance/clearance_map_image.h"
 #include "app/common/window_option.h"
 #include "model/base/thickness_units.h"
 #include "model/clearance/board_distances.h"
@@ -81,7 +81,8 @@ base::Result<MapFrame> frameFor(const base::Box& window, const std::string& reso
                              "coarser --resolution or a smaller --window makes it smaller",
                              width, height, form == Form::Picture ? "picture" : "table", most));
     }
-    return MapFrame{base::toDouble(window.min), cell, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+    return MapFrame{base::toDouble(window.min), cell, static_cast<std::uint32_t>(width),
+                    static_cast<std::uint32_t>(height)};
 }
 
 base::Status write(const ClearanceMapArguments& arguments, Form form, const model::Document& board,

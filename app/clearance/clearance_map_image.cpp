@@ -1,10 +1,10 @@
-#include "app/commands/clearance_map_image.h"
+#include "app/clearance/clearance_map_image.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "app/commands/bitmap_text.h"
+#include "app/clearance/bitmap_text.h"
 #include "model/base/units.h"
 #include "model/text/formatting.h"
 #include "render/scene/colour_ramp.h"

@@ -1,11 +1,11 @@
-#include "app/commands/clearance_command.h"
+#include "app/clearance/clearance_command.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <span>
 
-#include "app/commands/through_stackup.h"
+#include "app/clearance/through_stackup.h"
 #include "app/common/console_progress.h"
 #include "model/base/thickness_units.h"
 #include "model/board/copies.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/clearance_map_command.h"
+#include "app/clearance/clearance_map_command.h"
 #include "app/common/exit_code.h"
 #include "app/common/open_board.h"
 

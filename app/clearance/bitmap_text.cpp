@@ -1,4 +1,4 @@
-#include "app/commands/bitmap_text.h"
+#include "app/clearance/bitmap_text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/commands/clearance_command.h"
+#include "app/clearance/clearance_command.h"
 
 namespace app {
 

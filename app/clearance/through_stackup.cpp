@@ -1,4 +1,4 @@
-#include "app/commands/through_stackup.h"
+#include "app/clearance/through_stackup.h"
 
 #include <algorithm>
 #include <cstdio>
