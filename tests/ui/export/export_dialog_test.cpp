@@ -39,9 +39,10 @@ private slots:
         for (std::size_t row = 0; row < model::exportFormats().size(); ++row) {
             const model::ExportFormat& format = model::exportFormats()[row];
             chooseFormat(row);
-            for (const char* name : {"exportNets", "exportArea", "exportMinHole", "outerOnly", "merge", "onePart"}) {
+            for (const char* name : {"exportNets", "exportArea", "exportMinHole", "outerOnly", "merge"}) {
                 QCOMPARE(part<QWidget>(name).isEnabled(), format.isSolid);
             }
+            QCOMPARE(box("onePart").isEnabled(), format.isTree);
             QCOMPARE(box("writtenOut").isEnabled(), format.isStep);
             QCOMPARE(box("polylines").isEnabled(), format.isStep);
             QCOMPARE(box("onePage").isEnabled(), format.isPdf);
