@@ -54,6 +54,8 @@ private slots:
         QCOMPARE(textOf("BOTTOM", StackupModel::Thickness), "500 µm");
         QCOMPARE(textOf("BOTTOM", StackupModel::From), "edited");
         QCOMPARE(textOf("CORE2", StackupModel::Thickness), "795.2 µm");  // the board is 1.6 mm thick, says the job
+        const QString said = window().statusBar()->currentMessage();
+        QVERIFY2(said.contains("changed too") && said.endsWith("CORE2"), qPrintable(said));
         QCOMPARE(window().label("stackupSummary"), "4 of 9 thicknesses assumed");
         QVERIFY(differingPixels(before, m_fixture->picture()) > 20);
     }
