@@ -198,7 +198,8 @@ void ImageParser::checkFormat(std::string_view code, std::string_view rest) {
     }
 }
 
-/// Moves, mirrors, rotates or scales all of the image. False for other commands.
+/// Moves and rotates all of the image, or mirrors and scales its coordinates: not apertures, nor the distances of
+/// repeated steps (Gerber specification 8.1.7 and 8.1.9). False for other commands.
 bool ImageParser::transformImage(std::string_view code, std::string_view rest) {
     const double a = valueOf(rest, 'A').value_or(0.0);
     const double b = valueOf(rest, 'B').value_or(0.0);
@@ -209,7 +210,7 @@ bool ImageParser::transformImage(std::string_view code, std::string_view rest) {
         const std::optional<Nm> x = toNm(a * m_format.nmPerUnit);
         const std::optional<Nm> y = toNm(b * m_format.nmPerUnit);
         isGood = x && y && isReadable(rest);
-        m_imageTransform.placement.origin = isGood ? Point{*x, *y} : Point{};
+        m_imageOffset = isGood ? Point{*x, *y} : Point{};
     } else if (code == "MI") {
         isNeutral = a == 0.0 && b == 0.0;
         isGood = isReadable(rest);
@@ -227,7 +228,7 @@ bool ImageParser::transformImage(std::string_view code, std::string_view rest) {
         isNeutral = (a == 0.0 || a == 1.0) && (b == 0.0 || b == 1.0);
         isGood = isReadable(rest);
         if (!isNeutral && a == b && a > 0.0 && a < 1e6) {
-            m_imageTransform.scale = a;
+            m_imageScale = a;
         } else if (!isNeutral) {
             report(Severity::Warning, "the image is scaled differently in x and y; it is drawn unscaled");
             return true;

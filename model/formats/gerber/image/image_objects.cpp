@@ -25,7 +25,23 @@ double distance(PointD a, PointD b) {
 
 // ---- operations ----
 
-void ImageParser::operate(const Word& word) {
+/// Coordinates as the whole image is mirrored and scaled.
+ImageParser::Word ImageParser::onImage(Word word) const {
+    const double a = m_isImageMirroredA ? -m_imageScale : m_imageScale;
+    const double b = m_isImageMirroredB ? -m_imageScale : m_imageScale;
+    word.x *= a;
+    word.i *= a;
+    word.y *= b;
+    word.j *= b;
+    return word;
+}
+
+bool ImageParser::isClockwise() const {
+    return (m_mode == Mode::Clockwise) != (m_isImageMirroredA != m_isImageMirroredB);
+}
+
+void ImageParser::operate(const Word& read) {
+    const Word word = onImage(read);
     int operation = word.operation;
     if (operation == 0) {
         operation = m_lastOperation;
@@ -111,7 +127,7 @@ Point ImageParser::singleQuadrantCentre(Point to, const Word& word) const {
             const PointD c{from.x + sx * std::abs(word.i), from.y + sy * std::abs(word.j)};
             const double cross = (from.x - c.x) * (until.y - c.y) - (from.y - c.y) * (until.x - c.x);
             const double dot = (from.x - c.x) * (until.x - c.x) + (from.y - c.y) * (until.y - c.y);
-            const double turn = std::atan2(m_mode == Mode::Clockwise ? -cross : cross, dot);
+            const double turn = std::atan2(isClockwise() ? -cross : cross, dot);
             // Rounding may make a quarter turn a little more.
             const bool isQuarter = turn >= -1e-3 && turn <= std::numbers::pi / 2 + 0.02;
             const double miss = std::abs(distance(from, c) - distance(until, c)) + (isQuarter ? 0.0 : 1e12);
@@ -134,7 +150,7 @@ void ImageParser::draw(Point to, const Word& word) {
         }
         if (isArcDrawn) {
             m_contour.back().centre = centre;
-            m_contour.back().edge = m_mode == Mode::Clockwise ? EdgeKind::ArcClockwise : EdgeKind::ArcCounterClockwise;
+            m_contour.back().edge = isClockwise() ? EdgeKind::ArcClockwise : EdgeKind::ArcCounterClockwise;
         } else if (to == m_position) {
             return;
         }
@@ -149,7 +165,7 @@ void ImageParser::draw(Point to, const Word& word) {
     }
     DrawnFeature feature;
     feature.kind = isArcDrawn ? DrawnKind::Arc : DrawnKind::Line;
-    feature.isClockwise = m_mode == Mode::Clockwise;
+    feature.isClockwise = isClockwise();
     feature.symbol = m_flashed.isPlain()
                          ? m_aperture->symbol
                          : m_mover.turnedSymbol(m_mover.scaledSymbol(m_aperture->symbol, m_scale), m_flashed.placement);
@@ -329,16 +345,15 @@ void ImageParser::finish() {
     if (!m_image.hasEnd) {
         report(Severity::Warning, "the file ends without M02: it may be cut off");
     }
-    if (m_isImageMirroredA || m_isImageMirroredB || m_imageRotation != 0.0 || m_isAxesSwapped) {
-        Placement turn = placementOf(m_isImageMirroredA, m_isImageMirroredB, m_imageRotation);
-        // Swapped axes mirror at the diagonal: x to -x, then a quarter turn clockwise.
-        turn = m_isAxesSwapped ? placementOf(true, false, -90.0).after(turn) : turn;
-        turn.origin = m_imageTransform.placement.origin;
-        m_imageTransform.placement = turn;
+    Transform turned;
+    turned.placement = placementOf(false, false, m_imageRotation);
+    if (m_isAxesSwapped) {  // which mirrors at the diagonal: x to -x, then a quarter turn clockwise
+        turned.placement = placementOf(true, false, -90.0).after(turned.placement);
     }
-    if (!m_imageTransform.isIdentity()) {
-        const std::size_t gone = std::erase_if(
-            m_image.features, [&](DrawnFeature& feature) { return !m_mover.move(feature, m_imageTransform); });
+    turned.placement.origin = turned.placement.apply(m_imageOffset);  // moved first, then turned
+    if (!turned.isIdentity()) {
+        const std::size_t gone =
+            std::erase_if(m_image.features, [&](DrawnFeature& feature) { return !m_mover.move(feature, turned); });
         if (gone > 0) {
             report(Severity::Warning, "what the image draws beyond any board (1.07 m) is left out");
         }

@@ -67,7 +67,9 @@ private:
     void select(int code);
 
     // objects: image_objects.cpp
-    void operate(const Word& word);
+    void operate(const Word& read);
+    [[nodiscard]] Word onImage(Word word) const;
+    [[nodiscard]] bool isClockwise() const;
     void draw(Point to, const Word& word);
     void flash();
     void flashBlock(const Aperture& aperture);
@@ -136,9 +138,10 @@ private:
     bool m_isDone = false;
 
     // of the image as a whole, all outdated
-    Transform m_imageTransform;
+    Point m_imageOffset;
     bool m_isImageMirroredA = false;
     bool m_isImageMirroredB = false;
+    double m_imageScale = 1.0;
     bool m_isAxesSwapped = false;
     double m_imageRotation = 0.0;
 };

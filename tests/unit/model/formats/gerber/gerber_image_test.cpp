@@ -326,9 +326,26 @@ private slots:
         QCOMPARE(parse("%IR90*%" + body).features[0].a, (model::Point{-2'000'000, 1'000'000}));
         QCOMPARE(parse("%SFA2B2*%" + body).features[0].a, (model::Point{2'000'000, 4'000'000}));
         QCOMPARE(parse("%ASAYBX*%" + body).features[0].a, (model::Point{2'000'000, 1'000'000}));
+        QCOMPARE(parse("%IR90*%%OFA1B2*%" + body).features[0].a, (model::Point{-4'000'000, 2'000'000}));
         QVERIFY(parse("%IPNEG*%" + body).isNegative);
         QVERIFY(isReported(parse("%MIA1B0*%" + body), "outdated"));
         QVERIFY(!isReported(parse("%OFA0B0*%%SFA1B1*%%IR0*%" + body), "outdated"));
+    }
+
+    /// Not apertures, nor the distances of repeated steps.
+    void onlyCoordinatesAreMirroredAndScaled() {
+        const Image image = parse(
+            "%MIA1B0*%%SFA2B2*%%ADD10C,1*%%ADD11P,1X3*%%SRX2Y1I5J0*%D10*X1000000Y0D02*X2000000Y1000000D01*"
+            "D11*X3000000Y0D03*%SR*%D10*X1000000Y0D02*G75*G03X0Y1000000I-1000000J0D01*");
+        QCOMPARE(image.features[0].a, (model::Point{-2'000'000, 0}));
+        QCOMPARE(image.features[0].b, (model::Point{-4'000'000, 2'000'000}));
+        QCOMPARE(shapeOf(image, 0).width, 1'000'000);
+        QCOMPARE(image.features[1].a, (model::Point{-6'000'000, 0}));
+        QVERIFY(!image.features[1].isMirrored);
+        QCOMPARE(image.features[2].a, (model::Point{3'000'000, 0}));
+        QCOMPARE(image.features[4].centre, (model::Point{0, 0}));
+        QCOMPARE(image.features[4].b, (model::Point{0, 2'000'000}));
+        QVERIFY(image.features[4].isClockwise);
     }
 
     void whatMovesTheImageOnItsFilmIsReported() {
