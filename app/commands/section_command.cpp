@@ -47,17 +47,21 @@ nlohmann::ordered_json piecesJson(const model::BoardIndex& index, const std::vec
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const model::SectionPiece& piece : pieces) {
         const auto element = piece.at.element.isValid() ? nlohmann::ordered_json(piece.at.element.value) : nullptr;
-        list.push_back({{"layer", index.board->layer(piece.layer).name},
-                        {"copy", piece.at.copy},
-                        {"element", element},
-                        {"net", model::netOf(index, piece)},
-                        {"from_nm", piece.from},
-                        {"to_nm", piece.to},
-                        {"bottom_nm", piece.bottom},
-                        {"top_nm", piece.top},
-                        {"upper_from_nm", piece.upperFrom()},
-                        {"upper_to_nm", piece.upperTo()},
-                        {"material", model::toString(piece.material)}});
+        const model::StackupRow* row = model::stackupRowOf(*index.board, piece);
+        list.push_back(
+            {{"layer", index.board->layer(piece.layer).name},
+             {"copy", piece.at.copy},
+             {"element", element},
+             {"net", model::netOf(index, piece)},
+             {"from_nm", piece.from},
+             {"to_nm", piece.to},
+             {"bottom_nm", piece.bottom},
+             {"top_nm", piece.top},
+             {"upper_from_nm", piece.upperFrom()},
+             {"upper_to_nm", piece.upperTo()},
+             {"material", model::toString(piece.material)},
+             {"dielectric", row != nullptr ? nlohmann::ordered_json(row->name) : nullptr},
+             {"dielectric_thickness_nm", row != nullptr ? nlohmann::ordered_json(row->thickness) : nullptr}});
     }
     return list;
 }

@@ -52,6 +52,11 @@ std::string svgText(const SheetText& text) {
            xmlText(text.text) + "</text>\n";
 }
 
+std::string dielectricFields(const Document& board, const SectionPiece& piece) {
+    const StackupRow* row = stackupRowOf(board, piece);
+    return row != nullptr ? csvField(row->name) + ',' + std::to_string(row->thickness) : ",";
+}
+
 void addRows(const BoardIndex& index, const char* what, const std::vector<SectionPiece>& pieces, std::string& out) {
     for (const SectionPiece& piece : pieces) {
         out += std::string(what) + ',' + csvField(index.board->layer(piece.layer).name) + ',' +
@@ -60,7 +65,8 @@ void addRows(const BoardIndex& index, const char* what, const std::vector<Sectio
                csvField(netOf(index, piece)) +
                formatted(",%.3f,%.3f,%d,%d,%.3f,%.3f,", piece.from, piece.to, piece.bottom, piece.top,
                          piece.upperFrom(), piece.upperTo()) +
-               csvField(piece.material == SectionMaterial::Other ? "" : toString(piece.material)) + "\r\n";
+               csvField(piece.material == SectionMaterial::Other ? "" : toString(piece.material)) + ',' +
+               dielectricFields(*index.board, piece) + "\r\n";
     }
 }
 
@@ -89,7 +95,8 @@ std::string sectionSvg(const Document& board, const Section& section, const Sect
 
 std::string sectionCsv(const BoardIndex& index, const Section& section) {
     std::string out =
-        "what,layer,copy,element,net,from_nm,to_nm,bottom_nm,top_nm,upper_from_nm,upper_to_nm,material\r\n";
+        "what,layer,copy,element,net,from_nm,to_nm,bottom_nm,top_nm,upper_from_nm,upper_to_nm,material,"
+        "dielectric,dielectric_thickness_nm\r\n";
     addRows(index, "solid", section.pieces, out);
     addRows(index, "bore", section.bores, out);
     return out;

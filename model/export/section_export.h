@@ -11,7 +11,9 @@ namespace model {
 [[nodiscard]] std::string sectionSvg(const Document& board, const Section& section, const SectionPicture& how);
 
 /// A line per piece and then per bore, comma separated (RFC 4180), with headings; lengths in nm. Upper
-/// ends differ from the lower ones where a piece leans. Bores have no material, films that are not drawn no element.
+/// ends differ from the lower ones where a piece leans. Bores have no material, films that are not drawn no element. Of
+/// a dielectric the row of the stackup is named, with its thickness: a piece is higher where it fills the space beside
+/// copper too.
 [[nodiscard]] std::string sectionCsv(const BoardIndex& index, const Section& section);
 
 /// Name of the net of what was cut; empty if it has none.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/board/holes.h"
+#include "model/section/inner_copper.h"
 #include "model/section/standing_parts.h"
 
 namespace model {
@@ -211,9 +212,10 @@ LegShaper::LegShaper(const Document& board, bool isAsSolid) : m_board(board), m_
             m_faces.push_back(faceOf(board, *copper, isTop, isAsSolid));
         }
     }
-    for (const StackupRow& row : board.stackup.rows) {
+    for (std::size_t i = 0; i < board.stackup.rows.size(); ++i) {
+        const StackupRow& row = board.stackup.rows[i];
         if (row.layer.isValid() && row.type == LayerType::Dielectric) {
-            m_rows[row.layer] = materialOf(board, row);
+            m_rows[row.layer] = i;
         }
     }
 }
@@ -227,6 +229,9 @@ std::vector<SectionPiece> LegShaper::shape(LegCut leg) const {
     addVias(leg);
     shapeSurfaces(stretches, leg);
     splitDielectrics(stretches, leg.pieces);
+    if (!m_isAsSolid) {
+        takeCopperOut(leg);
+    }
     for (SectionPiece& piece : leg.pieces) {
         keepWithin(piece, leg.from, leg.to);
     }
@@ -469,6 +474,7 @@ void LegShaper::splitDielectrics(const std::vector<Stretch>& stretches, std::vec
             if (bottom < top) {
                 out.push_back(between(piece, bottom, top));
                 out.back().material = bands[i].material;
+                out.back().stackupRow = bands[i].row;
             }
         }
         if (bands.empty() && isFilled) {
@@ -478,7 +484,8 @@ void LegShaper::splitDielectrics(const std::vector<Stretch>& stretches, std::vec
     std::vector<SectionPiece> out;
     for (SectionPiece& piece : pieces) {
         if (const auto row = m_rows.find(piece.layer); row != m_rows.end()) {
-            piece.material = row->second;
+            piece.material = materialOf(m_board, m_board.stackup.rows[row->second]);
+            piece.stackupRow = row->second;
         }
         if (!isSubstrate(m_board, piece)) {
             out.push_back(piece);
@@ -500,6 +507,17 @@ void LegShaper::splitDielectrics(const std::vector<Stretch>& stretches, std::vec
         out.insert(out.end(), parts.begin(), parts.end());
     }
     pieces = std::move(out);
+}
+
+/// What leans lies beside laser vias, and has no copper in it.
+void LegShaper::takeCopperOut(LegCut& leg) const {
+    std::vector<SectionPiece> all = leg.pieces;
+    all.insert(all.end(), leg.leftCopper.begin(), leg.leftCopper.end());
+    const InnerCopper copper(all);
+    const auto isMeant = [this](const SectionPiece& piece) {
+        return !piece.leans() && (isSubstrate(m_board, piece) || m_rows.contains(piece.layer));
+    };
+    replace(leg.pieces, isMeant, [&](const SectionPiece& piece) { return copper.leftOf(piece); });
 }
 
 }  // namespace model

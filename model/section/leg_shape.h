@@ -20,7 +20,8 @@ struct StandingPart {
 struct LegCut {
     double from = 0.0;
     double to = 0.0;
-    std::vector<SectionPiece> pieces;  ///< as the layers have them, holes taken out
+    std::vector<SectionPiece> pieces;      ///< as the layers have them, holes taken out
+    std::vector<SectionPiece> leftCopper;  ///< the same of copper that is not shown: dielectrics end at it too
     std::vector<SectionPiece> bores;
     std::vector<std::pair<LandingVia, SectionPiece>> vias;  ///< and a piece like their plating
     std::vector<StandingPart> parts;
@@ -50,11 +51,12 @@ private:
     [[nodiscard]] bool isSurface(const SectionPiece& piece) const;
     [[nodiscard]] bool isFilm(const SectionPiece& piece) const;
     void splitDielectrics(const std::vector<Stretch>& stretches, std::vector<SectionPiece>& pieces) const;
+    void takeCopperOut(LegCut& leg) const;
 
     const Document& m_board;
     bool m_isAsSolid;
-    std::vector<BoardFace> m_faces;             ///< where all layers are
-    std::map<LayerId, SectionMaterial> m_rows;  ///< dielectrics that are layers
+    std::vector<BoardFace> m_faces;         ///< where all layers are
+    std::map<LayerId, std::size_t> m_rows;  ///< of the stackup; dielectrics that are layers
 };
 
 }  // namespace model

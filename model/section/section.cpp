@@ -129,7 +129,8 @@ private:
         const std::uint8_t flags = step.elements.flags[element.row()];
         const bool isHole = (flags & kHole) != 0;
         const bool isPart = board().layer(layer).type == LayerType::ComponentBody && !m_isAsSolid;
-        if (isPart || !(isHole || m_layers[layer.row()]) || !placed.line.meets(step.boxOf(element))) {
+        const bool isLeftCopper = !isHole && !m_layers[layer.row()] && board().layer(layer).isCopper() && !m_isAsSolid;
+        if (isPart || !(isHole || isLeftCopper || m_layers[layer.row()]) || !placed.line.meets(step.boxOf(element))) {
             return;
         }
         ElementCut found = cutElement(step, element, placed.line);
@@ -148,6 +149,8 @@ private:
         if (via && m_layers[layer.row()]) {
             m_leg.vias.emplace_back(*via, piece);
             ++landed;
+        } else if (isLeftCopper) {
+            add(m_leg.leftCopper, piece, heightsOf(placed, element, layer), found.covered, leg);
         } else if (m_layers[layer.row()] && (!isHole || (flags & kPlated) != 0)) {
             const Intervals solid = subtracted(found.covered, found.opening);
             if (isHole && !hasWalls && !found.covered.empty()) {
@@ -305,21 +308,26 @@ private:
         for (auto& [heights, locations] : byHeight) {
             locations = united(std::move(locations));
         }
+        drill(byHeight, m_leg.pieces);
+        drill(byHeight, m_leg.leftCopper);
+        bores.insert(bores.end(), m_leg.bores.begin(), m_leg.bores.end());
+        m_leg.from = leg.start;
+        m_leg.to = leg.start + leg.length;
+        const std::vector<SectionPiece> shaped = m_shaper.shape(std::move(m_leg));
+        pieces.insert(pieces.end(), shaped.begin(), shaped.end());
+        m_leg = {};
+    }
+
+    void drill(const Bores& byHeight, std::vector<SectionPiece>& found) const {
         std::vector<SectionPiece> left;
-        for (const SectionPiece& piece : m_leg.pieces) {
+        for (const SectionPiece& piece : found) {
             for (const Interval& interval : outsideOf(byHeight, piece)) {
                 left.push_back(piece);
                 left.back().from = interval.from;
                 left.back().to = interval.to;
             }
         }
-        bores.insert(bores.end(), m_leg.bores.begin(), m_leg.bores.end());
-        m_leg.from = leg.start;
-        m_leg.to = leg.start + leg.length;
-        m_leg.pieces = std::move(left);
-        const std::vector<SectionPiece> shaped = m_shaper.shape(std::move(m_leg));
-        pieces.insert(pieces.end(), shaped.begin(), shaped.end());
-        m_leg = {};
+        found = std::move(left);
     }
 
     [[nodiscard]] Intervals outsideOf(const Bores& byHeight, const SectionPiece& piece) const {
@@ -418,6 +426,11 @@ void addAssumptions(const Document& board, const Cutter& cutter, Section& sectio
     add(!undrawn.empty(), "all over the zones that have them, as the job draws nothing of them: " + joined(undrawn));
     add(cutter.landed > 0,
         formatted("laser vias narrow to %.0f %% at the target pad and are plated there", 100 * kViaTaper));
+    const auto isResin = [&](const SectionPiece& piece) {
+        const StackupRow* row = stackupRowOf(board, piece);
+        return row != nullptr && piece.top - piece.bottom > row->thickness;
+    };
+    add(std::ranges::any_of(section.pieces, isResin), "dielectrics fill the space beside inner copper");
     add(has(section, SectionMaterial::Plating) && !board.stackup.rows.empty(),
         "copper thicknesses include surface plating");
     add(has(section, SectionMaterial::Part) || has(section, SectionMaterial::Terminal),

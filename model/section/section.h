@@ -18,7 +18,7 @@ struct SectionRequest {
     std::vector<PointD> line;  ///< corners of the line in nanometres of the board, two at least
     std::vector<bool> layers;  ///< which take part, by layer; empty: all that are made of something
     /// As the 3D view draws the board: the outer face of a mask is level, bodies of components are prisms, every layer
-    /// lies at the height that it has where all layers are.
+    /// lies at the height that it has where all layers are, the substrate is whole also where inner copper lies in it.
     bool isAsSolid = false;
 };
 
@@ -35,10 +35,11 @@ struct Section {
 
 /// Cuts the board with all its copies of steps. Holes are taken out of copper and dielectrics (the substrate and the
 /// solder mask have no material there to begin with), also where a drill of a panel passes its steps. The substrate
-/// fills the whole height between the outer copper layers, also where inner copper lies in it; it comes in one piece
-/// per dielectric of the stackup. A wall reaches as far as Document::platedSpanOf says. Laser vias (HoleSpan::Micro)
-/// end on their target pad; which of their ends that is follows from which side of the board is nearer. Copper is as
-/// thick as the stackup says, with whatever plating there is on it. The cost follows what lies near the line.
+/// fills the height between the outer copper layers, in pieces by the dielectrics of the stackup: beside inner copper
+/// one of its neighbours fills that height too (dielectricBandsOf), where copper lies none does. A wall reaches as far
+/// as Document::platedSpanOf says. Laser vias (HoleSpan::Micro) end on their target pad; which of their ends that is
+/// follows from which side of the board is nearer. Copper is as thick as the stackup says, with whatever plating there
+/// is on it. The cost follows what lies near the line.
 ///
 /// On a rigid-flex board what lies on others lies on what each zone has (Layer::profile, model/board/local_stack.h),
 /// and plating reaches no farther. A coverlay, adhesive or stiffener of which the job draws nothing is all over the

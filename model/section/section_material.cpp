@@ -126,7 +126,7 @@ std::vector<DielectricBand> dielectricBandsOf(const Document& document, const st
             isOpen = true;
             continue;
         }
-        DielectricBand band{row.z, row.z + row.thickness, materialOf(document, row)};
+        DielectricBand band{row.z, row.z + row.thickness, materialOf(document, row), i};
         if (!bands.empty() && bands.back().bottom > band.top && !isOpen) {
             DielectricBand& above = bands.back();
             const bool isFromBelow = flowOf(band.material) > flowOf(above.material);

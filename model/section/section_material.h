@@ -49,6 +49,7 @@ struct DielectricBand {
     Nm bottom = 0;
     Nm top = 0;
     SectionMaterial material = SectionMaterial::Dielectric;
+    std::size_t row = 0;  ///< of Stackup::rows; at its own thickness it fills no space beside copper
 };
 
 /// The substrate of a board from the top, where these rows of Stackup::rows are. Beside copper between two dielectrics

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "model/board/copies.h"
 #include "model/section/section_material.h"
 
@@ -17,6 +19,7 @@ struct SectionPiece {
     double leanFrom = 0.0;  ///< by so much the upper edge begins and ends farther along than the lower one
     double leanTo = 0.0;
     SectionMaterial material = SectionMaterial::Other;
+    std::optional<std::size_t> stackupRow = {};  ///< of Stackup::rows; of dielectrics that it has
 
     [[nodiscard]] bool leans() const { return leanFrom != 0.0 || leanTo != 0.0; }
     [[nodiscard]] double upperFrom() const { return from + leanFrom; }
@@ -24,5 +27,11 @@ struct SectionPiece {
     [[nodiscard]] double least() const { return leanFrom < 0.0 ? upperFrom() : from; }
     [[nodiscard]] double most() const { return leanTo > 0.0 ? upperTo() : to; }
 };
+
+/// The dielectric that a piece is of; null: it is of none, or the stackup has no row for it. Its thickness is that
+/// between two layers of copper: the piece is higher where it fills the space beside copper too.
+[[nodiscard]] inline const StackupRow* stackupRowOf(const Document& board, const SectionPiece& piece) {
+    return piece.stackupRow ? &board.stackup.rows[*piece.stackupRow] : nullptr;
+}
 
 }  // namespace model

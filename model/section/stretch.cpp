@@ -73,7 +73,7 @@ void joinAlong(std::vector<SectionPiece>& pieces) {
     for (const SectionPiece& piece : pieces) {
         const auto before = std::ranges::find_if(out, [&](const SectionPiece& other) {
             return !piece.leans() && !other.leans() && other.to == piece.from && other.bottom == piece.bottom &&
-                   other.top == piece.top && other.material == piece.material;
+                   other.top == piece.top && other.material == piece.material && other.stackupRow == piece.stackupRow;
         });
         if (before != out.end()) {
             before->to = piece.to;

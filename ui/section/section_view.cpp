@@ -10,6 +10,7 @@
 
 #include "model/export/section_export.h"
 #include "ui/canvas/camera_controller.h"
+#include "ui/common/thickness_text.h"
 
 namespace ui {
 
@@ -228,7 +229,8 @@ QString SectionView::tipAt(QPointF at) const {
     }
     const bool isBore = !m_section->bores.empty() && piece >= m_section->bores.data() &&
                         piece < m_section->bores.data() + m_section->bores.size();
-    QString tip = QString::fromStdString(board().layer(piece->layer).name);
+    const model::StackupRow* row = model::stackupRowOf(board(), *piece);
+    QString tip = QString::fromStdString(row != nullptr ? row->name : board().layer(piece->layer).name);
     tip += isBore ? tr(", drilled out") : QStringLiteral(" · ") + model::toString(piece->material);
     if (const std::string net = model::netOf(*m_board, *piece); !net.empty()) {
         tip += QStringLiteral(" · ") + QString::fromStdString(net);
@@ -239,7 +241,16 @@ QString SectionView::tipAt(QPointF at) const {
                .arg(text(piece->to - piece->from), text(piece->from), text(piece->to)) +
            '\n' +
            tr("%1 high, from %2 to %3 above the bottom")
-               .arg(text(piece->top - piece->bottom), text(piece->bottom), text(piece->top));
+               .arg(text(piece->top - piece->bottom), text(piece->bottom), text(piece->top)) +
+           (row != nullptr ? '\n' + dielectricText(*piece, *row) : QString());
+}
+
+/// What the stackup says of a dielectric, which is less than its height where it fills the space beside copper too.
+QString SectionView::dielectricText(const SectionPiece& piece, const model::StackupRow& row) const {
+    const QString thickness = thicknessText(row.thickness, m_unit);
+    return piece.top - piece.bottom > row.thickness
+               ? tr("%1 thick in the stackup, and fills the space beside copper here").arg(thickness)
+               : tr("%1 thick in the stackup").arg(thickness);
 }
 
 bool SectionView::isHighlighted(const SectionPiece& piece) const {

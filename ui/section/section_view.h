@@ -112,6 +112,7 @@ private:
     [[nodiscard]] QRectF rectOf(const model::SectionPiece& piece) const;
     [[nodiscard]] QPolygonF outlineOf(const model::SectionPiece& piece) const;
     [[nodiscard]] QColor colourOf(const model::SectionPiece& piece) const;
+    [[nodiscard]] QString dielectricText(const model::SectionPiece& piece, const model::StackupRow& row) const;
     [[nodiscard]] bool isHighlighted(const model::SectionPiece& piece) const;
     [[nodiscard]] bool isEdge(const model::SectionPosition& position) const;
     void measureAt(QPointF at);

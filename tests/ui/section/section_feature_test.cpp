@@ -14,6 +14,7 @@
 #include "tests/locations.h"
 #include "tests/ui/section/section_fixture.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/thickness_text.h"
 #include "ui/shell/message_bar.h"
 
 using base::PointD;
@@ -216,6 +217,29 @@ private slots:
             }
         }
         QVERIFY(marked > 3);
+    }
+
+    void aDielectricSaysHowHighItIsHereAndHowThickItIs() {
+        drawLine();
+        int beside = 0;
+        int between = 0;
+        for (const SectionPiece& piece : view().section()->pieces) {
+            const model::StackupRow* row = model::stackupRowOf(*m_index->board, piece);
+            if (row == nullptr || piece.leans() || piece.to - piece.from < 1e5) {
+                continue;
+            }
+            const QString tip = view().tipAt(
+                view().positionOf((piece.from + piece.to) / 2, (double{1} * piece.bottom + piece.top) / 2));
+            if (!tip.startsWith(QString::fromStdString(row->name) + " · ")) {
+                continue;  // a part of it is too small for the pointer
+            }
+            const QString thickness = ui::thicknessText(row->thickness, view().unit()) + " thick in the stackup";
+            QVERIFY2(tip.contains(thickness), qPrintable(tip));
+            const bool isHigher = piece.top - piece.bottom > row->thickness;
+            QCOMPARE(tip.contains("fills the space beside copper here"), isHigher);
+            ++(isHigher ? beside : between);
+        }
+        QVERIFY2(beside > 0 && between > 0, qPrintable(QString("%1 %2").arg(beside).arg(between)));
     }
 
     void numbersBesideASectionAreWholeAndItsRowsInTheirOrder() {

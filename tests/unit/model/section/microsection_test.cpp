@@ -3,6 +3,7 @@
 #include <random>
 
 #include "model/board/document_builder.h"
+#include "model/export/section_export.h"
 #include "model/formats/registry.h"
 #include "model/section/section.h"
 #include "tests/locations.h"
@@ -122,10 +123,60 @@ private slots:
         // Prepreg lies beside inner copper, and beside what the laser left.
         QCOMPARE(textOf(section, SectionMaterial::Core), (QStringList{"-1000..1000/-1000..1000@20-120"}));
         QCOMPARE(textOf(section, SectionMaterial::Prepreg),
-                 (QStringList{"-1000..-50/-1000..-50@120-220", "-50..-40/-50..-42@140-155", "-50..-42/-50..-50@155-220",
-                              "-50..50/-50..50@120-140", "40..50/42..50@140-155", "42..50/50..50@155-220",
-                              "50..1000/50..1000@120-220"}));
+                 (QStringList{"-1000..-150/-1000..-150@120-220", "-150..-50/-150..-50@140-220",
+                              "-50..-40/-50..-42@140-155", "-50..-42/-50..-50@155-220", "150..1000/150..1000@120-220",
+                              "40..50/42..50@140-155", "42..50/50..50@155-220", "50..150/50..150@140-220"}));
         QVERIFY(textOf(section, SectionMaterial::Dielectric).empty());
+    }
+
+    void dielectricsAreOfTheirRowOfTheStackup() {
+        const auto of = board();
+        const Section section = cut();
+        int told = 0;
+        for (const SectionPiece& piece : section.pieces) {
+            const StackupRow* row = stackupRowOf(*of, piece);
+            QCOMPARE(row != nullptr, isDielectric(piece.material));
+            if (row != nullptr) {
+                QCOMPARE(row->material.type, piece.material == SectionMaterial::Core ? "CORE" : "PREPREG");
+                ++told;
+            }
+        }
+        QVERIFY(told > 5);
+        const QString csv = QString::fromStdString(sectionCsv(*indexed(of), section));
+        QVERIFY(csv.contains(",prepreg,PREPREG,80000\r\n") && csv.contains(",core,CORE,100000\r\n"));
+        QVERIFY(csv.contains(",copper,,\r\n"));
+    }
+
+    /// Also where only the substrate is asked for.
+    void copperThatIsNotShownIsTakenOutOfDielectricsToo() {
+        std::vector<bool> layers(8, false);
+        layers[Upper] = layers[Lower] = true;
+        const Section section = *makeSection(*indexed(board()), {{{-2e6, 0}, {2e6, 0}}, layers});
+        QVERIFY(textOf(section, SectionMaterial::Copper).empty());
+        QVERIFY(textOf(section, SectionMaterial::Prepreg).contains("50..150/50..150@140-220"));
+        QVERIFY(textOf(section, SectionMaterial::Prepreg).contains("150..1000/150..1000@120-220"));
+    }
+
+    void copperAndDielectricsNeverFillTheSameHeight() {
+        base::Progress progress;
+        const auto sample = *readBoard(locations::kSample, {}, progress);
+        const auto index = indexed(sample);
+        int inner = 0;
+        for (int i = 1; i < 20; ++i) {
+            const double y = sample->board.min.y + i / 20.0 * (double{1} * sample->board.max.y - sample->board.min.y);
+            const Section section =
+                *makeSection(*index, {{{double(sample->board.min.x), y}, {double(sample->board.max.x), y}}, {}});
+            for (const SectionPiece& copper : section.pieces) {
+                if (copper.material != SectionMaterial::Copper) {
+                    continue;
+                }
+                inner += sample->layer(copper.layer).side == LayerSide::Inner ? 1 : 0;
+                QVERIFY(std::ranges::none_of(section.pieces, [&](const SectionPiece& other) {
+                    return isDielectric(other.material) && overlaps(copper, other);
+                }));
+            }
+        }
+        QVERIFY2(inner > 50, qPrintable(QString::number(inner)));
     }
 
     void resinIsOfTheDielectricThatFlows() {
@@ -177,6 +228,7 @@ private slots:
         QVERIFY(isNamed("50 % as thick on copper"));
         QVERIFY(isNamed("narrow to 80 %"));
         QVERIFY(isNamed("include surface plating"));
+        QVERIFY(isNamed("dielectrics fill the space beside inner copper"));
         QVERIFY(!isNamed("parts"));
     }
 

@@ -121,7 +121,10 @@ private slots:
         QCOMPARE(textOf(section.pieces, Inner), (QStringList{"10000-19500@1100-1200", "20500-30000@1100-1200"}));
         QCOMPARE(textOf(section.pieces, Bottom), (QStringList{"24500-25500@0-100"}));
         QCOMPARE(textOf(section.pieces, Drill), (QStringList{"19500-19600@0-2300", "20400-20500@0-2300"}));
-        QCOMPARE(textOf(section.pieces, Substrate), (QStringList{"10000-19500@100-2200", "20500-30000@100-2200"}));
+        QCOMPARE(textOf(section.pieces, Substrate), (QStringList{"10000-19500@100-1100", "10000-19500@1200-2200",
+                                                                 "20500-30000@100-1100", "20500-30000@1200-2200"}));
+        const Section solid = *makeSection(*indexed(card()), {{{-20e6, 0}, {20e6, 0}}, {}, true});
+        QCOMPARE(textOf(solid.pieces, Substrate), (QStringList{"10000-19500@100-2200", "20500-30000@100-2200"}));
         QCOMPARE(textOf(section.bores, Drill), (QStringList{"19500-20500@0-2300"}));
         QVERIFY(section.notes.empty());
     }
@@ -255,7 +258,9 @@ private slots:
         const Section section = *makeSection(*index, {{{-20e6, 0}, {20e6, 0}}, {}});
         const QStringList lines = QString::fromStdString(sectionCsv(*index, section)).split("\r\n", Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), qsizetype(1 + section.pieces.size() + section.bores.size()));
-        QCOMPARE(lines[1], "solid,top,0,0,,19000000.000,19500000.000,2200000,2300000,19000000.000,19500000.000,copper");
+        QCOMPARE(lines[1],
+                 "solid,top,0,0,,19000000.000,19500000.000,2200000,2300000,19000000.000,19500000.000,copper,,");
+        QVERIFY(lines[0].endsWith(",material,dielectric,dielectric_thickness_nm"));
         QVERIFY(lines.last().startsWith("bore,drill,0,3,"));
     }
 
