@@ -59,6 +59,9 @@ SectionFeature::SectionFeature(FeatureContext& context)
     m_due.setInterval(0);
     connect(&m_due, &QTimer::timeout, this, &SectionFeature::cut);
     connect(&m_line, &SectionLine::moved, this, [this] {
+        if (m_line.isDrawing()) {
+            m_panel->view().fit();  // another line; one whose corner is moved stays as it is seen
+        }
         m_panel->view().setDimensions({});
         m_panel->view().setRuns({});
         m_net.clear();

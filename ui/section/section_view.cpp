@@ -268,6 +268,9 @@ void SectionView::wheelEvent(QWheelEvent* event) {
     const double factor =
         std::pow(static_cast<double>(CameraController::kZoomPerNotch), event->angleDelta().y() / kWheelNotch);
     const double after = std::clamp(m_perNm * factor, kLeastPerNm, kMostPerNm);
+    if (!m_section) {
+        return;  // nothing to zoom: the next section is shown whole
+    }
     // What is under the cursor stays there.
     const QPointF from = event->position() - plot().center();
     m_along += from.x() / m_perNm - from.x() / after;
@@ -289,7 +292,7 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
         m_under = locationAt(event->position());
         update();
     }
-    if (!m_isDragged || event->buttons() == Qt::NoButton) {
+    if (!m_section || !m_isDragged || event->buttons() == Qt::NoButton) {
         return;
     }
     const QPointF moved = event->position() - m_last;

@@ -242,6 +242,45 @@ private slots:
         QVERIFY2(beside > 0 && between > 0, qPrintable(QString("%1 %2").arg(beside).arg(between)));
     }
 
+    void anEmptyViewStaysWhereItIsAndANewLineIsShownWhole() {
+        view().resize(600, 260);
+        const auto drag = [this] {
+            QTest::mousePress(&view(), Qt::LeftButton, {}, {100, 60});
+            QTest::mouseMove(&view(), {180, 90});
+            QTest::mouseRelease(&view(), Qt::LeftButton, {}, {180, 90});
+        };
+        const auto zoom = [this] {
+            QWheelEvent wheel({100, 60}, view().mapToGlobal(QPointF(100, 60)), {}, {0, 480}, Qt::NoButton, {},
+                              Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(&view(), &wheel);
+        };
+        const auto ends = [this] {
+            return QLineF(view().positionOf(0, 0), view().positionOf(view().section()->stations.back(), 0));
+        };
+        const auto isWhole = [&] {
+            const QLineF now = ends();
+            view().fit();
+            return now == ends();
+        };
+        drag();
+        zoom();
+        drawLine();
+        QVERIFY(isWhole());
+        drag();
+        zoom();
+        QVERIFY(!isWhole());
+        zoom();
+        drawLine();  // another one, though it lies where the first one did
+        QVERIFY(isWhole());
+        zoom();
+        const QLineF before(view().positionOf(0, 0), view().positionOf(1e6, 0));
+        const auto [from, to] = acrossBoard();
+        mouse(QEvent::MouseButtonPress, to);
+        mouse(QEvent::MouseMove, to + QPointF(-40, 17));
+        mouse(QEvent::MouseButtonRelease, to + QPointF(-40, 17));
+        QCOMPARE(QLineF(view().positionOf(0, 0), view().positionOf(1e6, 0)), before);
+    }
+
     void numbersBesideASectionAreWholeAndItsRowsInTheirOrder() {
         drawLine();
         QTRY_VERIFY(view().section().has_value());
