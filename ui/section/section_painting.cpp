@@ -39,7 +39,7 @@ void SectionView::paintEvent(QPaintEvent*) {
     if (!m_section) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("Draw a section (Board menu), then drag a line over the 2D view"));
+                         tr("Choose Draw section above, then drag a line over the 2D view"));
         return;
     }
     painter.save();

@@ -18,7 +18,7 @@ class SectionPanel : public QWidget {
     Q_OBJECT
 
 public:
-    /// `saved`: names of the saved sections.
+    /// `saved`: names of the saved sections, which are listed beside the view once there are some.
     SectionPanel(SelectionModel& selection, QAbstractItemModel& saved, const ActionSet& actions,
                  QWidget* parent = nullptr);
 

@@ -281,6 +281,16 @@ private slots:
         QCOMPARE(QLineF(view().positionOf(0, 0), view().positionOf(1e6, 0)), before);
     }
 
+    void savedSectionsAreListedOnceThereAreSome() {
+        QListView& list = window().find<ui::SectionPanel>().list();
+        drawLine();
+        QVERIFY(window().find<ui::SectionPanel>().isVisible() && !list.isVisible());
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
+        QVERIFY(list.isVisible());
+        emit window().find<ui::SectionPanel>().forgotten(0);
+        QVERIFY(!list.isVisible());
+    }
+
     void numbersBesideASectionAreWholeAndItsRowsInTheirOrder() {
         drawLine();
         QTRY_VERIFY(view().section().has_value());
