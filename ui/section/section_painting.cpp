@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include "model/export/stackup_drawing.h"
 #include "ui/common/thickness_text.h"
@@ -17,6 +18,8 @@ using model::SectionPiece;
 
 constexpr double kTickPixels = 90.0;  // between the numbers of the ruler, about
 constexpr double kApart = 6.0;        // between the texts of a label
+constexpr double kLeader = 34.0;      // the line that leads to a label
+constexpr double kLeastName = 60.0;   // of a name beside figures
 
 /// The next smaller of 1, 2, 5, 10, 20, …
 double roundNumber(double value) {
@@ -149,25 +152,68 @@ QString SectionView::heightText(const NamedRow& named) const {
     return tr("at %1").arg(lengthText(double(named.mark ? named.mark->bottom : named.row->z), m_unit));
 }
 
-/// Numbers are never cut: where there is no room, names are.
-SectionView::LabelColumns SectionView::labelColumns(const std::vector<NamedRow>& rows) const {
-    double thickness = 0.0;
-    double height = 0.0;
+SectionView::LabelWidths SectionView::widthsOf(const std::vector<NamedRow>& rows) const {
+    LabelWidths widths;
     for (const NamedRow& named : rows) {
-        const QString text = thicknessText(named.row->thickness, m_unit);
         const QFontMetrics letters(fontOf(font(), *named.row));
-        thickness = std::max(thickness, letters.horizontalAdvance(text) + kApart);
-        height = std::max(height, fontMetrics().horizontalAdvance(heightText(named)) + 2.0);
+        const auto widen = [](double& width, int text) { width = std::max(width, text + kApart); };
+        // A pixel more: widths are rounded, and what is wider by less would be cut.
+        widen(widths.name, fontMetrics().horizontalAdvance(QString::fromStdString(named.row->name)) + 1);
+        widen(widths.thickness, letters.horizontalAdvance(thicknessText(named.row->thickness, m_unit)));
+        widen(widths.height, fontMetrics().horizontalAdvance(heightText(named)));
     }
-    const double left = plot().right() + 34.0;
-    const double heightLeft = std::min(left + (width() - left) * 0.64, width() - height);
-    return {left, std::min(left + (width() - left) * 0.33, heightLeft - thickness), heightLeft};
+    return widths;
+}
+
+double SectionView::roomForLabels() const {
+    std::vector<NamedRow> rows;
+    for (const model::StackupRow& row : board().stackup.rows) {
+        rows.push_back({&row, {}, 0.0});
+    }
+    const LabelWidths widths = widthsOf(rows);
+    return kLeader + widths.name + widths.thickness + widths.height;
+}
+
+/// Whether names that have so much room can be read, and two that differ still do.
+bool SectionView::areTold(const std::vector<NamedRow>& rows, double room) const {
+    std::map<QString, std::string> told;
+    for (const NamedRow& named : rows) {
+        const auto [other, isNew] = told.emplace(nameIn(named, room), named.row->name);
+        if (!isNew && other->second != named.row->name) {
+            return false;
+        }
+    }
+    return room >= kLeastName;
+}
+
+/// Names tell the rows apart: where there is no room for all, they stay, and figures are left out, whole.
+SectionView::LabelColumns SectionView::labelColumns(const std::vector<NamedRow>& rows) const {
+    LabelWidths widths = widthsOf(rows);
+    const double left = plot().right() + kLeader;
+    const double room = width() - left;
+    for (double* figures : {&widths.height, &widths.thickness}) {
+        const double rest = room - widths.thickness - widths.height;
+        if (rest < widths.name && !areTold(rows, rest)) {
+            *figures = 0.0;
+        }
+    }
+    const double thickness = left + std::min(widths.name, room - widths.thickness - widths.height);
+    const double height = thickness + widths.thickness;
+    return {left, thickness, height, height + widths.height};
+}
+
+/// `room` includes what is left free behind a name.
+QString SectionView::nameIn(const NamedRow& named, double room) const {
+    return fontMetrics().elidedText(QString::fromStdString(named.row->name), Qt::ElideMiddle,
+                                    static_cast<int>(std::lround(room - kApart)));
 }
 
 SectionView::LabelTexts SectionView::textsOf(const NamedRow& named, const LabelColumns& columns) const {
-    const int room = static_cast<int>(columns.thickness - kApart - columns.name);
-    return {fontMetrics().elidedText(QString::fromStdString(named.row->name), Qt::ElideMiddle, room),
-            thicknessText(named.row->thickness, m_unit), heightText(named)};
+    const bool hasThickness = columns.height > columns.thickness;
+    const bool hasHeight = columns.end > columns.height;
+    return {nameIn(named, columns.thickness - columns.name),
+            hasThickness ? thicknessText(named.row->thickness, m_unit) : QString(),
+            hasHeight ? heightText(named) : QString()};
 }
 
 std::vector<SectionView::LabelTexts> SectionView::labels() const {

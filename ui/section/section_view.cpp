@@ -20,7 +20,8 @@ using model::SectionPiece;
 using model::SectionPosition;
 
 constexpr double kMargin = 8.0;
-constexpr double kLabels = 0.34;       // of the width
+constexpr double kLabels = 0.34;       // of the width, at least
+constexpr double kMostLabels = 0.5;    // the cut is what the view is for
 constexpr double kLeastOfBoard = 0.4;  // of what is shown, beside tall parts
 constexpr double kFilled = 0.8;        // of the plot, by a cut that is shown whole
 constexpr double kLeastPixels = 0.7;   // of a piece: none vanishes
@@ -108,7 +109,7 @@ void SectionView::setColours(std::vector<QColor> colours) {
 
 void SectionView::setUnit(LengthUnit unit) {
     m_unit = unit;
-    update();
+    arrange();
 }
 
 void SectionView::setHeightTimes(double times) {
@@ -123,7 +124,7 @@ void SectionView::fit() {
 
 QRectF SectionView::plot() const {
     const double above = m_runs.empty() ? kMargin : kMargin + lineHeight();
-    return {kMargin, above, width() * (1.0 - kLabels) - kMargin, height() - above - 3.0 * lineHeight()};
+    return {kMargin, above, width() - m_labelRoom - kMargin, height() - above - 3.0 * lineHeight()};
 }
 
 /// From the lowest to the highest of what is drawn. Parts may be many times as high as a board: then both ends are
@@ -156,6 +157,8 @@ std::vector<QRectF> SectionView::brokenParts() const {
 
 /// Lengths and heights to pixels: of the whole line unless the user has chosen a part of it.
 void SectionView::arrange() {
+    const double wanted = m_section ? roomForLabels() : 0.0;
+    m_labelRoom = std::clamp(wanted, kLabels * width(), kMostLabels * width());
     if (m_section && m_isFitted) {
         const double length = m_section->stations.back();
         const auto [low, high] = fittedHeights();
@@ -265,12 +268,12 @@ bool SectionView::isHighlighted(const SectionPiece& piece) const {
 }
 
 void SectionView::wheelEvent(QWheelEvent* event) {
-    const double factor =
-        std::pow(static_cast<double>(CameraController::kZoomPerNotch), event->angleDelta().y() / kWheelNotch);
-    const double after = std::clamp(m_perNm * factor, kLeastPerNm, kMostPerNm);
     if (!m_section) {
         return;  // nothing to zoom: the next section is shown whole
     }
+    const double factor =
+        std::pow(static_cast<double>(CameraController::kZoomPerNotch), event->angleDelta().y() / kWheelNotch);
+    const double after = std::clamp(m_perNm * factor, kLeastPerNm, kMostPerNm);
     // What is under the cursor stays there.
     const QPointF from = event->position() - plot().center();
     m_along += from.x() / m_perNm - from.x() / after;

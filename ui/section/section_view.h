@@ -68,7 +68,7 @@ public:
     /// Where the name of a row of the stackup points to; none: the row is not in sight.
     [[nodiscard]] std::optional<QPointF> markOf(std::size_t row) const;
     /// What is written beside the section of each row of the stackup that is named: name, thickness and height above
-    /// the bottom. Only names are cut.
+    /// the bottom. Where there is no room for all, heights are left out, then thicknesses, then names are cut.
     using LabelTexts = std::array<QString, 3>;
     [[nodiscard]] std::vector<LabelTexts> labels() const;
     /// Parts that are too high to be shown whole beside the board while all of the line is: they end in a break line.
@@ -128,15 +128,27 @@ private:
         std::optional<model::RowMark> mark;
         double y = 0.0;  ///< of what is named
     };
-    /// Where the three texts of a row begin.
+    /// Where the three texts of a row begin; each ends where the next one does, one without room is empty.
     struct LabelColumns {
         double name = 0.0;
         double thickness = 0.0;
         double height = 0.0;
+        double end = 0.0;
     };
+    /// How wide the texts of rows are, with what is between them.
+    struct LabelWidths {
+        double name = 0.0;
+        double thickness = 0.0;
+        double height = 0.0;
+    };
+    [[nodiscard]] LabelWidths widthsOf(const std::vector<NamedRow>& rows) const;
+    /// What the labels of all rows take, in sight or not, so that zooming does not move the cut.
+    [[nodiscard]] double roomForLabels() const;
     [[nodiscard]] model::SectionWindow window() const;
     [[nodiscard]] std::vector<NamedRow> namedRows() const;
     [[nodiscard]] QString heightText(const NamedRow& named) const;
+    [[nodiscard]] QString nameIn(const NamedRow& named, double room) const;
+    [[nodiscard]] bool areTold(const std::vector<NamedRow>& rows, double room) const;
     [[nodiscard]] LabelColumns labelColumns(const std::vector<NamedRow>& rows) const;
     [[nodiscard]] LabelTexts textsOf(const NamedRow& named, const LabelColumns& columns) const;
     void paintLabel(QPainter& painter, const NamedRow& named, double y, const LabelColumns& columns) const;
@@ -159,7 +171,8 @@ private:
     double m_wantedTimes = 0.0;
     bool m_isFitted = true;
 
-    double m_perNm = 1e-6;  ///< pixels
+    double m_labelRoom = 0.0;  ///< at the right, pixels
+    double m_perNm = 1e-6;     ///< pixels
     double m_times = 1.0;
     double m_along = 0.0;  ///< what is in the middle of the plot, nm
     double m_z = 0.0;

@@ -7,6 +7,7 @@
 #include <QStatusBar>
 #include <QWheelEvent>
 #include <QtTest>
+#include <set>
 
 #include "model/base/thickness_units.h"
 #include "model/export/section_export.h"
@@ -291,10 +292,32 @@ private slots:
         QVERIFY(!list.isVisible());
     }
 
+    /// Rows that are not alike must not read alike; names stay before figures do, and have what room there is.
+    void namesBesideASectionTellItsRowsApart() {
+        drawLine();
+        std::set<QString> names;
+        for (const model::StackupRow& row : window().document()->stackup.rows) {
+            names.insert(QString::fromStdString(row.name));
+        }
+        for (const int width : {220, 300, 400, 600, 900, 1400}) {
+            view().resize(width, 400);
+            const auto labels = view().labels();
+            QVERIFY(labels.size() > 2);
+            std::set<QString> told;
+            for (const auto& label : labels) {
+                QVERIFY2(label[0].size() > 2, qPrintable(QString("%1 at %2").arg(label[0]).arg(width)));
+                told.insert(label[0]);
+                QVERIFY(width < 900 || names.contains(label[0]));
+                QVERIFY(width < 600 || (!label[1].isEmpty() && !label[2].isEmpty()));
+            }
+            QCOMPARE(told.size(), labels.size());
+        }
+    }
+
     void numbersBesideASectionAreWholeAndItsRowsInTheirOrder() {
         drawLine();
         QTRY_VERIFY(view().section().has_value());
-        view().resize(300, 260);
+        view().resize(600, 260);
         const auto& rows = window().document()->stackup.rows;
         const auto isOf = [](const ui::SectionView::LabelTexts& label, const model::StackupRow& row) {
             const QString name = QString::fromStdString(row.name);
