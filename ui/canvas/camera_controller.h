@@ -52,6 +52,7 @@ public:
     void setViewport(QSizeF size, double pixelRatio = 1.0);
     /// Pixels along the edges that something else covers: what is fitted or shown stays clear of them. In a plan.
     void setMargins(const QMarginsF& margins);
+    [[nodiscard]] const QMarginsF& margins() const { return m_margins; }
     /// The box `fit` shows, in board model millimetres.
     void setBox(const glm::vec3& boxMin, const glm::vec3& boxMax);
 

@@ -203,3 +203,5 @@ void SectionLine::paint(QPainter& painter) const {
 }
 
 }  // namespace ui
+    // Rulers and what else covers the rim of the view lie above.
+    painter.setClipRect(QRectF({}, m_view.controller().viewport()).marginsRemoved(m_view.controller().margins()));

@@ -168,6 +168,20 @@ private slots:
         QVERIFY(!view().section());
     }
 
+    void theLineLiesBelowTheRulers() {
+        const auto [from, to] = acrossBoard();
+        const QImage before = flat().grabPicture()->copy();
+        sections().cutAlong({flat().locationAt({-20, -20}), flat().locationAt(to)});
+        const QImage after = flat().grabPicture()->copy();
+        const QMargins rulers = flat().controller().margins().toMargins();
+        QVERIFY(rulers.left() > 0 && rulers.top() > 0);
+        const QRect left(0, 0, rulers.left(), before.height());
+        const QRect upper(0, 0, before.width(), rulers.top());
+        QCOMPARE(differingPixels(before.copy(left), after.copy(left)), 0);
+        QCOMPARE(differingPixels(before.copy(upper), after.copy(upper)), 0);
+        QVERIFY(differingPixels(before, after) > 300);
+    }
+
     void aLineBesideTheBoardIsTold() {
         const model::Box& board = m_index->board->board;
         const double x = board.max.x + 5e6;
