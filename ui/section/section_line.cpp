@@ -3,6 +3,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kGripPixels = 8.0;
 constexpr double kCornerPixels = 4.0;
+constexpr double kHandlesApart = 24.0;  // three of their diameters: what lies under them can be seen
 constexpr QColor kInk(255, 120, 200);
 constexpr QColor kRim(20, 20, 24, 200);
 
@@ -171,8 +173,34 @@ void SectionLine::endLaying() {
     emit finished();
 }
 
+std::vector<std::size_t> SectionLine::handles() const {
+    std::vector<std::size_t> shown;
+    std::vector<QPointF> taken;
+    const QRectF sight({}, m_view.controller().viewport());
+    const auto offer = [&](std::size_t corner, bool isWanted) {
+        const auto at = m_view.screenOf(m_line[corner]);
+        const auto isNear = [&](QPointF other) { return QLineF(*at, other).length() < kHandlesApart; };
+        if (at && (isWanted || (sight.contains(*at) && std::ranges::none_of(taken, isNear)))) {
+            shown.push_back(corner);
+            taken.push_back(*at);
+        }
+    };
+    const auto isWanted = [&](std::size_t corner) {
+        return corner == 0 || corner + 1 == m_line.size() || corner == m_held;
+    };
+    for (const bool first : {true, false}) {
+        for (std::size_t corner = 0; corner < m_line.size(); ++corner) {
+            if (isWanted(corner) == first) {
+                offer(corner, first);
+            }
+        }
+    }
+    return shown;
+}
+
+/// What has no handle cannot be taken by mistake.
 std::optional<std::size_t> SectionLine::cornerAt(QPointF position) const {
-    for (std::size_t i = 0; i < m_line.size(); ++i) {
+    for (const std::size_t i : handles()) {
         const auto at = m_view.screenOf(m_line[i]);
         if (at && QLineF(*at, position).length() <= kGripPixels) {
             return i;
@@ -191,17 +219,17 @@ void SectionLine::paint(QPainter& painter) const {
     if (corners.size() < 2) {
         return;
     }
+    // Rulers and what else covers the rim of the view lie above.
+    painter.setClipRect(QRectF({}, m_view.controller().viewport()).marginsRemoved(m_view.controller().margins()));
     painter.setPen(QPen(kRim, 4.0));
     painter.drawPolyline(corners);
     painter.setPen(QPen(kInk, 2.0));
     painter.drawPolyline(corners);
     painter.setBrush(kInk);
     painter.setPen(QPen(kRim, 1.0));
-    for (const QPointF& corner : corners) {
-        painter.drawEllipse(corner, kCornerPixels, kCornerPixels);
+    for (const std::size_t corner : handles()) {
+        painter.drawEllipse(*m_view.screenOf(m_line[corner]), kCornerPixels, kCornerPixels);
     }
 }
 
 }  // namespace ui
-    // Rulers and what else covers the rim of the view lie above.
-    painter.setClipRect(QRectF({}, m_view.controller().viewport()).marginsRemoved(m_view.controller().margins()));

@@ -11,7 +11,8 @@ namespace ui {
 
 /// The line of a cross-section, over the 2D view. While drawing is on, a drag draws one leg; a click begins
 /// a line of many: every further click is a corner, a double click or Enter ends it, Backspace takes the last corner
-/// back. Corners are moved afterwards. Shift keeps a leg to multiples of 45 degrees.
+/// back. Corners are moved afterwards by their handles; where many lie close together, zooming in brings the handles of
+/// all. Shift keeps a leg to multiples of 45 degrees.
 class SectionLine : public QObject {
     Q_OBJECT
 
@@ -45,6 +46,9 @@ private:
     bool layKey(const QKeyEvent& event);
     void endLaying();
     [[nodiscard]] bool isClick(base::PointD from, base::PointD to) const;
+    /// Corners that have a handle: both ends, the one that is held, and of the others as many as are clearly apart on
+    /// the screen.
+    [[nodiscard]] std::vector<std::size_t> handles() const;
     [[nodiscard]] std::optional<std::size_t> cornerAt(QPointF position) const;
     void paint(QPainter& painter) const;
 

@@ -182,6 +182,40 @@ private slots:
         QVERIFY(differingPixels(before, after) > 300);
     }
 
+    /// As a line along a net has them when all of it is in sight: circles side by side would cover the net.
+    void cornersCloseTogetherHaveOneHandle() {
+        const auto [from, to] = acrossBoard();
+        const auto along = [&, from = from](double pixels) { return flat().locationAt(from + QPointF(pixels, 0)); };
+        const auto lineWith = [&, to = to](std::vector<double> corners) {
+            std::vector<PointD> line{along(0)};
+            for (const double pixels : corners) {
+                line.push_back(along(pixels));
+            }
+            line.push_back(flat().locationAt(to));
+            return line;
+        };
+        sections().cutAlong(lineWith({}));
+        const QImage straight = flat().grabPicture()->copy();
+        const std::vector<PointD> crowded = lineWith({12.0, 14.0, 16.0});
+        sections().cutAlong(crowded);
+        QCOMPARE(differingPixels(straight, *flat().grabPicture()), 0);
+        sections().cutAlong(lineWith({60.0}));
+        QVERIFY(differingPixels(straight, *flat().grabPicture()) > 20);
+
+        sections().cutAlong(crowded);
+        const auto drag = [&](QPointF at) {
+            mouse(QEvent::MouseButtonPress, at);
+            mouse(QEvent::MouseMove, at + QPointF(0, 30));
+            mouse(QEvent::MouseButtonRelease, at + QPointF(0, 30));
+        };
+        drag(from + QPointF(14, 0));  // what is not to be seen cannot be taken
+        QVERIFY(std::ranges::equal(window().find<ui::SectionLine>().line(), crowded, isAt));
+        flat().controller().zoomAt(from, 20.0F);
+        drag(*flat().screenOf(crowded[2]));
+        const std::vector<PointD>& moved = window().find<ui::SectionLine>().line();
+        QVERIFY(isAt(moved[1], crowded[1]) && !isAt(moved[2], crowded[2]) && isAt(moved[3], crowded[3]));
+    }
+
     void aLineBesideTheBoardIsTold() {
         const model::Box& board = m_index->board->board;
         const double x = board.max.x + 5e6;
