@@ -35,6 +35,25 @@ namespace {
 /// Errors that are named on stderr, one by one.
 constexpr std::size_t kNamedErrors = 5;
 
+/// Reading a board takes a while: what a window saved in that time is kept.
+base::Status saveThicknesses(const model::OpenedBoard& board) {
+    namespace session = model::session;
+    session::KnownPart known{board.sessionFile, board.sessionFile};
+    RETURN_IF_ERROR(session::saveThicknesses(board.request.path, *board.document, board.thicknesses.all(),
+                                             board.request.noSession ? nullptr : &known));
+    if (known.keepsOthers) {
+        std::fprintf(stderr,
+                     "copperscope: other thicknesses were saved while the board was read; they are kept in %s\n",
+                     session::sessionPath(board.request.path).c_str());
+    }
+    if (known.replacesOthers) {
+        std::fprintf(stderr,
+                     "copperscope: thicknesses that --set-thickness names were saved while the board was read; "
+                     "they are replaced\n");
+    }
+    return base::Done{};
+}
+
 }  // namespace
 
 void sayErrors(const model::Document& document) {
@@ -61,7 +80,7 @@ base::Result<model::OpenedBoard> openWithSession(const BoardArguments& arguments
     }
     sayErrors(*board.document);
     if (arguments.saveSession) {
-        RETURN_IF_ERROR(model::session::saveThicknesses(board.request.path, *board.document, board.thicknesses.all()));
+        RETURN_IF_ERROR(saveThicknesses(board));
     }
     return board;
 }

@@ -41,6 +41,7 @@ base::Result<OpenedBoard> withSession(const OpenRequest& request, ReadBoard read
     board.document = session::applyThicknesses(std::move(read.document), board.thicknesses.all());
     board.format = read.format->key;
     board.session = std::move(found.session);
+    board.sessionFile = std::move(found.file);
     board.projectRules = std::move(projectRules);
     board.forms = std::move(read.forms);
     board.notes = std::move(found.ignored);

@@ -42,8 +42,9 @@ struct OpenedBoard {
     OpenRequest request;                       ///< of several forms it names the one that was read
     std::shared_ptr<const Document> document;  ///< with the thicknesses in it; null if one of `forms` is to be chosen
     SetThicknesses thicknesses{};
-    bool areThicknessesSaved = true;         ///< those of `thicknesses.saved` are in the session file
-    session::Session session{};              ///< as the file holds it, of other steps too
+    bool areThicknessesSaved = true;  ///< those of `thicknesses.saved` are in the session file
+    session::Session session{};       ///< as the file holds it, of other steps too
+    std::shared_ptr<const session::FileContent> sessionFile{};  ///< what was read; null where there is none
     std::optional<RuleFile> projectRules{};  ///< those of a KiCad board's project (kicadRulesFor), unless noSession
     std::string format{};                    ///< BoardFormat::key of what was read
     std::vector<BoardForm> forms{};          ///< where there are several: the one that was read or is proposed first

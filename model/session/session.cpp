@@ -1,18 +1,13 @@
 #include "model/session/session.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <chrono>
 #include <optional>
-#include <thread>
 
 #include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
 #include "model/clearance/rule_file.h"
+#include "model/session/folder_lock.h"
+#include "model/session/merge.h"
 #include "model/session/session_json.h"
 #include "model/solids/restack.h"
 #include "model/text/json_reading.h"
@@ -27,19 +22,22 @@ namespace {
 
 constexpr const char* kVersionKey = "copperscope_session";
 constexpr const char* kJobKey = "job";
-constexpr const char* kThicknessKey = "thickness_nm";
-constexpr const char* kViewsKey = "views";
-constexpr const char* kNetsKey = "nets";
-constexpr const char* kDeskKey = "desk";
-constexpr const char* kMeasurementsKey = "measurements";
-constexpr const char* kSectionsKey = "sections";
-constexpr const char* kLayerSetsKey = "layer_sets";
-constexpr const char* kBoardColoursKey = "board_colours";
-constexpr const char* kDesignRulesKey = "design_rules";
-constexpr const char* kWaiversKey = "waivers";
-/// Writing a session takes milliseconds.
-constexpr int kLockTries = 1000;
-constexpr std::chrono::milliseconds kLockPause{2};
+
+/// What is written on its own, and so merged with what others wrote of it.
+struct Part {
+    const char* key;
+    Unit unit;
+};
+constexpr Part kThicknesses{"thickness_nm", Unit::Name};
+constexpr Part kViews{"views", Unit::Item};
+constexpr Part kNets{"nets", Unit::Name};
+constexpr Part kDesk{"desk", Unit::Whole};
+constexpr Part kMeasurements{"measurements", Unit::Item};
+constexpr Part kSections{"sections", Unit::Item};
+constexpr Part kLayerSets{"layer_sets", Unit::Name};
+constexpr Part kBoardColours{"board_colours", Unit::Name};
+constexpr Part kDesignRules{"design_rules", Unit::Whole};
+constexpr Part kWaivers{"waivers", Unit::Item};
 
 base::Error cannotWrite(const fs::path& path, const std::string& why) {
     return {base::ErrorCode::OutputFailed, path.string() + " cannot be written: " + why};
@@ -81,7 +79,7 @@ bool isThickness(const Json& value) {
 
 void readThicknesses(const Json& json, const Stackup& stackup, LoadedSession& out) {
     if (!json.is_object()) {
-        out.ignored.push_back(std::string(kThicknessKey) + " is not a list of layers");
+        out.ignored.push_back(std::string(kThicknesses.key) + " is not a list of layers");
         return;
     }
     for (const auto& [name, value] : json.items()) {
@@ -132,7 +130,7 @@ void readNets(const Json& json, const Document& document, LoadedSession& out) {
 void readDesk(const Json& json, const Document& document, LoadedSession& out) {
     std::optional<Desk> desk = tryRead(json, deskFrom);
     if (!desk) {
-        out.ignored.push_back(std::string(kDeskKey) + ", which is not what a window shows");
+        out.ignored.push_back(std::string(kDesk.key) + ", which is not what a window shows");
         return;
     }
     std::string missing;
@@ -151,7 +149,7 @@ void readDesignRules(const Json& json, LoadedSession& out) {
     if (base::Result<RuleTable> rules = parseRules(jsonText(json))) {
         out.session.designRules = std::move(*rules);
     } else {
-        out.ignored.push_back(std::string(kDesignRulesKey) + ": " + rules.error().text);
+        out.ignored.push_back(std::string(kDesignRules.key) + ": " + rules.error().text);
     }
 }
 
@@ -166,40 +164,43 @@ bool holdsNothing(const Json& json) {
                                [](const auto& item) { return item.key() == kVersionKey || item.key() == kJobKey; });
 }
 
-/// While it lives, no other program changes a session in this folder: reading a file, changing a part and writing it
-/// again must not mix with the same of others. The folder is locked, because files in it are replaced. A file system
-/// without locks is taken as one without other programs.
-class FolderLock {
-public:
-    explicit FolderLock(const fs::path& folder) : m_folder(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-        m_isHeld = m_folder < 0 || take();
-        for (int i = 0; i < kLockTries && !m_isHeld; ++i) {
-            std::this_thread::sleep_for(kLockPause);
-            m_isHeld = take();
-        }
-    }
-    ~FolderLock() {
-        if (m_folder >= 0) {
-            ::close(m_folder);
-        }
-    }
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
+/// Null for a part that is not there.
+Json partIn(const std::shared_ptr<const FileContent>& content, const char* key) {
+    return content ? content->json.value(key, Json()) : Json();
+}
 
-    /// False: somebody keeps it for longer than writing a session takes.
-    [[nodiscard]] bool isHeld() const { return m_isHeld; }
+std::shared_ptr<const FileContent> contentOf(const char* key, Json part) {
+    return std::make_shared<const FileContent>(FileContent{Json{{key, std::move(part)}}});
+}
 
-private:
-    [[nodiscard]] bool take() const {
-        return ::flock(m_folder, LOCK_EX | LOCK_NB) == 0 || (errno != EWOULDBLOCK && errno != EINTR);
+/// As it will be read again: names of a job may be no UTF-8.
+Json asInFile(const Json& part) {
+    return Json::parse(jsonText(part));
+}
+
+/// What to write of a part where the file has `theirs`. `known` becomes what is known once that is written.
+Json mergeKnown(const Part& part, const Json& mine, const Json& theirs, KnownPart& known) {
+    Merged merged = merge(part.unit, partIn(known.own, part.key), mine, theirs);
+    const bool isNews = theirs != partIn(known.file, part.key);
+    known = {contentOf(part.key, mine), contentOf(part.key, merged.part), merged.hasTheirs && isNews,
+             merged.replacesTheirs};
+    return std::move(merged.part);
+}
+
+base::Status writeSession(const fs::path& path, const Json& json) {
+    if (holdsNothing(json)) {
+        return removeFile(path);
     }
-
-    int m_folder;
-    bool m_isHeld = false;
-};
+    const std::string text = jsonText(json);
+    if (text.size() > base::kMostSettingBytes) {
+        return cannotWrite(path, "it would be larger than a session may be");
+    }
+    return writeWholeFile(path, text);
+}
 
 /// Sets one part of the file, or removes it when it is null.
-base::Status savePart(const fs::path& board, const Document& document, const char* key, const Json& part) {
+base::Status savePart(const fs::path& board, const Document& document, const Part& part, const Json& value,
+                      KnownPart* known) {
     const fs::path path = sessionPath(board);
     const FolderLock lock(path.parent_path());
     if (!lock.isHeld()) {
@@ -211,26 +212,27 @@ base::Status savePart(const fs::path& board, const Document& document, const cha
     if (!problem.empty()) {
         return cannotWrite(path, "the file there " + problem);
     }
+    KnownPart next = known != nullptr ? *known : KnownPart{};
+    const Json mine = asInFile(value);
+    const Json merged = known != nullptr ? mergeKnown(part, mine, json.value(part.key, Json()), next) : mine;
     json[kVersionKey] = kVersion;
     json[kJobKey] = document.job.name;
-    json.erase(key);
-    if (!part.is_null()) {
-        json[key] = part;
+    json.erase(part.key);
+    if (!merged.is_null()) {
+        json[part.key] = merged;
     }
-    if (holdsNothing(json)) {
-        return removeFile(path);
+    RETURN_IF_ERROR(writeSession(path, json));
+    if (known != nullptr) {
+        *known = std::move(next);
     }
-    const std::string text = jsonText(json);
-    if (text.size() > base::kMostSettingBytes) {
-        return cannotWrite(path, "it would be larger than a session may be");
-    }
-    return writeWholeFile(path, text);
+    return base::Done{};
 }
 
 template <class List>
-base::Status saveList(const fs::path& board, const Document& document, const char* key, const List& list) {
-    return savePart(board, document, key,
-                    list.empty() ? Json() : listJson(list, [](const auto& item) { return toJson(item); }));
+base::Status saveList(const fs::path& board, const Document& document, const Part& part, const List& list,
+                      KnownPart* known) {
+    return savePart(board, document, part,
+                    list.empty() ? Json() : listJson(list, [](const auto& item) { return toJson(item); }), known);
 }
 
 }  // namespace
@@ -263,35 +265,36 @@ LoadedSession parseSession(std::string_view text, const Document& document) {
         out.ignored.push_back("it " + problem + "; it is ignored");
         return out;
     }
+    out.file = std::make_shared<const FileContent>(FileContent{*json});
     const std::string job = json->value(kJobKey, Json()).dump(-1, ' ', true);
     if (job != Json(document.job.name).dump(-1, ' ', true, Json::error_handler_t::replace)) {
         out.ignored.push_back("it is the session of another board, " + job + "; it is ignored");
         return out;
     }
     for (const auto& [key, value] : json->items()) {
-        if (key == kThicknessKey) {
+        if (key == kThicknesses.key) {
             readThicknesses(value, document.stackup, out);
-        } else if (key == kViewsKey) {
+        } else if (key == kViews.key) {
             readList(value, "view", viewFrom, out.session.views, out.ignored);
-        } else if (key == kNetsKey) {
+        } else if (key == kNets.key) {
             readNets(value, document, out);
-        } else if (key == kDeskKey) {
+        } else if (key == kDesk.key) {
             readDesk(value, document, out);
-        } else if (key == kMeasurementsKey) {
+        } else if (key == kMeasurements.key) {
             readList(value, "measurement", measurementFrom, out.session.measurements, out.ignored);
-        } else if (key == kSectionsKey) {
+        } else if (key == kSections.key) {
             readList(value, "section", sectionFrom, out.session.sections, out.ignored);
-        } else if (key == kLayerSetsKey) {
+        } else if (key == kLayerSets.key) {
             readList(value, "layer set", layerSetFrom, out.session.layerSets, out.ignored);
-        } else if (key == kBoardColoursKey) {
+        } else if (key == kBoardColours.key) {
             if (const auto chosen = tryRead(value, boardColoursFrom)) {
                 out.session.boardColours = *chosen;
             } else {
-                out.ignored.push_back(std::string(kBoardColoursKey) + ", which are no colours of a board");
+                out.ignored.push_back(std::string(kBoardColours.key) + ", which are no colours of a board");
             }
-        } else if (key == kDesignRulesKey) {
+        } else if (key == kDesignRules.key) {
             readDesignRules(value, out);
-        } else if (key == kWaiversKey) {
+        } else if (key == kWaivers.key) {
             readList(value, "waiver", waiverFrom, out.session.waivers, out.ignored);
         } else if (key != kVersionKey && key != kJobKey) {
             out.ignored.push_back("\"" + key + "\" is not known");
@@ -304,49 +307,57 @@ LoadedSession parseSession(std::string_view text, const Document& document) {
 }
 
 base::Status saveThicknesses(const fs::path& board, const Document& document,
-                             const std::vector<ThicknessOverride>& thicknesses) {
+                             const std::vector<ThicknessOverride>& thicknesses, KnownPart* known) {
     Json json;
     for (const ThicknessOverride& set : thicknesses) {
         json[set.layer] = set.thickness;
     }
-    return savePart(board, document, kThicknessKey, json);
+    return savePart(board, document, kThicknesses, json, known);
 }
 
-base::Status saveViews(const fs::path& board, const Document& document, const std::vector<SavedView>& views) {
-    return saveList(board, document, kViewsKey, views);
+base::Status saveViews(const fs::path& board, const Document& document, const std::vector<SavedView>& views,
+                       KnownPart* known) {
+    return saveList(board, document, kViews, views, known);
 }
 
-base::Status saveNets(const fs::path& board, const Document& document, const std::vector<SavedNet>& nets) {
-    return saveList(board, document, kNetsKey, nets);
+base::Status saveNets(const fs::path& board, const Document& document, const std::vector<SavedNet>& nets,
+                      KnownPart* known) {
+    return saveList(board, document, kNets, nets, known);
 }
 
-base::Status saveDesk(const fs::path& board, const Document& document, const Desk& desk) {
-    return savePart(board, document, kDeskKey, toJson(desk));
+base::Status saveDesk(const fs::path& board, const Document& document, const Desk& desk, KnownPart* known) {
+    return savePart(board, document, kDesk, toJson(desk), known);
 }
 
 base::Status saveMeasurements(const fs::path& board, const Document& document,
-                              const std::vector<Measurement>& measurements) {
-    return saveList(board, document, kMeasurementsKey, measurements);
+                              const std::vector<Measurement>& measurements, KnownPart* known) {
+    return saveList(board, document, kMeasurements, measurements, known);
 }
 
-base::Status saveSections(const fs::path& board, const Document& document, const std::vector<SavedSection>& sections) {
-    return saveList(board, document, kSectionsKey, sections);
+base::Status saveSections(const fs::path& board, const Document& document, const std::vector<SavedSection>& sections,
+                          KnownPart* known) {
+    return saveList(board, document, kSections, sections, known);
 }
 
-base::Status saveLayerSets(const fs::path& board, const Document& document, const std::vector<LayerSet>& sets) {
-    return saveList(board, document, kLayerSetsKey, sets);
+base::Status saveLayerSets(const fs::path& board, const Document& document, const std::vector<LayerSet>& sets,
+                           KnownPart* known) {
+    return saveList(board, document, kLayerSets, sets, known);
 }
 
-base::Status saveBoardColours(const fs::path& board, const Document& document, const BoardColourChoice& chosen) {
-    return savePart(board, document, kBoardColoursKey, chosen == BoardColourChoice{} ? Json() : toJson(chosen));
+base::Status saveBoardColours(const fs::path& board, const Document& document, const BoardColourChoice& chosen,
+                              KnownPart* known) {
+    return savePart(board, document, kBoardColours, chosen == BoardColourChoice{} ? Json() : toJson(chosen), known);
 }
 
-base::Status saveDesignRules(const fs::path& board, const Document& document, const std::optional<RuleTable>& rules) {
-    return savePart(board, document, kDesignRulesKey, rules ? Json::parse(toJson(*rules)) : Json());
+base::Status saveDesignRules(const fs::path& board, const Document& document, const std::optional<RuleTable>& rules,
+                             KnownPart* known) {
+    return savePart(board, document, kDesignRules, rules ? Json::parse(toJson(*rules)) : Json(), known);
 }
 
-base::Status saveWaivers(const fs::path& board, const Document& document, const std::vector<Waiver>& waivers) {
-    return savePart(board, document, kWaiversKey, waivers.empty() ? Json() : Json::parse(toJson(waivers))["waivers"]);
+base::Status saveWaivers(const fs::path& board, const Document& document, const std::vector<Waiver>& waivers,
+                         KnownPart* known) {
+    return savePart(board, document, kWaivers, waivers.empty() ? Json() : Json::parse(toJson(waivers))["waivers"],
+                    known);
 }
 
 std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

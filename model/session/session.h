@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -114,10 +115,25 @@ struct Session {
     bool operator==(const Session&) const = default;
 };
 
+/// What a session file held, as JSON.
+struct FileContent;
+
 /// A session as it was found, and what of it was not used, one sentence each.
 struct LoadedSession {
     Session session;
     std::vector<std::string> ignored;
+    std::shared_ptr<const FileContent> file{};  ///< null where there is none
+};
+
+/// What somebody who shows one part of a session, and writes it, knows of the file: enough to keep what other programs
+/// write into the same part. Begins with the file as it was read; saving keeps it up to date.
+struct KnownPart {
+    std::shared_ptr<const FileContent> own{};   ///< has the part as it was last taken from the file or put into it
+    std::shared_ptr<const FileContent> file{};  ///< has what the file held of it then, with what others had written
+    /// Of what others wrote into the part, the last save has kept something that this program did not hear of before
+    /// (it is in the file, and not in what was saved here), has replaced something that was changed here, too.
+    bool keepsOthers = false;
+    bool replacesOthers = false;
 };
 
 /// "<file or folder of the job>.copperscope.json", beside it.
@@ -132,27 +148,32 @@ struct LoadedSession {
 
 /// Writes one part of the session; the others, and what the file holds and we do not know, are kept. All of the file is
 /// written or nothing (a file beside it is written out and then renamed); a session without anything removes it.
+/// What another program changed of this part since it was `known` is kept (merge.h): thicknesses, colours and layer
+/// sets by name, views, measurements, sections and waivers one by one; rules and desk are replaced as a whole. With
+/// null all of the part is replaced.
 /// Errors: OutputFailed with the path and the reason when the folder or the disk refuses, or when the file there is of
 /// a later version or no session; it is then as before.
 [[nodiscard]] base::Status saveThicknesses(const std::filesystem::path& board, const Document& document,
-                                           const std::vector<ThicknessOverride>& thicknesses);
+                                           const std::vector<ThicknessOverride>& thicknesses,
+                                           KnownPart* known = nullptr);
 [[nodiscard]] base::Status saveViews(const std::filesystem::path& board, const Document& document,
-                                     const std::vector<SavedView>& views);
+                                     const std::vector<SavedView>& views, KnownPart* known = nullptr);
 [[nodiscard]] base::Status saveNets(const std::filesystem::path& board, const Document& document,
-                                    const std::vector<SavedNet>& nets);
-[[nodiscard]] base::Status saveDesk(const std::filesystem::path& board, const Document& document, const Desk& desk);
+                                    const std::vector<SavedNet>& nets, KnownPart* known = nullptr);
+[[nodiscard]] base::Status saveDesk(const std::filesystem::path& board, const Document& document, const Desk& desk,
+                                    KnownPart* known = nullptr);
 [[nodiscard]] base::Status saveMeasurements(const std::filesystem::path& board, const Document& document,
-                                            const std::vector<Measurement>& measurements);
+                                            const std::vector<Measurement>& measurements, KnownPart* known = nullptr);
 [[nodiscard]] base::Status saveSections(const std::filesystem::path& board, const Document& document,
-                                        const std::vector<SavedSection>& sections);
+                                        const std::vector<SavedSection>& sections, KnownPart* known = nullptr);
 [[nodiscard]] base::Status saveLayerSets(const std::filesystem::path& board, const Document& document,
-                                         const std::vector<LayerSet>& sets);
+                                         const std::vector<LayerSet>& sets, KnownPart* known = nullptr);
 [[nodiscard]] base::Status saveBoardColours(const std::filesystem::path& board, const Document& document,
-                                            const BoardColourChoice& chosen);
+                                            const BoardColourChoice& chosen, KnownPart* known = nullptr);
 [[nodiscard]] base::Status saveDesignRules(const std::filesystem::path& board, const Document& document,
-                                           const std::optional<RuleTable>& rules);
+                                           const std::optional<RuleTable>& rules, KnownPart* known = nullptr);
 [[nodiscard]] base::Status saveWaivers(const std::filesystem::path& board, const Document& document,
-                                       const std::vector<Waiver>& waivers);
+                                       const std::vector<Waiver>& waivers, KnownPart* known = nullptr);
 
 /// The document with these thicknesses in it.
 [[nodiscard]] std::shared_ptr<const Document> applyThicknesses(std::shared_ptr<const Document> document,

@@ -12,6 +12,10 @@ namespace model::session {
 
 using Json = nlohmann::ordered_json;
 
+struct FileContent {
+    Json json;  ///< an object
+};
+
 [[nodiscard]] Json toJson(const SavedView& view);
 [[nodiscard]] Json toJson(const SavedNet& net);
 [[nodiscard]] Json toJson(const Desk& desk);

@@ -29,11 +29,11 @@ constexpr std::size_t kDrawn = 100;      ///< locations of a rule in a report wi
 
 /// The rules that a board begins with need no place in its session: those of its project, or else the common ones.
 base::Status saveRulesOf(const std::filesystem::path& board, const model::Document& document,
-                         const model::RuleFile& rules) {
+                         const model::RuleFile& rules, model::session::KnownPart* known) {
     using Saved = std::optional<model::RuleTable>;
     const std::optional<model::RuleFile> project = model::kicadRulesFor(board, document);
     const model::RuleTable first = project ? project->table : model::defaultRules();
-    return model::session::saveDesignRules(board, document, rules.table == first ? Saved() : Saved(rules.table));
+    return model::session::saveDesignRules(board, document, rules.table == first ? Saved() : Saved(rules.table), known);
 }
 
 /// What a board begins with. What is left out of its project is so under rules that were edited, too.

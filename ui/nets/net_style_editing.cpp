@@ -11,8 +11,8 @@ NetStyleEditing::NetStyleEditing(NetStyles& styles, Workspace& workspace)
     : m_styles(styles),
       m_part(
           workspace, NetStyles::tr("The colours of nets"), [this](const auto& state) { m_styles.setState(state); },
-          [this](const auto& path, const auto& document, const NetStyles::State& state) {
-              return session::saveNets(path, document, kept(state));
+          [this](const auto& path, const auto& document, const NetStyles::State& state, auto* known) {
+              return session::saveNets(path, document, kept(state), known);
           }) {
     QObject::connect(&styles, &NetStyles::asked, &workspace,
                      [this](const QString& what, const NetStyles::State& after) {

@@ -181,8 +181,11 @@ void SavedViewsFeature::saveDesk() {
         m_workspace.reportError(tr("This board was opened without its session, so nothing is saved."));
         return;
     }
-    m_workspace.reportSaved(session::saveDesk(board.request.path, *board.document, desk()),
-                            QString::fromStdString(session::sessionPath(board.request.path).string()));
+    const base::Status saved = session::saveDesk(board.request.path, *board.document, desk(), &m_knownDesk);
+    m_workspace.reportSaved(saved, QString::fromStdString(session::sessionPath(board.request.path).string()));
+    if (const QString text = textOfOthers(m_knownDesk, tr("Cameras and layers")); saved && !text.isEmpty()) {
+        m_workspace.reportError(text);
+    }
 }
 
 std::string SavedViewsFeature::nameOf(model::LayerId layer) const {
@@ -255,6 +258,7 @@ void SavedViewsFeature::restoreDesk(const LoadedBoard& board) {
         restoreKept(board);
         return;
     }
+    m_knownDesk = {board.sessionFile, board.sessionFile};
     const std::optional<session::Desk>& desk = board.session.desk;
     if (desk && m_workspace.isOpen(desk->step)) {
         restoreLayers(*board.document, *desk);

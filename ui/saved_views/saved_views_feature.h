@@ -58,6 +58,8 @@ private:
     QAction& m_orthographic;
     ViewListModel m_list;
     std::optional<Kept> m_kept;
+    model::session::KnownPart
+        m_knownDesk;  ///< of this board, when it was opened first: read anew, it keeps its cameras
     SavedList<model::session::SavedView> m_saved;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "model/board/stackup.h"
 #include "model/export/stackup_export.h"
 #include "ui/common/paths.h"
 #include "ui/common/thickness_text.h"
@@ -10,65 +9,11 @@
 #include "ui/stackup/stackup_panel.h"
 #include "ui/stackup/stackup_pdf.h"
 #include "ui/stackup/stackup_view.h"
-#include "ui/workspace/session_part.h"
+#include "ui/stackup/thickness_editing.h"
 
 namespace ui {
 
-namespace session = model::session;
-
 namespace {
-
-void apply(Workspace& workspace, const model::SetThicknesses& state) {
-    const LoadedBoard& board = *workspace.board();
-    auto document = session::applyThicknesses(board.document, state.all());
-    base::Status saved = base::Done{};
-    if (!board.request.noSession) {
-        saved = session::saveThicknesses(board.request.path, *document, state.saved);
-    }
-    if (!saved) {
-        workspace.reportError(StackupPanel::tr("%1. The thicknesses count until another board is opened.")
-                                  .arg(QString::fromStdString(saved.error().text)));
-    }
-    workspace.restack(std::move(document), state, saved.ok());
-}
-
-/// What else became thicker or thinner, as the board stays as thick as it is known to be: "DIELECTRIC_2, DIELECTRIC_3".
-QString madeUpBy(const model::Stackup& before, const model::Stackup& after,
-                 const std::vector<model::ThicknessOverride>& changes) {
-    QStringList names;
-    for (const model::StackupRow& row : after.rows) {
-        const model::StackupRow* old = model::findRow(before, row.name);
-        const bool isEdited = std::ranges::count(changes, row.name, &model::ThicknessOverride::layer) > 0;
-        if (!isEdited && old != nullptr && old->thickness != row.thickness) {
-            names += QString::fromStdString(row.name);
-        }
-    }
-    return names.join(QStringLiteral(", "));
-}
-
-/// One step of the history, however many rows. A thickness of 0 takes a row back to what the job says.
-void edit(Workspace& workspace, const std::vector<model::ThicknessOverride>& changes) {
-    const model::SetThicknesses& before = workspace.board()->thicknesses;
-    model::SetThicknesses after = before;
-    for (const model::ThicknessOverride& change : changes) {
-        session::setThickness(after.saved, change);
-        session::setThickness(after.once, {change.layer, 0});  // the later word counts
-    }
-    const std::shared_ptr<const model::Document> document = workspace.board()->document;
-    if (after != before) {
-        const QString what = changes.size() == 1
-                                 ? StackupPanel::tr("thickness of %1").arg(QString::fromStdString(changes[0].layer))
-                                 : StackupPanel::tr("thicknesses");
-        workspace.history().push(new UndoStep<model::SetThicknesses>(
-            what, before, after, [&workspace](const model::SetThicknesses& state) { apply(workspace, state); }));
-        const QString others = madeUpBy(document->stackup, workspace.board()->document->stackup, changes);
-        if (!others.isEmpty()) {
-            workspace.report(StackupPanel::tr("Of assumed thickness and changed too, so that the board stays as thick "
-                                              "as it is taken to be: %1")
-                                 .arg(others));
-        }
-    }
-}
 
 void connectView(FeatureContext& context, StackupView& view) {
     Workspace& workspace = context.workspace;
@@ -150,8 +95,8 @@ void addStackup(FeatureContext& context) {
     QObject::connect(&workspace, &Workspace::boardRead, stackup, setBoard);
     QObject::connect(&workspace, &Workspace::restacked, stackup, setBoard);
     QObject::connect(&workspace, &Workspace::unitChanged, stackup, &StackupModel::setUnit);
-    QObject::connect(stackup, &StackupModel::edited, &workspace,
-                     [&workspace](const auto& changes) { edit(workspace, changes); });
+    auto* editing = new ThicknessEditing(workspace, &context.window);
+    QObject::connect(stackup, &StackupModel::edited, editing, &ThicknessEditing::edit);
     QObject::connect(stackup, &StackupModel::refused, &workspace, &Workspace::errorReported);
     connectView(context, panel->view());
     connectRows(context, *panel, *stackup);

@@ -12,12 +12,19 @@
 
 namespace ui {
 
-/// One part of a board's session file as its editor sees it: edits are undone on the history, shown and saved.
+/// What another window, or a command, did to a part of the session, as the last save found it; empty for nothing.
+/// `name` as in "The views".
+[[nodiscard]] QString textOfOthers(const model::session::KnownPart& part, const QString& name);
+
+/// One part of a board's session file as its editor sees it: edits are undone on the history, saved and shown. What
+/// another window saved of the same part stays in the file, and is not shown before the board is read again: the
+/// history here knows nothing of it.
 template <class State>
 class SessionPart {
 public:
     using Show = std::function<void(const State&)>;
-    using Save = std::function<base::Status(const std::filesystem::path&, const model::Document&, const State&)>;
+    using Save = std::function<base::Status(const std::filesystem::path&, const model::Document&, const State&,
+                                            model::session::KnownPart*)>;
 
     /// `name` as in "The views": what then counts in the window alone where it cannot be saved.
     SessionPart(Workspace& workspace, QString name, Show show, Save save)
@@ -28,12 +35,18 @@ public:
     /// A board was opened. True if the part is to be taken from its session; false if it is the same one, and what was
     /// edited is in no file, or the file was read before: then it stays.
     [[nodiscard]] bool open() {
-        const std::filesystem::path& path = m_workspace.board()->request.path;
+        const LoadedBoard& board = *m_workspace.board();
+        const std::filesystem::path& path = board.request.path;
         const bool isLater = path == m_path && (!m_isSaved || !m_isRead);
         m_isSaved = m_isSaved || path != m_path;
         m_path = path;
+        if (!isLater) {
+            m_known = {board.sessionFile, board.sessionFile};
+        }
         return !isLater;
     }
+    /// What is shown is in the file.
+    [[nodiscard]] bool isSaved() const { return m_isSaved; }
     void edit(const QString& what, State before, State after) {
         m_workspace.history().push(new UndoStep<State>(what, std::move(before), std::move(after),
                                                        [this](const State& state) { apply(state); }));
@@ -41,19 +54,20 @@ public:
 
 private:
     void apply(const State& state) {
-        m_show(state);
-        const LoadedBoard& board = *m_workspace.board();
         m_isSaved = m_isRead = false;
-        if (board.request.noSession) {
-            return;
+        const QString trouble = m_workspace.board()->request.noSession ? QString() : save(state);
+        m_show(state);
+        if (!trouble.isEmpty()) {
+            m_workspace.reportError(trouble);
         }
-        const base::Status saved = m_save(m_path, *board.document, state);
+    }
+    /// What there is to say of it; empty for nothing.
+    QString save(const State& state) {
+        const base::Status saved = m_save(m_path, *m_workspace.board()->document, state, &m_known);
         m_isSaved = saved.ok();
-        if (!saved) {
-            m_workspace.reportError(
-                QCoreApplication::translate("SessionPart", "%1. %2 count until another board is opened.")
-                    .arg(QString::fromStdString(saved.error().text), m_name));
-        }
+        return saved ? textOfOthers(m_known, m_name)
+                     : QCoreApplication::translate("SessionPart", "%1. %2 count until another board is opened.")
+                           .arg(QString::fromStdString(saved.error().text), m_name);
     }
 
     Workspace& m_workspace;
@@ -61,6 +75,7 @@ private:
     Show m_show;
     Save m_save;
     std::filesystem::path m_path;
+    model::session::KnownPart m_known;
     bool m_isSaved = true;
     bool m_isRead = true;  ///< whoever reads the file now finds the last edit in it
 };

@@ -53,6 +53,32 @@ private slots:
         QCOMPARE(QDir(QString::fromStdString(m_job.string())).entryList(), jobFiles);
     }
 
+    /// Both call their first view alike.
+    void viewsOfTwoWindowsAreAllKept() {
+        const QString job = QString::fromStdString(m_job.string());
+        auto other = std::make_unique<WindowFixture>();
+        QVERIFY(other->openAndWait(job));
+        other->key(Qt::Key_Plus);
+        other->key(Qt::Key_B, Qt::ControlModifier);
+        QVERIFY(activate(window()));
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        QTRY_VERIFY(window().messageBar().isVisible());
+        QVERIFY2(window().error().contains("The views"), qPrintable(window().error()));
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        QCOMPARE(names(), QStringList{"View 1"});
+        // Cameras and layers are those of the window that saved them last, which says so.
+        m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(activate(other->window()));
+        other->key(Qt::Key_S, Qt::ControlModifier);
+        QTRY_VERIFY(other->window().messageBar().isVisible());
+        QVERIFY2(other->window().error().contains("was replaced"), qPrintable(other->window().error()));
+        QCOMPARE(validationErrorsOnClosing(other), 0U);
+        QVERIFY(activate(window()));
+        m_fixture->key(Qt::Key_F5);
+        QTRY_COMPARE_WITH_TIMEOUT(names(), (QStringList{"View 1", "View 1"}), 60000);
+    }
+
     void whatIsForgottenComesBackByUndo() {
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
@@ -186,6 +212,12 @@ private slots:
     }
 
 private:
+    /// Keys reach the window in use only.
+    static bool activate(TestWindow& window) {
+        window.activateWindow();
+        return QTest::qWaitForWindowActive(&window);
+    }
+
     TestWindow& window() { return m_fixture->window(); }
     ui::CameraController& solid() { return window().views().solid().controller(); }
     ui::TableView& table() { return window().table("views"); }

@@ -205,6 +205,39 @@ private slots:
         QCOMPARE(rowOf("CORE1").thickness, 400'000);
     }
 
+    /// Each knows of the other what it finds in the file when it saves.
+    void thicknessesOfTwoWindowsAreAllKept() {
+        const QString job = QString::fromStdString(m_job.string());
+        auto other = std::make_unique<WindowFixture>();
+        other->window().showPanel("stackup");
+        QVERIFY(other->openAndWait(job));
+        type("CORE1", "0.25 mm", other->window());
+        QVERIFY(!other->window().messageBar().isVisible());
+        type("CORE2", "0.3 mm");
+        QVERIFY(window().messageBar().isVisible());
+        QVERIFY2(window().error().contains("The thicknesses in the session file were changed outside this window") &&
+                     window().error().contains("F5") && !window().error().contains("replaced"),
+                 qPrintable(window().error()));
+        type("TOP", "90 um", other->window());
+        QVERIFY(other->window().messageBar().isVisible());
+        window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);  // takes back what was set here, and nothing else
+        m_fixture->key(Qt::Key_Y, Qt::ControlModifier);
+        m_fixture->key(Qt::Key_F5);
+        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+        QCOMPARE(rowOf("CORE1").thickness, 250'000);
+        QCOMPARE(rowOf("CORE1").source, model::Source::Session);
+        QCOMPARE(rowOf("CORE2").thickness, 300'000);
+        QCOMPARE(rowOf("TOP").thickness, 90'000);
+        // Of one layer the last word counts, and that is said where it was not seen before.
+        type("CORE2", "0.5 mm", other->window());
+        QVERIFY2(other->window().error().contains("replaced"), qPrintable(other->window().error()));
+        QVERIFY(m_fixture->openAndWait(job));
+        QCOMPARE(rowOf("CORE2").thickness, 500'000);
+        QCOMPARE(validationErrorsOnClosing(other), 0U);
+    }
+
     void whatOfASessionIsNotUsedIsTold() {
         QFile file(QString::fromStdString(m_session.string()));
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -227,8 +260,9 @@ private:
 
     const model::StackupRow& rowOf(const char* name) { return *model::findRow(window().document()->stackup, name); }
 
-    QModelIndex cell(const QString& name, int column) {
-        QAbstractItemModel& rows = window().stack();
+    QModelIndex cell(const QString& name, int column) { return cell(name, column, window()); }
+    static QModelIndex cell(const QString& name, int column, TestWindow& window) {
+        QAbstractItemModel& rows = window.stack();
         for (int row = 0; row < rows.rowCount(); ++row) {
             if (rows.index(row, StackupModel::Name).data().toString() == name) {
                 return rows.index(row, column);
@@ -240,9 +274,10 @@ private:
     QString textOf(const QString& name, int column) { return cell(name, column).data().toString(); }
 
     /// Double-clicks the thickness of a row, types and presses Enter.
-    void type(const QString& row, const QString& text) {
-        QTableView& table = window().stackupPanel().table();
-        const QModelIndex at = cell(row, StackupModel::Thickness);
+    void type(const QString& row, const QString& text) { type(row, text, window()); }
+    static void type(const QString& row, const QString& text, TestWindow& window) {
+        QTableView& table = window.stackupPanel().table();
+        const QModelIndex at = cell(row, StackupModel::Thickness, window);
         table.scrollTo(at);
         const QPoint middle = table.visualRect(at).center();
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middle);

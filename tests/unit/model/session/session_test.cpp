@@ -16,6 +16,7 @@ using model::Measurement;
 using model::session::colourFrom;
 using model::session::colourText;
 using model::session::findNets;
+using model::session::KnownPart;
 using model::session::LoadedSession;
 using model::session::loadSession;
 using model::session::SavedNet;
@@ -88,8 +89,17 @@ struct Location {
     std::shared_ptr<const model::Document> document = odb_testing::read(odb_testing::dataJob("everything"));
 
     [[nodiscard]] LoadedSession load() const { return loadSession(board, *document); }
-    [[nodiscard]] base::Status save(const std::vector<model::ThicknessOverride>& thicknesses) const {
-        return saveThicknesses(board, *document, thicknesses);
+    [[nodiscard]] base::Status save(const std::vector<model::ThicknessOverride>& thicknesses,
+                                    KnownPart* known = nullptr) const {
+        return saveThicknesses(board, *document, thicknesses, known);
+    }
+    /// Those of the file.
+    [[nodiscard]] QMap<QString, int> thicknesses() const {
+        QMap<QString, int> byLayer;
+        for (const model::ThicknessOverride& set : load().session.thicknesses) {
+            byLayer[QString::fromStdString(set.layer)] = static_cast<int>(set.thickness);
+        }
+        return byLayer;
     }
     [[nodiscard]] base::Status save(const std::vector<SavedView>& views) const {
         return saveViews(board, *document, views);
@@ -580,6 +590,62 @@ private slots:
             ++files;
         }
         QCOMPARE(files, std::size_t{1});
+    }
+
+    /// Two windows opened the board, and each writes what it shows.
+    void whatTwoWindowsSaveOfOnePartIsAllThere() {
+        const Location location;
+        KnownPart a;
+        KnownPart b;
+        QVERIFY(location.save({{"CORE1", 200'000}}, &b).ok());
+        QVERIFY(!b.keepsOthers && !b.replacesOthers);
+        QVERIFY(location.save({{"CORE2", 300'000}}, &a).ok());
+        QVERIFY(a.keepsOthers && !a.replacesOthers);
+        QVERIFY(location.save({{"CORE1", 200'000}, {"TOP", 70'000}}, &b).ok());
+        QVERIFY(b.keepsOthers && !b.replacesOthers);
+        QCOMPARE(location.thicknesses(), (QMap<QString, int>{{"CORE1", 200'000}, {"CORE2", 300'000}, {"TOP", 70'000}}));
+        // Undone, and nothing is new to this one.
+        QVERIFY(location.save({{"CORE1", 200'000}}, &b).ok());
+        QVERIFY(!b.keepsOthers && !b.replacesOthers);
+        QCOMPARE(location.thicknesses(), (QMap<QString, int>{{"CORE1", 200'000}, {"CORE2", 300'000}}));
+        // What it never showed it replaces, and knows it.
+        QVERIFY(location.save({{"CORE1", 200'000}, {"CORE2", 500'000}}, &b).ok());
+        QVERIFY(!b.keepsOthers && b.replacesOthers);
+        QCOMPARE(location.thicknesses(), (QMap<QString, int>{{"CORE1", 200'000}, {"CORE2", 500'000}}));
+    }
+
+    void whatWasReadIsWhatOthersChange() {
+        const Location location;
+        QVERIFY(location.save(std::vector{viewNamed("a"), viewNamed("b")}).ok());
+        KnownPart known{location.load().file, location.load().file};
+        QVERIFY(location.save(std::vector{viewNamed("a"), viewNamed("b"), viewNamed("c")}).ok());
+        QVERIFY(saveViews(location.board, *location.document, {viewNamed("b"), viewNamed("d")}, &known).ok());
+        QVERIFY((location.load().session.views == std::vector{viewNamed("b"), viewNamed("d"), viewNamed("c")}));
+        QVERIFY(known.keepsOthers);
+    }
+
+    void rulesAreReplacedAsAWhole() {
+        const Location location;
+        model::RuleTable here = model::defaultRules();
+        model::RuleTable there = here;
+        here.rules.pop_back();
+        there.rules.clear();
+        KnownPart known;
+        QVERIFY(model::session::saveDesignRules(location.board, *location.document, there).ok());
+        QVERIFY(model::session::saveDesignRules(location.board, *location.document, here, &known).ok());
+        QVERIFY(known.replacesOthers && !known.keepsOthers);
+        QVERIFY(location.load().session.designRules == here);
+    }
+
+    /// What is known stays as it was, so nothing of it is taken as removed by others later.
+    void whatCouldNotBeWrittenIsNotKnownAsWritten() {
+        const Location location;
+        KnownPart known;
+        fs::create_directories(sessionPath(location.board) / "inside");
+        QVERIFY(!location.save(kOneThickness, &known));
+        fs::remove_all(sessionPath(location.board));
+        QVERIFY(location.save({{"TOP", 70'000}, {"CORE1", 200'000}}, &known).ok());
+        QCOMPARE(location.thicknesses(), (QMap<QString, int>{{"CORE1", 200'000}, {"TOP", 70'000}}));
     }
 
     void aFailedWriteLeavesNoPart() {
