@@ -53,9 +53,10 @@ void ThicknessEditing::edit(const std::vector<model::ThicknessOverride>& changes
         m_part.edit(what, before, std::move(after));
         const QString others = madeUpBy(document->stackup, m_workspace.board()->document->stackup, changes);
         if (!others.isEmpty()) {
-            m_workspace.report(tr("Of assumed thickness and changed too, so that the board stays as thick as it is taken "
-                                  "to be: %1")
-                                   .arg(others));
+            m_workspace.report(
+                tr("Of assumed thickness and changed too, so that the board stays as thick as it is taken "
+                   "to be: %1")
+                    .arg(others));
         }
     }
 }
