@@ -6,7 +6,6 @@
 #include <unordered_map>
 
 #include "model/nets/net_statistics.h"
-#include "model/text/net_names.h"
 
 namespace model {
 
@@ -224,7 +223,9 @@ SheetPath pathOf(std::string_view sheet) {
     const bool isRooted = sheet.starts_with('/');
     for (std::size_t first = isRooted ? 1 : 0; first < sheet.size();) {
         const std::size_t end = sheet.find(isRooted ? '/' : '\\', first);
-        path.push_back(sheet.substr(first, end - first));
+        if (end > first) {
+            path.push_back(sheet.substr(first, end - first));
+        }
         first = end + 1;
     }
     return path;
@@ -238,24 +239,26 @@ struct IsSheetBefore {
 };
 
 NetGroups groupBySheet(const Document& document) {
+    NetGroups groups;
+    groups.backslash = backslashOf(document);
+    const auto sheetOfNet = [&](const Net& net) { return sheetOf(net.name, groups.backslash); };
     std::map<SheetPath, std::uint32_t, IsSheetBefore> rows;
     for (const Net& net : document.nets) {
-        SheetPath path = pathOf(sheetOf(net.name));
-        if (path.empty() && !sheetOf(net.name).empty()) {
+        SheetPath path = pathOf(sheetOfNet(net));
+        if (path.empty() && !sheetOfNet(net).empty()) {
             rows.try_emplace(path);
         }
         for (; !path.empty(); path.pop_back()) {
             rows.try_emplace(path);
         }
     }
-    NetGroups groups;
     for (auto& [path, row] : rows) {
         row = static_cast<std::uint32_t>(groups.names.size());
         groups.names.emplace_back(path.empty() ? "/" : path.back());
         groups.depths.push_back(path.empty() ? 0 : static_cast<std::uint32_t>(path.size() - 1));
     }
     for (const Net& net : document.nets) {
-        const std::string_view sheet = sheetOf(net.name);
+        const std::string_view sheet = sheetOfNet(net);
         groups.groupOf.push_back(sheet.empty() ? kNoGroup : rows.at(pathOf(sheet)));
     }
     return groups;
@@ -368,10 +371,25 @@ Supply supplyOf(std::string_view name, std::uint32_t pins) {
     return isSure && (isRail(words.front()) || isRail(words.back())) ? Supply::Power : Supply::None;
 }
 
+Backslash backslashOf(const Document& document) {
+    bool isAnySheet = false;
+    bool isAnyBar = document.job.generator.find("Altium") != std::string::npos;
+    for (const Net& net : document.nets) {
+        if (net.name.ends_with('\\')) {
+            return Backslash::Overbar;  // a sheet without a net in it is none
+        }
+        const std::optional<Backslash> meant = backslashIn(net.name);
+        isAnySheet = isAnySheet || meant == Backslash::EndsSheet;
+        isAnyBar = isAnyBar || meant == Backslash::Overbar;
+    }
+    return isAnyBar && !isAnySheet ? Backslash::Overbar : Backslash::EndsSheet;
+}
+
 bool hasSheets(const Document& document) {
+    const Backslash backslash = backslashOf(document);
     std::string_view first;
     return std::ranges::any_of(document.nets, [&](const Net& net) {
-        const std::string_view sheet = sheetOf(net.name);
+        const std::string_view sheet = sheetOf(net.name, backslash);
         first = first.empty() ? sheet : first;
         return sheet != first && !sheet.empty();
     });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/board/document.h"
+#include "model/text/net_names.h"
 
 /// Which nets belong together: what the job says of them where it says anything, and what people mean by their names.
 namespace model {
@@ -24,9 +25,14 @@ struct NetGroups {
     /// In the order people count (isNamedBefore), groups within another right behind it; none is empty of nets or
     /// groups.
     std::vector<std::string> names;
-    std::vector<std::uint32_t> depths;   ///< by row of `names`: how many others it lies within
-    std::vector<std::uint32_t> groupOf;  ///< by net: row of `names` or kNoGroup
+    std::vector<std::uint32_t> depths;           ///< by row of `names`: how many others it lies within
+    std::vector<std::uint32_t> groupOf;          ///< by net: row of `names` or kNoGroup
+    Backslash backslash = Backslash::EndsSheet;  ///< what sheetOf was told of the names
 };
+
+/// Of all names of a board: bars if one ends a name, or if some names look like bars, or Altium wrote the job, and none
+/// looks like sheets (backslashIn).
+[[nodiscard]] Backslash backslashOf(const Document& document);
 
 /// Names of nets are of two sheets at least.
 [[nodiscard]] bool hasSheets(const Document& document);

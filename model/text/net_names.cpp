@@ -1,5 +1,6 @@
 #include "model/text/net_names.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace model {
@@ -109,8 +110,28 @@ std::string typedName(std::string_view name) {
     return hasBraces(name) ? Reader(name, false).run() : std::string(name);
 }
 
-std::string_view sheetOf(std::string_view name) {
-    const std::size_t last = name.rfind(name.starts_with('/') ? '/' : '\\');
+std::optional<Backslash> backslashIn(std::string_view name) {
+    if (name.ends_with('\\')) {
+        return Backslash::Overbar;
+    }
+    std::optional<Backslash> meant;
+    const std::size_t first = name.find('\\');
+    for (std::size_t from = first, to; from < name.size() && (to = name.find('\\', from + 1)) < name.size();
+         from = to) {
+        if (std::ranges::count_if(name.substr(from + 1, to - from - 1), beginsCharacter) != 1) {
+            return Backslash::EndsSheet;
+        }
+        meant = Backslash::Overbar;
+    }
+    return meant;
+}
+
+std::string_view sheetOf(std::string_view name, Backslash backslash) {
+    const bool isRooted = name.starts_with('/');
+    if (name.size() < 2 || (!isRooted && backslash == Backslash::Overbar)) {
+        return {};
+    }
+    const std::size_t last = name.rfind(isRooted ? '/' : '\\', name.size() - 2);  // one at the end belongs to the name
     return last == std::string_view::npos ? std::string_view() : name.substr(0, last + 1);
 }
 

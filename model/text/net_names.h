@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,8 +19,17 @@ namespace model {
 /// May a name hold such a spelling? Few do; the others are as people write and type them.
 [[nodiscard]] bool hasBraces(std::string_view name);
 
+/// What a backslash in the names of a board means: "POWER\ADJ" is a net of a sheet; in "R\S\T\1" and "ENC_A\" the
+/// character before each has a bar over it, as Altium writes it.
+enum class Backslash : std::uint8_t { EndsSheet, Overbar };
+
+/// What several backslashes in this name look like: bars if one ends it or single characters lie between all of them,
+/// else sheets. None for names with fewer, which may be either; all names of a board are of one kind, see backslashOf.
+[[nodiscard]] std::optional<Backslash> backslashIn(std::string_view name);
+
 /// The sheets of a schematic that a net belongs to, with what is around them: "/Ethernet/" of "/Ethernet/RXD0", "/" of
-/// "/RXD0", and as other programs write them "POWER\" of "POWER\ADJ". Empty for nets of all sheets.
-[[nodiscard]] std::string_view sheetOf(std::string_view name);
+/// "/RXD0", and as other programs write them "POWER\" of "POWER\ADJ". Empty for nets of all sheets; never all of a
+/// name.
+[[nodiscard]] std::string_view sheetOf(std::string_view name, Backslash backslash = Backslash::EndsSheet);
 
 }  // namespace model

@@ -280,15 +280,19 @@ std::optional<QRgb> NetModel::highlightOf(int row) const {
     return ownColour(row).value_or(highlightColour(number));
 }
 
-Cell NetModel::headingCell(int row, int column) const {
-    if (column != Name) {
-        return {};
-    }
+QString NetModel::headingText(int row) const {
     const std::vector<std::string>& groups = m_rows.groups()->names;
     const std::uint32_t group = m_rows.groupAt(row);
     const QString rest = m_groupedBy == model::NetGrouping::Sheet ? tr("Nets of all sheets") : tr("Other nets");
     const QString name = group == groups.size() ? rest : QString::fromStdString(model::readableName(groups[group]));
-    return {.text = tr("%1  (%L2)").arg(name).arg(m_rows.netCountAt(row)),
+    return tr("%1  (%L2)").arg(name).arg(m_rows.netCountAt(row));
+}
+
+Cell NetModel::headingCell(int row, int column) const {
+    if (column != Name) {
+        return {};
+    }
+    return {.text = headingText(row),
             .decoration = triangle(m_rows.depthOf(row), m_rows.isFolded(row)),
             .font = boldFont()};
 }
@@ -296,7 +300,7 @@ Cell NetModel::headingCell(int row, int column) const {
 Cell NetModel::nameCell(int row) const {
     const std::string& name = m_document->nets[netAt(row).row()].name;
     const bool isInSheet = m_groupedBy == model::NetGrouping::Sheet;
-    const std::string shown = isInSheet ? name.substr(model::sheetOf(name).size()) : name;
+    const std::string shown = isInSheet ? name.substr(model::sheetOf(name, m_rows.groups()->backslash).size()) : name;
     const std::optional<QRgb> highlight = highlightOf(row);
     const int depth = m_rows.depthOf(row);
     return {.text = QString::fromStdString(model::readableName(shown)),
@@ -348,7 +352,8 @@ QString NetModel::tip(int row, int column) const {
     }
     if (isHeading(row)) {
         return column == Name
-                   ? tr("Select it to highlight all nets of the group; its triangle, or Left and Right, fold it")
+                   ? tr("%1\nSelect it to highlight all nets of the group; its triangle, or Left and Right, fold it")
+                         .arg(headingText(row))
                    : QString();
     }
     const model::NetId net = netAt(row);

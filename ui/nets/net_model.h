@@ -83,6 +83,7 @@ private:
     void take(Arranged arranged);
     [[nodiscard]] int rows() const override { return m_rows.count(); }
     [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] QString headingText(int row) const;
     [[nodiscard]] Cell headingCell(int row, int column) const;
     [[nodiscard]] Cell nameCell(int row) const;
     [[nodiscard]] Cell numberCell(std::size_t net, int column) const;

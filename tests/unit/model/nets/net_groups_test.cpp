@@ -61,6 +61,29 @@ private slots:
         QVERIFY(!hasSheets(*boardOf({})));
     }
 
+    void overbarsAreNoSheets() {
+        const auto groupsOf = [](const std::vector<std::string>& names) {
+            return groupNets(*boardOf(names), NetGrouping::Sheet).names;
+        };
+        const std::vector<std::string> bars{"LV_R\\S\\T\\1", "LV_R\\S\\T\\2", "CS\\1", "GND"};
+        QCOMPARE(groupsOf(bars), std::vector<std::string>());
+        QVERIFY(!hasSheets(*boardOf(bars)));
+        QCOMPARE(groupsOf({"ENC_A\\", "WR\\_EN\\B"}), std::vector<std::string>());
+        QCOMPARE(groupsOf({"TOP\\A\\X", "TOP\\UART\\X"}), (std::vector<std::string>{"TOP", "A", "UART"}));
+        QCOMPARE(groupsOf({"WR\\_EN", "CS\\2"}), (std::vector<std::string>{"CS", "WR"}));
+        DocumentBuilder builder;
+        builder.addNet("WR\\_EN");
+        builder.addNet("CS\\2");
+        builder.job().generator = "Altium Designer 23";
+        QCOMPARE(groupNets(*builder.finish(), NetGrouping::Sheet).names, std::vector<std::string>());
+    }
+
+    void noSheetHasAnEmptyName() {
+        const auto board = boardOf({"/A//B", "//C", "/D/", "\\E"});
+        const NetGroups groups = groupNets(*board, NetGrouping::Sheet);
+        QVERIFY(std::ranges::none_of(groups.names, &std::string::empty));
+    }
+
     void pairs_data() {
         QTest::addColumn<QString>("a");
         QTest::addColumn<QString>("b");

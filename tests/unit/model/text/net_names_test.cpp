@@ -39,6 +39,28 @@ private slots:
         QCOMPARE(model::sheetOf("Net-(U1-P1.00{slash}XL1)"), "");
         QCOMPARE(model::sheetOf(""), "");
     }
+
+    void aSheetIsNeverAllOfAName() {
+        QCOMPARE(model::sheetOf("/"), "");
+        QCOMPARE(model::sheetOf("/Ethernet/"), "/");
+        QCOMPARE(model::sheetOf("ENC_A\\"), "");
+        QCOMPARE(model::sheetOf("IO\\ENC_A\\"), "IO\\");
+    }
+
+    void barsAreNoSheets() {
+        using enum model::Backslash;
+        QCOMPARE(model::sheetOf("LV_R\\S\\T\\1", Overbar), "");
+        QCOMPARE(model::sheetOf("/CPU/R\\S\\T\\", Overbar), "/CPU/");
+        for (const char* name : {"ENC_A\\", "R\\S\\T\\1", "\\", "Ω\\µ\\"}) {
+            QVERIFY2(model::backslashIn(name) == Overbar, name);
+        }
+        for (const char* name : {"INTERFACES\\MOTOR\\$1N28", "A\\\\B", "A\\B\\CD\\E"}) {
+            QVERIFY2(model::backslashIn(name) == EndsSheet, name);
+        }
+        for (const char* name : {"POWER\\ADJ", "GND", "", "/A/B"}) {
+            QVERIFY2(!model::backslashIn(name), name);
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(NetNamesTest)

@@ -183,6 +183,32 @@ private slots:
         QCOMPARE(nets.rowCount(), 6);
     }
 
+    /// There may be no room for it in the cell.
+    void tipsHaveTheWholeName() {
+        NetModel nets;
+        model::DocumentBuilder builder;
+        builder.addNet("$1I1342\\PRINTHEAD\\PH_HOME_N");
+        builder.addNet("IO\\X");
+        nets.setNets(builder.finish(), nullptr);
+        nets.setGrouping(model::NetGrouping::Sheet);
+        wait(nets);
+        const auto tip = [&](int row) { return nets.index(row, NetModel::Name).data(Qt::ToolTipRole).toString(); };
+        QVERIFY(tip(0).startsWith("$1I1342  (1)\n"));
+        QVERIFY(tip(2).startsWith("$1I1342\\PRINTHEAD\\PH_HOME_N"));
+    }
+
+    void netsWithOverbarsHaveTheirWholeNames() {
+        NetModel nets;
+        model::DocumentBuilder builder;
+        for (const char* name : {"ENC_A\\", "GND", "LV_R\\S\\T\\1"}) {
+            builder.addNet(name);
+        }
+        nets.setNets(builder.finish(), nullptr);
+        nets.setGrouping(model::NetGrouping::Sheet);
+        wait(nets);
+        QCOMPARE(names(nets), (QStringList{"Nets of all sheets  (3)", "ENC_A\\", "GND", "LV_R\\S\\T\\1"}));
+    }
+
     void sheetsLieWithinEachOther() {
         NetModel nets;
         QAbstractItemModelTester tester(&nets, QAbstractItemModelTester::FailureReportingMode::QtTest);
