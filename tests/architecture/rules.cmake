@@ -78,7 +78,7 @@ set(architecture_rows
     "ui/layers                     | ui              | model/board model/session render/scene ui/common ui/workspace | qt widgets"
     "ui/assignment                 | ui              | model/formats/common model/formats/gerber ui/common ui/workspace | qt widgets"
     "ui/nets                       | ui              | model/board model/nets model/session model/text render/scene ui/common ui/workspace | qt widgets"
-    "ui/netlist_check              | ui              | model/board model/nets ui/common ui/workspace | qt widgets"
+    "ui/netlist_check              | ui              | model/board model/nets ui/common ui/views ui/workspace | qt widgets"
     "ui/element                    | ui              | model/board model/index model/statistics render/frame render/modelling render/scene ui/canvas ui/common ui/layers ui/parts ui/workspace | qt widgets"
     "ui/stackup                    | ui              | model/board model/export model/session model/solids ui/common ui/layers ui/workspace | qt widgets"
     "ui/statistics                 | ui              | model/board model/statistics ui/common ui/workspace | qt widgets"

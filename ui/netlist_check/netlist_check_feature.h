@@ -2,12 +2,14 @@
 
 #include "model/nets/net_check.h"
 #include "ui/netlist_check/netlist_check_model.h"
+#include "ui/views/board_views.h"
 #include "ui/workspace/background_result.h"
 #include "ui/workspace/feature.h"
 
 namespace ui {
 
 /// Compares the nets of the board with its copper in the background: opens, shorts and floating copper in a panel.
+/// While a finding is shown all layers but its own are faint: on the bottom, what lies on top would hide it.
 class NetlistCheckFeature : public QObject {
     Q_OBJECT
 
@@ -19,12 +21,17 @@ private:
     [[nodiscard]] QWidget* makePanel(const ActionSet& actions);
     void start();
     void deliver();
+    /// Until something else is selected.
     void show(const NetlistCheckModel::Finding& finding);
+    void endShowing();
 
     Workspace& m_workspace;
+    BoardViews& m_views;
     NetlistCheckModel m_findings;
     BackgroundResult<std::vector<model::StepCheck>> m_checks;
     std::shared_ptr<const model::Document> m_board;  ///< that is or was checked
+    bool m_isShowing = false;
+    std::vector<model::BoardElement> m_shown;  ///< as they are selected
 };
 
 }  // namespace ui

@@ -55,6 +55,27 @@ private slots:
         QVERIFY(window().layers().effectiveStyles()[1].isVisible);
     }
 
+    void onlyTheLayerOfWhatIsShownStandsOut() {
+        check();
+        const auto isFaint = [&](ui::BoardView& view, const char* layer) {
+            return view.styles()[window().document()->findLayer(layer).row()].opacity < 0.5F;
+        };
+        click(3);  // on BOTTOM
+        for (ui::BoardView* view : window().views().both()) {
+            QVERIFY(isFaint(*view, "TOP") && !isFaint(*view, "BOTTOM"));
+        }
+        click(0);
+        for (ui::BoardView* view : window().views().both()) {
+            QVERIFY(!isFaint(*view, "TOP") && isFaint(*view, "BOTTOM"));
+        }
+        window().selection().select({});
+        QVERIFY(!isFaint(window().views().flat(), "TOP") && !isFaint(window().views().flat(), "BOTTOM"));
+        click(3);
+        QVERIFY(isFaint(window().views().flat(), "TOP"));
+        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/open_short")));
+        QVERIFY2(!isFaint(window().views().flat(), "TOP"), "another board has no finding that is shown");
+    }
+
     void rowsAreFiltered() {
         check();
         QTest::keyClicks(window().panel("netCheck").findChild<QLineEdit*>(), "split");
