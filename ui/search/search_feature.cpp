@@ -70,6 +70,7 @@ void addSearch(FeatureContext& context) {
             mark->set(found.location);
         }
         show(found, box->search(), context.workspace, context.parts);
+        context.views.active().takeKeyboard();  // not the line it was before, which would take the next key for text
     });
     QObject::connect(&workspace, &Workspace::boardRead, box,
                      [box](const LoadedBoard& board) { box->setBoard(board.document); });

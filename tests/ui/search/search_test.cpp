@@ -147,6 +147,24 @@ private slots:
         QVERIFY(!mark.location());
     }
 
+    /// And not to the line that had it before: the next key is a command.
+    void theKeyboardGoesToTheViewThatShowsIt() {
+        window().actions()[ActionId::ShowNetsDock].trigger();
+        auto* filter = window().netsPanel().findChild<QLineEdit*>();
+        window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        filter->setFocus();
+        QTRY_VERIFY(filter->hasFocus());
+        QTest::keyClick(filter, Qt::Key_F, Qt::ControlModifier);
+        QTest::keyClicks(&box().line(), "u1");
+        take();
+        QTRY_COMPARE(QGuiApplication::focusObject(), &window().views().active().canvas());
+        filter->setFocus();
+        QTest::keyClick(filter, Qt::Key_F, Qt::ControlModifier);
+        QTest::keyClick(&box().line(), Qt::Key_Escape);
+        QTRY_VERIFY2(filter->hasFocus(), "who gives up goes on typing");
+    }
+
     void arrowsChooseAndEscapeCloses() {
         type("1pps");
         QCOMPARE(box().list().currentRow(), 0);
