@@ -2,7 +2,10 @@
 
 #include <QRegularExpression>
 #include <algorithm>
+#include <functional>
+#include <ranges>
 #include <tuple>
+#include <unordered_set>
 
 #include "model/index/pin_names.h"
 #include "model/nets/net_statistics.h"
@@ -43,9 +46,15 @@ struct Match {
     Found found;
 };
 
-/// NET2 before NET10, but first of all what fits better.
+bool isAttribute(const Match& match) {
+    return match.found.kind == FoundKind::Attribute;
+}
+
+/// NET2 before NET10, but first what fits better, and before all else what is no attribute.
 bool isBetter(const Match& a, const Match& b) {
-    const auto rank = [](const Match& match) { return std::tuple(match.fit, match.found.kind, match.name.size()); };
+    const auto rank = [](const Match& match) {
+        return std::tuple(isAttribute(match), match.fit, match.found.kind, match.name.size());
+    };
     if (rank(a) != rank(b)) {
         return rank(a) < rank(b);
     }
@@ -119,18 +128,28 @@ public:
         }
     }
 
-    /// The best ones, in order.
+    /// The best ones, in order. A part of them is for attributes: a value like "10k" is found however many nets hold
+    /// it.
     [[nodiscard]] std::vector<Found> best(std::size_t most) {
-        const std::size_t count = std::min(most, m_matches.size());
-        const auto end = m_matches.begin() + static_cast<std::ptrdiff_t>(count);
-        std::ranges::partial_sort(m_matches, end, isBetter);
+        const auto attributes = std::ranges::partition(m_matches, std::not_fn(isAttribute));
+        const std::size_t reserved = std::min(most / kPartForAttributes, attributes.size());
         std::vector<Found> found;
-        std::transform(m_matches.begin(), end, std::back_inserter(found),
-                       [](const Match& match) { return match.found; });
+        take({m_matches.begin(), attributes.begin()}, most - reserved, found);
+        take(attributes, most - found.size(), found);
         return found;
     }
 
 private:
+    static constexpr std::size_t kPartForAttributes = 5;
+
+    static void take(std::ranges::subrange<std::vector<Match>::iterator> matches, std::size_t most,
+                     std::vector<Found>& found) {
+        const auto count = static_cast<std::ptrdiff_t>(std::min(most, matches.size()));
+        std::ranges::partial_sort(matches, matches.begin() + count, isBetter);
+        std::transform(matches.begin(), matches.begin() + count, std::back_inserter(found),
+                       [](const Match& match) { return match.found; });
+    }
+
     std::string m_text;
     std::uint32_t m_step = 0;
     std::vector<Match> m_matches;
@@ -161,6 +180,28 @@ QString ownersOf(const model::AttributeValue& attribute) {
                         : BoardSearch::tr("Attribute of %L1 elements").arg(attribute.count));
 }
 
+/// What the job calls the text that elements draw.
+constexpr std::string_view kDrawnText = ".string";
+
+/// Texts on the board that are only names of its components and pins, which are found themselves: the silkscreen says
+/// R12 of R12.
+void leaveOutNames(const model::Document& step, std::vector<model::AttributeValue>& attributes) {
+    const auto isText = [](const model::AttributeValue& attribute) { return attribute.name == kDrawnText; };
+    if (std::ranges::none_of(attributes, isText)) {
+        return;
+    }
+    std::unordered_set<std::string> names;
+    for (const model::Component& component : step.components) {
+        names.insert(component.refdes);
+    }
+    for (std::size_t row = 0; row < step.pins.size(); ++row) {
+        names.insert(model::fullPinName(step, model::PinId{row}));
+    }
+    std::erase_if(attributes, [&](const model::AttributeValue& attribute) {
+        return isText(attribute) && names.contains(attribute.value);
+    });
+}
+
 }  // namespace
 
 std::optional<base::PointD> parsePlace(const QString& text, LengthUnit unit) {
@@ -186,7 +227,7 @@ void BoardSearch::setBoard(std::shared_ptr<const model::Document> board) {
     m_steps = m_board ? model::distinctSteps(*m_board) : std::vector<const model::Document*>();
     m_attributes.clear();
     for (const model::Document* step : m_steps) {
-        m_attributes.push_back(model::listAttributes(*step));
+        leaveOutNames(*step, m_attributes.emplace_back(model::listAttributes(*step)));
     }
 }
 

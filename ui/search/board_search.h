@@ -33,7 +33,8 @@ class BoardSearch {
 public:
     /// Null for no board.
     void setBoard(std::shared_ptr<const model::Document> board);
-    /// Locations first, then names that are the text, that begin with it, that hold it; short ones before long ones.
+    /// Locations first, then names that are the text, that begin with it, that hold it, short ones before long ones;
+    /// attributes in the same order behind them, but for texts on the board that only name a component or pin.
     /// Coordinates without a unit are in `unit`; beside the board they may be those of a program that counts Y
     /// downwards, which is offered first where it is on the board.
     [[nodiscard]] std::vector<Found> find(const QString& text, LengthUnit unit, std::size_t most) const;

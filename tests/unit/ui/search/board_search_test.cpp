@@ -70,6 +70,53 @@ private slots:
         QVERIFY(titles("comp mount").contains(".comp_mount_type: smt"));
     }
 
+    void attributesComeLastAndHaveRoom() {
+        const auto titlesIn = [](const BoardSearch& search, std::size_t most) {
+            QStringList all;
+            for (const Found& found : search.find("10k", LengthUnit::Millimetre, most)) {
+                all += search.titleOf(found);
+            }
+            return all;
+        };
+        model::DocumentBuilder builder;
+        for (const char* name : {"A10K_1", "A10K_2", "A10K_3", "A10K_4", "A10K_5", "A10K_6"}) {
+            static_cast<void>(builder.addNet(name));
+        }
+        model::Component part;
+        part.refdes = "R1";
+        part.part = "10k";
+        builder.addComponent(part, {});
+        BoardSearch search;
+        search.setBoard(builder.finish());
+        QCOMPARE(titlesIn(search, 50).last(), "Part: 10k");
+        QCOMPARE(titlesIn(search, 5), (QStringList{"A10K_1", "A10K_2", "A10K_3", "A10K_4", "Part: 10k"}));
+        QCOMPARE(titlesIn(search, 3), (QStringList{"A10K_1", "A10K_2", "A10K_3"}));
+    }
+
+    void textsThatOnlyNameAPartOrPinAreLeftOut() {
+        model::DocumentBuilder builder;
+        model::Component part;
+        part.refdes = "R12";
+        part.part = "R12";
+        model::Pin pin;
+        pin.name = builder.string("1");
+        builder.addComponent(part, std::vector{pin});
+        const model::LayerId silk = hand_made::addLayer(builder, "SILK");
+        builder.beginLayer(silk);
+        for (const char* text : {"R12", "R12.1", "R12 here"}) {
+            model::DocumentBuilder::Origin origin;
+            origin.attributes = builder.attributes({{".string", text}});
+            builder.addCircle({{0, 0}, 1000, 0}, origin);
+        }
+        BoardSearch search;
+        search.setBoard(builder.finish());
+        QStringList all;
+        for (const Found& found : search.find("r12", LengthUnit::Millimetre, 50)) {
+            all += search.titleOf(found);
+        }
+        QCOMPARE(all, (QStringList{"R12", "Part: R12", ".string: R12 here"}));
+    }
+
     void placesAreRead_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<double>("x");
