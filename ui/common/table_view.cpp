@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QScrollBar>
 #include <algorithm>
 #include <utility>
 
@@ -46,13 +47,24 @@ SortedRows& TableView::makeSortable() {
 
 void TableView::fitColumns(int stretched) {
     m_stretched = stretched;
-    connect(model(), &QAbstractItemModel::modelReset, this, [this] {
-        m_isFitDue = !isVisible();  // measuring cells takes a while
-        if (!m_isFitDue) {
-            fit();
-        }
-    });
+    connect(model(), &QAbstractItemModel::modelReset, this, [this] { measure(m_isFitDue, [this] { fit(); }); });
     fit();
+}
+
+void TableView::keepNumbersWhole() {
+    const auto widenSeen = [this] { measure(m_isWidenDue, [this] { widen(); }); };
+    connect(model(), &QAbstractItemModel::modelReset, this, widenSeen);
+    connect(model(), &QAbstractItemModel::dataChanged, this, widenSeen);
+    widenSeen();
+}
+
+/// Measuring cells takes a while: of a table that is hidden not before it is seen.
+template <class Measure>
+void TableView::measure(bool& isDue, Measure measure) {
+    isDue = !isVisible();
+    if (!isDue) {
+        measure();
+    }
 }
 
 void TableView::fit() {
@@ -62,10 +74,48 @@ void TableView::fit() {
     }
 }
 
+void TableView::widen() {
+    for (int column = 0; column < model()->columnCount(); ++column) {
+        const QVariant traits =
+            model()->index(0, column).data(TableModel::kTraitsRole);  // none while there are no rows
+        const int heading = horizontalHeader()->sectionSizeHint(column);
+        const int needed = (traits.toInt() & kNumber) != 0 ? std::max(heading, sizeHintForColumn(column) + 1) : heading;
+        if (!isColumnHidden(column) && columnWidth(column) < needed) {
+            setColumnWidth(column, needed);
+        }
+    }
+}
+
 void TableView::showEvent(QShowEvent* event) {
     QTableView::showEvent(event);
     if (std::exchange(m_isFitDue, false)) {
         fit();
+    }
+    if (std::exchange(m_isWidenDue, false)) {
+        widen();
+    }
+}
+
+void TableView::goToRow(const QModelIndex& index) {
+    const int before = horizontalScrollBar()->value();
+    selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+    scrollTo(index);
+    horizontalScrollBar()->setValue(before);
+}
+
+/// A while after a click Qt brings all of the clicked cell into sight.
+void TableView::timerEvent(QTimerEvent* event) {
+    const int before = horizontalScrollBar()->value();
+    QTableView::timerEvent(event);
+    horizontalScrollBar()->setValue(before);
+}
+
+/// Keys that go up and down do not move it sideways.
+void TableView::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
+    const int before = horizontalScrollBar()->value();
+    QTableView::currentChanged(current, previous);
+    if (current.column() == previous.column()) {
+        horizontalScrollBar()->setValue(before);
     }
 }
 

@@ -21,12 +21,18 @@ public:
     SortedRows& makeSortable();
     /// Columns are as wide as their cells after every reset; `stretched` takes the room that is left, none: -1.
     void fitColumns(int stretched = -1);
+    /// Columns are never narrower than their headings, those of numbers never narrower than these: they grow when rows
+    /// come and when cells change, and shrink only by hand.
+    void keepNumbersWhole();
     /// A click into these columns does what their cells do and leaves the selection as it is.
     void setButtonColumns(std::vector<int> columns) { m_buttonColumns = std::move(columns); }
     /// A command that deletes the selected rows, also with Del.
     QAction& addDelete(const QString& tip);
     [[nodiscard]] std::vector<int> selectedRows() const;
     void choose(const QModelIndex& index);
+    /// Makes it the current one and scrolls to its row. Not sideways: what lies to the left stays in sight, as it does
+    /// after clicks.
+    void goToRow(const QModelIndex& index);
     void copySelection() const;
     void copyAll() const;
 
@@ -40,15 +46,21 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void timerEvent(QTimerEvent* event) override;
+    void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
     [[nodiscard]] QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,
                                                                        const QEvent* event) const override;
 
 private:
     [[nodiscard]] int rowOf(const QModelIndex& index) const;
     void fit();
+    void widen();
+    template <class Measure>
+    void measure(bool& isDue, Measure measure);
 
     int m_stretched = -1;
-    bool m_isFitDue = false;  ///< once it is seen
+    bool m_isFitDue = false;    ///< once it is seen
+    bool m_isWidenDue = false;  ///< likewise
     std::vector<int> m_buttonColumns;
 };
 

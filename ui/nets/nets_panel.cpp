@@ -30,7 +30,7 @@ constexpr int kBySheet = 5;  // of these
 
 /// In letters.
 constexpr std::pair<NetModel::Column, int> kWidths[] = {
-    {NetModel::Name, 14},   {NetModel::Pins, 6},  {NetModel::Vias, 6},   {NetModel::Elements, 8},
+    {NetModel::Name, 17},   {NetModel::Pins, 6},  {NetModel::Vias, 6},   {NetModel::Elements, 8},
     {NetModel::Length, 12}, {NetModel::Area, 12}, {NetModel::Colour, 6}, {NetModel::Shown, 5},
 };
 
@@ -190,7 +190,7 @@ bool NetsPanel::foldAt(const QPoint& at) {
 
 void NetsPanel::fold(int heading, bool isFolded) {
     m_model.fold(heading, isFolded);
-    m_table->selectionModel()->setCurrentIndex(m_model.index(heading, NetModel::Name), QItemSelectionModel::NoUpdate);
+    m_table->goToRow(m_model.index(heading, NetModel::Name));
 }
 
 void NetsPanel::toggleSelected() {
@@ -410,8 +410,7 @@ void NetsPanel::scrollToSelected() {
     }
     m_model.reveal(net->net);
     if (const std::optional<int> row = m_model.rowOf(net->net)) {
-        m_table->selectionModel()->setCurrentIndex(m_model.index(*row, NetModel::Name), QItemSelectionModel::NoUpdate);
-        m_table->scrollTo(m_model.index(*row, NetModel::Name));
+        m_table->goToRow(m_model.index(*row, NetModel::Name));
     }
 }
 

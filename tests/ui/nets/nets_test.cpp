@@ -1,10 +1,12 @@
 // The Nets panel in the window: groups, what is known of nets, nets of steps that a panel places, colours and hiding.
 
+#include <QApplication>
 #include <QColorDialog>
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QScrollBar>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTimer>
@@ -190,6 +192,21 @@ private slots:
         m_fixture->key(Qt::Key_Q);
         m_fixture->key(Qt::Key_Q);
         QVERIFY(table().columnWidth(column) >= needed());
+    }
+
+    /// A column beside the name is clicked, and the table follows what is chosen elsewhere.
+    void theTableDoesNotScrollSideways() {
+        openCopy();
+        window().showPanel("nets");
+        table().setMaximumWidth(150);  // the name begins in sight and ends out of it
+        QTRY_VERIFY(table().width() <= 150);
+        table().horizontalScrollBar()->setValue(0);
+        window().selection().setNets({gnd()});
+        QCOMPARE(table().horizontalScrollBar()->value(), 0);
+        const QRect cell = table().visualRect(table().model()->index(1, NetModel::Name));
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, cell.topLeft() + QPoint(4, 4));
+        QTest::qWait(QApplication::doubleClickInterval() + 200);  // Qt scrolls then, lest a double click be missed
+        QCOMPARE(table().horizontalScrollBar()->value(), 0);
     }
 
     void nReplacesAndCtrlNAdds() {
