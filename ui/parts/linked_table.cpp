@@ -4,7 +4,6 @@
 #include <QScopedValueRollback>
 #include <algorithm>
 
-#include "ui/common/panel_parts.h"
 #include "ui/common/sorted_rows.h"
 
 namespace ui {
@@ -15,12 +14,19 @@ LinkedTable::LinkedTable(TableModel& model, QWidget* parent) : TableView(model, 
 }
 
 QLineEdit* LinkedTable::makeFilter(const QString& hint) {
-    QLineEdit* line = filterEdit(m_sorted, hint);
-    connect(line, &QLineEdit::textChanged, this, [this] {  // behind what filters
+    auto* line = new QLineEdit;
+    line->setPlaceholderText(hint);
+    line->setClearButtonEnabled(true);
+    filterBy(*line);
+    return line;
+}
+
+void LinkedTable::filterBy(const QLineEdit& line) {
+    connect(&line, &QLineEdit::textChanged, this, [this](const QString& words) {
+        m_sorted.setWords(words);
         showMarked();
         emit filtered();
     });
-    return line;
 }
 
 void LinkedTable::mark(std::vector<int> rows) {
@@ -67,8 +73,7 @@ void LinkedTable::scrollToMarked() {
         return;
     }
     const QModelIndex first = *std::ranges::min_element(rows, {}, &QModelIndex::row);
-    selectionModel()->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
-    scrollTo(first);
+    goToRow(first);
 }
 
 void LinkedTable::takeSelected() {

@@ -16,6 +16,8 @@ public:
 
     /// A line that filters its rows.
     [[nodiscard]] QLineEdit* makeFilter(const QString& hint);
+    /// The same with the line of another table.
+    void filterBy(const QLineEdit& line);
     /// Whether it scrolls to the first of the rows that are marked.
     void setFollows(bool isOn) { m_follows = isOn; }
     /// Selects these rows of the model, as far as the filter leaves them, and says nothing of it.

@@ -13,6 +13,7 @@ namespace ui {
 namespace {
 
 const QLatin1String kHeight(".comp_height");  // has a column of its own
+const QLatin1String kValue("value");
 
 QString sideText(model::LayerSide side) {
     return side == model::LayerSide::Bottom ? PartModel::tr("Bottom") : PartModel::tr("Top");
@@ -52,7 +53,10 @@ PartModel::PartModel(QObject* parent)
                       "of its pins"),
                    kNumber | kLength},
                   {tr("Rotation cw"), tr("Clockwise, as the job states it; empty where it does not"), kNumber},
-                  {tr("Height"), tr("As the job states it; empty where it does not"), kNumber | kLength},
+                  {tr("Height"),
+                   tr("As the job states it; empty where it does not: bodies have an assumed height then, and "
+                      "components that are bare copper or a hole have no body"),
+                   kNumber | kLength},
                   {tr("Pins"), tr("Pins of the component"), kNumber},
                   {tr("Fitted"), tr("Whether it is assembled: the job may say that it is not populated")},
                   {tr("Step"), tr("The step it is on; seen in all its copies")}},
@@ -104,9 +108,9 @@ void PartModel::listAttributeNames() {
 
 QString PartModel::rankedText(int row, int column) const {
     if (column == Attributes) {
-        return attributeText(row);
+        return attributeTextsOf(row).join(QStringLiteral(" · "));
     }
-    return QString::fromStdString(column == Part ? componentOf(row).part : packageOf(row));
+    return QString::fromStdString(column == Part ? componentAt(row).part : packageOf(row));
 }
 
 const std::vector<std::uint32_t>& PartModel::ranks(int column) const {
@@ -136,27 +140,36 @@ bool PartModel::hasSeveralSteps() const {
     return std::ranges::any_of(m_rows, [&](const BoardPart& part) { return part.step != m_rows.front().step; });
 }
 
-const model::Component& PartModel::componentOf(int row) const {
+const model::Component& PartModel::componentAt(int row) const {
     const BoardPart part = partAt(row);
     return stepOf(part).components[part.component.row()];
 }
 
 std::string PartModel::packageOf(int row) const {
-    const model::PackageId package = componentOf(row).package;
+    const model::PackageId package = componentAt(row).package;
     return package.isValid() ? stepOf(partAt(row)).packages[package.row()].name : std::string();
 }
 
 std::vector<std::pair<QString, QString>> PartModel::attributesOf(int row) const {
     const model::Document& step = stepOf(partAt(row));
     std::vector<std::pair<QString, QString>> attributes;
-    model::forEachAttribute(step, componentOf(row), [&](const std::string& name, const std::string& value) {
+    model::forEachAttribute(step, componentAt(row), [&](const std::string& name, const std::string& value) {
         attributes.emplace_back(QString::fromStdString(name),
                                 value.empty() ? tr("yes") : QString::fromStdString(value));
     });
     return attributes;
 }
 
-QString PartModel::attributeText(int row) const {
+QString PartModel::valueOf(int row) const {
+    for (const auto& [name, value] : attributesOf(row)) {
+        if (name.compare(kValue, Qt::CaseInsensitive) == 0) {
+            return value;
+        }
+    }
+    return {};
+}
+
+QStringList PartModel::attributeTextsOf(int row) const {
     QStringList texts;
     for (const auto& [name, value] : attributesOf(row)) {
         if (m_attribute.isEmpty() && name != kHeight) {
@@ -165,11 +178,15 @@ QString PartModel::attributeText(int row) const {
             texts += value;
         }
     }
-    return texts.join(QStringLiteral(" · "));
+    return texts;
+}
+
+QString PartModel::stepNameOf(int row) const {
+    return QString::fromStdString(stepOf(partAt(row)).job.step);
 }
 
 Cell PartModel::cell(int row, int column) const {
-    const model::Component& component = componentOf(row);
+    const model::Component& component = componentAt(row);
     switch (column) {
         case Designator: return {.text = QString::fromStdString(component.refdes), .order = row};
         case Part:
@@ -185,12 +202,12 @@ Cell PartModel::cell(int row, int column) const {
         case Height: return component.height > 0 ? length(component.height) : Cell{.text = QString(), .order = 0.0};
         case Pins: return count(component.pinCount);
         case Fitted: return {component.isPopulated ? tr("yes") : tr("no")};
-        default: return text(stepOf(partAt(row)).job.step);
+        default: return {stepNameOf(row)};
     }
 }
 
 QString PartModel::searchText(int row) const {
-    const model::Component& component = componentOf(row);
+    const model::Component& component = componentAt(row);
     QStringList texts{QString::fromStdString(component.refdes), QString::fromStdString(component.part),
                       QString::fromStdString(packageOf(row)), sideText(component.side)};
     for (const auto& [name, value] : attributesOf(row)) {
@@ -200,7 +217,7 @@ QString PartModel::searchText(int row) const {
 }
 
 QString PartModel::tip(int row, int column) const {
-    const model::Component& component = componentOf(row);
+    const model::Component& component = componentAt(row);
     if (column == Pins) {
         return shortened(netNames(stepOf(partAt(row)), model::netsOf(stepOf(partAt(row)), component)));
     }
@@ -219,15 +236,15 @@ bool PartModel::hasHeights() const {
         m_rows, [&](const BoardPart& part) { return stepOf(part).components[part.component.row()].height > 0; });
 }
 
-QStringList PartModel::missing() const {
+QStringList PartModel::missing(const std::vector<int>& shown) const {
     if (m_rows.empty()) {
         return m_board ? QStringList{tr("The job has no components")} : QStringList();
     }
     int heights = 0;
     int outlines = 0;
     int places = 0;
-    for (int row = 0; row < rows(); ++row) {
-        const model::Component& component = componentOf(row);
+    for (const int row : shown) {
+        const model::Component& component = componentAt(row);
         const bool isDrawn =
             component.package.isValid() && stepOf(partAt(row)).packages[component.package.row()].body.isValid();
         heights += component.height > 0 ? 0 : 1;
@@ -237,7 +254,7 @@ QStringList PartModel::missing() const {
     QStringList texts;
     const auto add = [&](int count, const QString& all, const QString& some) {
         if (count > 0) {
-            texts += count == rows() ? all : some.arg(count);
+            texts += count == static_cast<int>(shown.size()) ? all : some.arg(count);
         }
     };
     add(places, tr("no places"), tr("%L1 without a place"));

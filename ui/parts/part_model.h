@@ -25,13 +25,25 @@ public:
     [[nodiscard]] const QStringList& attributeNames() const { return m_attributeNames; }
     /// Which the column shows; empty or of no component: all of them.
     void setAttribute(const QString& name);
-    /// "no heights", "3 without a package outline", or that there are no components; empty if nothing is missing.
-    [[nodiscard]] QStringList missing() const;
+    /// Of these rows: "no heights", "3 without a package outline"; empty if nothing is missing. Or that the job has no
+    /// components.
+    [[nodiscard]] QStringList missing(const std::vector<int>& shown) const;
     [[nodiscard]] bool hasHeights() const;
 
     [[nodiscard]] BoardPart partAt(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
     [[nodiscard]] std::optional<int> rowOf(const BoardPart& part) const;
     [[nodiscard]] bool hasSeveralSteps() const;
+    [[nodiscard]] const model::Component& componentAt(int row) const;
+    /// Empty if it has none.
+    [[nodiscard]] std::string packageOf(int row) const;
+    [[nodiscard]] QString stepNameOf(int row) const;
+    /// Name and value of each attribute that says something.
+    [[nodiscard]] std::vector<std::pair<QString, QString>> attributesOf(int row) const;
+    /// The attribute called "value" in whatever case; empty if there is none.
+    [[nodiscard]] QString valueOf(int row) const;
+    /// What the column shows: the value of the chosen attribute, or "name: value" of all but the height.
+    [[nodiscard]] QStringList attributeTextsOf(int row) const;
+    [[nodiscard]] bool isOneAttribute() const { return !m_attribute.isEmpty(); }
     [[nodiscard]] QString searchText(int row) const override;
 
 private:
@@ -39,11 +51,6 @@ private:
     [[nodiscard]] Cell cell(int row, int column) const override;
     [[nodiscard]] QString tip(int row, int column) const override;
     [[nodiscard]] const model::Document& stepOf(const BoardPart& part) const { return *m_steps[part.step]; }
-    [[nodiscard]] const model::Component& componentOf(int row) const;
-    /// Name and value of each that says something.
-    [[nodiscard]] std::vector<std::pair<QString, QString>> attributesOf(int row) const;
-    [[nodiscard]] QString attributeText(int row) const;
-    [[nodiscard]] std::string packageOf(int row) const;
     void sortRows();
     [[nodiscard]] QString rankedText(int row, int column) const;
     [[nodiscard]] const std::vector<std::uint32_t>& ranks(int column) const;

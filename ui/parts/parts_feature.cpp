@@ -28,7 +28,7 @@ PartsFeature::PartsFeature(FeatureContext& context)
 
 void PartsFeature::connectFollowing(const FeatureContext& context) {
     context.on(ActionId::FollowInTables, this, [this](bool isOn) {
-        m_partsPanel->table().setFollows(isOn);
+        m_partsPanel->setFollows(isOn);
         m_pinsPanel->table().setFollows(isOn);
     });
     context.on(ActionId::FollowFromTables, this, [this](bool isOn) {
@@ -38,15 +38,17 @@ void PartsFeature::connectFollowing(const FeatureContext& context) {
 }
 
 void PartsFeature::connectExports(const FeatureContext& context) {
-    const auto connectTo = [&](auto* panel, const QString& title, const QString& what) {
-        connect(panel, &std::remove_pointer_t<decltype(panel)>::exportRequested, this, [&context, panel, title, what] {
-            context.saveFile(title, what, {tr("Table (*.csv)")}, [panel](const QString& path) {
-                return writeFile(path, tableCsv(*panel->table().model()).toUtf8());
-            });
+    const auto save = [&context](const QString& title, const QString& what, auto* panel) {
+        context.saveFile(title, what, {tr("Table (*.csv)")}, [panel](const QString& path) {
+            return writeFile(path, tableCsv(*panel->table().model()).toUtf8());
         });
     };
-    connectTo(m_partsPanel, tr("Export the components"), tr("components"));
-    connectTo(m_pinsPanel, tr("Export the pins"), tr("pins"));
+    connect(m_partsPanel, &PartsPanel::exportRequested, this, [this, save] {
+        m_partsPanel->isGrouped() ? save(tr("Export the bill of materials"), tr("bill of materials"), m_partsPanel)
+                                  : save(tr("Export the components"), tr("components"), m_partsPanel);
+    });
+    connect(m_pinsPanel, &PinsPanel::exportRequested, this,
+            [this, save] { save(tr("Export the pins"), tr("pins"), m_pinsPanel); });
 }
 
 }  // namespace ui

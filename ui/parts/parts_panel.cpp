@@ -4,6 +4,8 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScopedValueRollback>
+#include <algorithm>
+#include <iterator>
 
 #include "ui/common/panel_parts.h"
 
@@ -12,10 +14,15 @@ namespace ui {
 namespace {
 
 /// In letters; together they fit under the views of a window of 1280 pixels.
-constexpr std::pair<PartModel::Column, int> kWidths[] = {
-    {PartModel::Designator, 9}, {PartModel::Part, 13}, {PartModel::Attributes, 14}, {PartModel::Package, 13},
-    {PartModel::Side, 7},       {PartModel::X, 12},    {PartModel::Y, 12},          {PartModel::Rotation, 8},
-    {PartModel::Height, 10},    {PartModel::Pins, 5},  {PartModel::Fitted, 6},
+constexpr std::pair<int, int> kWidths[] = {
+    {PartModel::Designator, 8}, {PartModel::Part, 12}, {PartModel::Attributes, 13}, {PartModel::Package, 11},
+    {PartModel::Side, 6},       {PartModel::X, 12},    {PartModel::Y, 12},          {PartModel::Rotation, 8},
+    {PartModel::Height, 9},     {PartModel::Pins, 5},  {PartModel::Fitted, 6},
+};
+constexpr std::pair<int, int> kGroupWidths[] = {
+    {PartGroupModel::Quantity, 8},     {PartGroupModel::Part, 20},       {PartGroupModel::Value, 14},
+    {PartGroupModel::Package, 18},     {PartGroupModel::Attributes, 14}, {PartGroupModel::Fitted, 6},
+    {PartGroupModel::Designators, 20},
 };
 
 /// What most people look for first.
@@ -27,30 +34,36 @@ PartsPanel::PartsPanel(PartModel& model, PartPicking& parts, QWidget* parent)
     : QWidget(parent),
       m_model(model),
       m_parts(parts),
+      m_groups(model),
       m_table(new LinkedTable(model)),
+      m_groupTable(new LinkedTable(m_groups)),
       m_attribute(new QComboBox),
       m_count(new QLabel) {
-    setUpTable();
+    setUp(*m_table, kWidths);
+    setUp(*m_groupTable, kGroupWidths);
     layOut();
-    connect(m_table, &LinkedTable::rowsSelected, this, &PartsPanel::takeRows);
-    connect(m_table, &LinkedTable::filtered, this, &PartsPanel::showCount);
-    connect(m_table, &QTableView::activated, this, [this] {
-        if (const std::vector<int> rows = m_table->selectedRows(); !rows.empty()) {
-            m_parts.showSelected();
-        }
+    connect(m_table, &LinkedTable::rowsSelected, this, &PartsPanel::takeParts);
+    connect(m_groupTable, &LinkedTable::rowsSelected, this, &PartsPanel::takeGroups);
+    connect(m_attribute, &QComboBox::currentIndexChanged, this, [this] {
+        m_model.setAttribute(m_attribute->currentData().toString());
+        showColumns();
     });
-    connect(m_attribute, &QComboBox::currentIndexChanged, this,
-            [this] { m_model.setAttribute(m_attribute->currentData().toString()); });
     connect(&parts, &PartPicking::changed, this, &PartsPanel::markChosen);
 }
 
-void PartsPanel::setUpTable() {
+void PartsPanel::setUp(LinkedTable& table, std::span<const std::pair<int, int>> widths) {
     const int letter = fontMetrics().horizontalAdvance('0');
-    for (const auto& [column, letters] : kWidths) {
-        m_table->setColumnWidth(column, letter * letters);
+    for (const auto& [column, letters] : widths) {
+        table.setColumnWidth(column, letter * letters);
     }
-    m_table->setColumnHidden(PartModel::Step, true);
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    table.keepNumbersWhole();
+    table.horizontalHeader()->setStretchLastSection(true);
+    connect(&table, &LinkedTable::filtered, this, &PartsPanel::showCount);
+    connect(&table, &QTableView::activated, this, [this, &table] {
+        if (!table.selectedRows().empty()) {
+            m_parts.showSelected();
+        }
+    });
 }
 
 void PartsPanel::layOut() {
@@ -60,10 +73,19 @@ void PartsPanel::layOut() {
     m_attribute->setMinimumContentsLength(14);
     m_count->setObjectName(QStringLiteral("partsShown"));
     QLineEdit* filter = m_table->makeFilter(tr("Filter by designator, part, package or any attribute"));
+    m_groupTable->filterBy(*filter);
     filter->setObjectName(QStringLiteral("partFilter"));
+    auto* grouped = new QAction(tr("Group equal parts"), this);
+    grouped->setObjectName(QStringLiteral("groupParts"));
+    grouped->setToolTip(tr(
+        "Bill of materials: a row with quantity and designators for all components whose part, value and package the "
+        "job says alike"));
+    grouped->setCheckable(true);
+    connect(grouped, &QAction::toggled, this, &PartsPanel::setGrouped);
     auto* controls = new QHBoxLayout;
     controls->addWidget(filter, 1);
     controls->addWidget(m_attribute);
+    controls->addWidget(toolButton(*grouped));
     controls->addWidget(toolButton(*command(*this, "exportParts", tr("Export…"),
                                             tr("Export the rows as they are shown, as a table (CSV)"),
                                             [this] { emit exportRequested(); })));
@@ -71,15 +93,40 @@ void PartsPanel::layOut() {
     auto* column = columnIn(*this);
     column->addLayout(controls);
     column->addWidget(m_table);
+    column->addWidget(m_groupTable);
+    m_groupTable->hide();
+}
+
+void PartsPanel::setFollows(bool isOn) {
+    m_table->setFollows(isOn);
+    m_groupTable->setFollows(isOn);
+}
+
+void PartsPanel::setGrouped(bool isOn) {
+    m_groups.setOn(isOn);
+    m_table->setVisible(!isOn);
+    m_groupTable->setVisible(isOn);
+    showColumns();
+    showCount();
+    markChosen();
 }
 
 void PartsPanel::setBoard(std::shared_ptr<const model::Document> board) {
     m_model.setBoard(std::move(board));
-    m_table->setColumnHidden(PartModel::Step, !m_model.hasSeveralSteps());
-    m_table->setColumnHidden(PartModel::Height, !m_model.hasHeights());
     listAttributes();
+    showColumns();
     showCount();
     markChosen();
+}
+
+/// Columns that say nothing, or the same as another one, are left out.
+void PartsPanel::showColumns() {
+    const bool isValue = m_attribute->currentText().compare(QLatin1String(kFirstAttribute), Qt::CaseInsensitive) == 0;
+    m_table->setColumnHidden(PartModel::Step, !m_model.hasSeveralSteps());
+    m_table->setColumnHidden(PartModel::Height, !m_model.hasHeights());
+    m_groupTable->setColumnHidden(PartGroupModel::Step, !m_model.hasSeveralSteps());
+    m_groupTable->setColumnHidden(PartGroupModel::Value, !m_groups.hasValues());
+    m_groupTable->setColumnHidden(PartGroupModel::Attributes, isValue);
 }
 
 void PartsPanel::listAttributes() {
@@ -96,16 +143,45 @@ void PartsPanel::listAttributes() {
     m_model.setAttribute(m_attribute->currentData().toString());
 }
 
+/// Rows of the PartModel that the filter leaves, or whose groups it leaves.
+std::vector<int> PartsPanel::shownParts() const {
+    if (!isGrouped()) {
+        return m_table->shownRows();
+    }
+    std::vector<int> parts;
+    for (const int group : m_groupTable->shownRows()) {
+        std::ranges::copy(m_groups.partsOf(group), std::back_inserter(parts));
+    }
+    return parts;
+}
+
 void PartsPanel::showCount() {
-    const QString count = tr("%L1 of %L2").arg(m_table->model()->rowCount()).arg(m_model.rowCount());
-    QStringList texts = m_model.missing();
-    if (m_model.rowCount() > 0) {
-        texts.prepend(count);
+    const std::vector<int> shown = shownParts();
+    QStringList texts;
+    if (isGrouped() && m_model.rowCount() > 0) {
+        texts += tr("%L1 of %L2 parts").arg(m_groupTable->model()->rowCount()).arg(m_groups.rowCount());
+        texts += tr("%L1 of %L2 components").arg(shown.size()).arg(m_model.rowCount());
+        if (!m_groups.hasValues()) {
+            texts += tr("no values");  // what looks equal may not be
+        }
+    } else {
+        if (m_model.rowCount() > 0) {
+            texts += tr("%L1 of %L2").arg(shown.size()).arg(m_model.rowCount());
+        }
+        texts += m_model.missing(shown);
     }
     m_count->setText(texts.join(QStringLiteral(" · ")));
 }
 
-void PartsPanel::takeRows(const std::vector<int>& rows) {
+void PartsPanel::takeGroups(const std::vector<int>& rows) {
+    std::vector<int> parts;
+    for (const int group : rows) {
+        std::ranges::copy(m_groups.partsOf(group), std::back_inserter(parts));
+    }
+    takeParts(parts);
+}
+
+void PartsPanel::takeParts(const std::vector<int>& rows) {
     const QScopedValueRollback guard(m_isTaking, true);
     std::vector<BoardPart> parts;
     for (const int row : rows) {
@@ -117,17 +193,25 @@ void PartsPanel::takeRows(const std::vector<int>& rows) {
     }
 }
 
+/// A group is marked if any of its components is chosen.
 void PartsPanel::markChosen() {
     if (m_isTaking) {
         return;
     }
     std::vector<int> rows;
+    std::vector<int> groups;
     for (const BoardPart& part : m_parts.parts()) {
         if (const std::optional<int> row = m_model.rowOf(part)) {
             rows.push_back(*row);
+            groups.push_back(m_groups.groupOf(*row).value_or(-1));
         }
     }
     m_table->mark(std::move(rows));
+    if (isGrouped()) {
+        std::ranges::sort(groups);
+        groups.erase(std::ranges::unique(groups).begin(), groups.end());
+        m_groupTable->mark(std::move(groups));
+    }
 }
 
 }  // namespace ui

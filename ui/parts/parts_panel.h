@@ -1,18 +1,19 @@
 #pragma once
 
 #include <QWidget>
+#include <span>
 
 #include "ui/parts/linked_table.h"
-#include "ui/parts/part_model.h"
+#include "ui/parts/part_group_model.h"
 
 class QComboBox;
 class QLabel;
 
 namespace ui {
 
-/// The components of the board: filter, sort, export. Selected rows are the components that are selected in the views,
-/// both ways; Enter or a double click shows them there. A line above says how many there are and what the job does not
-/// say of them.
+/// The components of the board: filter, sort, export; a row each, or equal ones as one row (PartGroupModel). Selected
+/// rows are the components that are selected in the views, both ways; Enter or a double click shows them there. A line
+/// above says how many there are and what the job does not say of them.
 class PartsPanel : public QWidget {
     Q_OBJECT
 
@@ -23,22 +24,33 @@ public:
     void setBoard(std::shared_ptr<const model::Document> board);
     /// Whether choosing a row also shows the component in the views.
     void setShowsChosen(bool isOn) { m_showsChosen = isOn; }
-    [[nodiscard]] LinkedTable& table() { return *m_table; }
+    /// See LinkedTable.
+    void setFollows(bool isOn);
+    [[nodiscard]] bool isGrouped() const { return m_groups.isOn(); }
+    /// The table that is shown.
+    [[nodiscard]] LinkedTable& table() { return isGrouped() ? *m_groupTable : *m_table; }
 
 signals:
     void exportRequested();
 
 private:
-    void setUpTable();
+    void setUp(LinkedTable& table, std::span<const std::pair<int, int>> widths);
     void layOut();
-    void takeRows(const std::vector<int>& rows);
+    void setGrouped(bool isOn);
+    void showColumns();
+    /// Rows of the PartModel.
+    void takeParts(const std::vector<int>& rows);
+    void takeGroups(const std::vector<int>& rows);
     void markChosen();
+    [[nodiscard]] std::vector<int> shownParts() const;
     void listAttributes();
     void showCount();
 
     PartModel& m_model;
     PartPicking& m_parts;
+    PartGroupModel m_groups;
     LinkedTable* m_table;
+    LinkedTable* m_groupTable;
     QComboBox* m_attribute;  ///< which one the column shows
     QLabel* m_count;
     bool m_isTaking = false;  ///< what is selected becomes the rows

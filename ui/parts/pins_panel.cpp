@@ -30,6 +30,7 @@ PinsPanel::PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& select
     for (const auto& [column, letters] : kWidths) {
         m_table->setColumnWidth(column, letter * letters);
     }
+    m_table->keepNumbersWhole();
     m_table->horizontalHeader()->setStretchLastSection(true);
     layOut();
     connect(m_table, &LinkedTable::rowsSelected, this, &PinsPanel::takeRows);

@@ -80,7 +80,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {ShowClearanceDock, MenuId::Panels, QT_TR_NOOP("&Clearances"), "Ctrl+9", QT_TR_NOOP("Show or hide smallest clearances, rules, lens and map"), kCheckable},
     {ShowMeasurementsDock, MenuId::Panels, QT_TR_NOOP("Meas&urements"), "Ctrl+0", QT_TR_NOOP("Show or hide the measurements"), kCheckable},
     {ShowSectionDock, MenuId::Panels, QT_TR_NOOP("Cr&oss-section"), "Ctrl+Alt+0", QT_TR_NOOP("Show or hide the cross-section"), kCheckable},
-    {ShowPartsDock, MenuId::Panels, QT_TR_NOOP("&Parts"), "Ctrl+Alt+1", QT_TR_NOOP("Show or hide the components"), kCheckable},
+    {ShowPartsDock, MenuId::Panels, QT_TR_NOOP("&Parts"), "Ctrl+Alt+1", QT_TR_NOOP("Show or hide the components, as the bill of materials (BOM) too"), kCheckable},
     {ShowPinsDock, MenuId::Panels, QT_TR_NOOP("P&ins"), "Ctrl+Alt+2", QT_TR_NOOP("Show or hide the pins of the selected components or highlighted nets"), kCheckable},
     {ShowMessagesDock, MenuId::Panels, QT_TR_NOOP("Messa&ges"), "Ctrl+3", QT_TR_NOOP("Show or hide what was skipped, repaired or assumed"), kCheckable},
     {ShowToolBar, MenuId::Panels, QT_TR_NOOP("Toolba&r"), "Ctrl+K,B", QT_TR_NOOP("Show or hide the toolbar"), kCheckable},

@@ -3,18 +3,21 @@
 
 #include <QComboBox>
 #include <QFileDialog>
+#include <QHeaderView>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QToolButton>
 #include <QtTest>
 
 #include "model/index/pin_names.h"
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
-#include "ui/parts/part_model.h"
+#include "ui/parts/part_group_model.h"
 #include "ui/parts/pin_model.h"
 #include "ui/parts/pins_panel.h"
 
 using model::BoardElement;
+using ui::PartGroupModel;
 using ui::PartModel;
 using ui::PinModel;
 
@@ -102,6 +105,8 @@ private slots:
         QVERIFY(
             window().label("partsShown").startsWith(QString("1 of %1").arg(window().document()->components.size())));
         QCOMPARE(window().selection().selected(), before);
+        QVERIFY2(!QRegularExpression("[0-9]{2,} without").match(window().label("partsShown")).hasMatch(),
+                 qPrintable(window().label("partsShown")));  // of one row, not of the board
         filter->clear();
         QCOMPARE(rowsOf(parts()), QStringList{"U1"});
     }
@@ -128,6 +133,80 @@ private slots:
         QVERIFY(lines.front().startsWith("Designator,"));
     }
 
+    void equalPartsBecomeOneRow() {
+        const auto count = static_cast<int>(window().document()->components.size());
+        QTest::mouseClick(window().findChild<QToolButton*>("groupParts"), Qt::LeftButton);
+        QVERIFY(groups().isVisible() && !parts().isVisible());
+        QVERIFY(groups().model()->rowCount() < count);
+        const int row = rowWithSeveral();
+        QVERIFY(row >= 0);
+        const QStringList names = text(groups(), row, PartGroupModel::Designators).split(", ");
+        QCOMPARE(text(groups(), row, PartGroupModel::Quantity), QString::number(names.size()));
+        click(groups(), row);
+        QCOMPARE(window().selection().title(), QString("%1 components").arg(names.size()));
+        std::vector<model::ElementId> elements;
+        for (const QString& name : names) {
+            std::ranges::copy(finder().elementsOf(component(qPrintable(name))), std::back_inserter(elements));
+        }
+        std::ranges::sort(elements);
+        elements.erase(std::ranges::unique(elements).begin(), elements.end());
+        QCOMPARE(selectedIds(), elements);
+        window().selection().select({});
+        QVERIFY(groups().selectionModel()->selectedRows().isEmpty());
+        window().find<ui::PartPicking>().select(std::vector{ui::BoardPart{0, component(qPrintable(names.last()))}});
+        QCOMPARE(groups().selectionModel()->selectedRows().front().row(), row);
+        QTest::mouseClick(window().findChild<QToolButton*>("groupParts"), Qt::LeftButton);
+        QCOMPARE(rowsOf(parts()), QStringList{names.last()});
+    }
+
+    void theBillOfMaterialsIsFilteredAndBecomesAFile() {
+        QTest::mouseClick(window().findChild<QToolButton*>("groupParts"), Qt::LeftButton);
+        const int all = groups().model()->rowCount();
+        const int row = rowWithSeveral();
+        const QString designators = text(groups(), row, PartGroupModel::Designators);
+        const qsizetype count = designators.count(',') + 1;
+        auto* filter = window().findChild<QLineEdit*>("partFilter");
+        filter->setText(text(groups(), row, PartGroupModel::Part) + ' ' + designators.section(", ", -1));
+        QCOMPARE(groups().model()->rowCount(), 1);
+        QVERIFY2(window()
+                     .label("partsShown")
+                     .startsWith(QString("1 of %1 parts · %2 of %3 components")
+                                     .arg(all)
+                                     .arg(count)
+                                     .arg(window().document()->components.size())),
+                 qPrintable(window().label("partsShown")));
+        const QString path = m_fixture->folder() + "/bom.csv";
+        window().findChild<QToolButton*>("exportParts")->click();
+        auto* dialog = window().findChild<QFileDialog*>();
+        emit dialog->fileSelected(path);
+        delete dialog;
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+        QCOMPARE(lines.size(), 2);
+        QVERIFY(lines[0].startsWith("Quantity,Part,Value,Package,"));
+        QVERIFY(lines[1].startsWith(QByteArray::number(count) + ','));
+        QVERIFY(lines[1].endsWith(",\"" + designators.toUtf8() + '"'));
+    }
+
+    /// In the narrow panels that the window begins with.
+    void numbersAndHeadingsAreWhole() {
+        for (ui::TableView* table : {&parts(), &pins()}) {
+            for (int column = 0; column < table->model()->columnCount(); ++column) {
+                if (table->isColumnHidden(column)) {
+                    continue;
+                }
+                const QString heading = table->model()->headerData(column, Qt::Horizontal).toString();
+                const int width = table->columnWidth(column);
+                QVERIFY2(width >= table->horizontalHeader()->sectionSizeHint(column), qPrintable(heading));
+                const QModelIndex first = table->model()->index(0, column);
+                if ((first.data(ui::TableModel::kTraitsRole).toInt() & ui::kNumber) != 0) {
+                    QVERIFY2(width >= table->sizeHintForIndex(first).width(), qPrintable(heading));
+                }
+            }
+        }
+    }
+
     void placesThatTheJobDoesNotSayAreMarked() {
         model::Component placed;
         placed.refdes = "R1";
@@ -148,7 +227,7 @@ private slots:
         QCOMPARE(shows(1, PartModel::Rotation, Qt::DisplayRole).toString(), QString());
         QVERIFY(shows(1, PartModel::X, Qt::ToolTipRole).toString().contains("the middle of its pins"));
         QVERIFY(!shows(0, PartModel::X, Qt::ToolTipRole).toString().contains("the middle of its pins"));
-        QVERIFY(parts.missing().contains("1 without a place"));
+        QVERIFY(parts.missing({0, 1}).contains("1 without a place"));
     }
 
     void boardsWithoutComponentsSaySo() {
@@ -162,6 +241,7 @@ private slots:
 private:
     TestWindow& window() { return m_fixture->window(); }
     ui::TableView& parts() { return window().table("parts"); }
+    ui::TableView& groups() { return *window().panel("parts").findChildren<ui::TableView*>().last(); }
     ui::TableView& pins() { return window().table("pins"); }
     const model::PinFinder& finder() { return window().find<ui::PartPicking>().finderOf(0); }
 
@@ -197,6 +277,14 @@ private:
     static int rowOf(ui::TableView& table, const QString& name) {
         for (int row = 0; row < table.model()->rowCount(); ++row) {
             if (text(table, row, 0) == name) {
+                return row;
+            }
+        }
+        return -1;
+    }
+    int rowWithSeveral() {
+        for (int row = 0; row < groups().model()->rowCount(); ++row) {
+            if (groups().model()->index(row, PartGroupModel::Quantity).data(Qt::EditRole).toInt() > 2) {
                 return row;
             }
         }

@@ -203,6 +203,16 @@ private slots:
         QTest::keyClick(&box().line(), Qt::Key_Escape);
     }
 
+    void theBillOfMaterialsIsFound() {
+        for (const char* words : {"bom", "bill of materials"}) {
+            m_fixture->key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+            QTest::keyClicks(&box().line(), words);
+            QCOMPARE(box().list().count(), 1);
+            QVERIFY(box().list().item(0)->text().startsWith("Parts "));
+            QTest::keyClick(&box().line(), Qt::Key_Escape);
+        }
+    }
+
     /// R2 lies on the bottom right below R1.
     void aPartOfTheBottomIsSeenAsSuch() {
         QVERIFY(m_fixture->openAndWait(boardWithPartsBelowEachOther()));

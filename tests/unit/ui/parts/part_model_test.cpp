@@ -92,16 +92,18 @@ private slots:
 
     void whatTheJobDoesNotSayIsNamed() {
         PartModel model;
-        QVERIFY(model.missing().isEmpty() && !model.hasHeights());
+        QVERIFY(model.missing({}).isEmpty() && !model.hasHeights());
         model.setBoard(board());
-        QCOMPARE(model.missing(), (QStringList{"1 without a height", "1 without a package outline"}));
+        QCOMPARE(model.missing({0, 1, 2}), (QStringList{"1 without a height", "1 without a package outline"}));
+        QCOMPARE(model.missing({1, 2}), QStringList());
+        QCOMPARE(model.missing({0}), (QStringList{"no heights", "no package outlines"}));
         QVERIFY(model.hasHeights());
         QCOMPARE(model.index(0, PartModel::Height).data().toString(), "");
         QCOMPARE(model.index(1, PartModel::Height).data().toString(), "0.8000 mm");
         QCOMPARE(texts(model, PartModel::Fitted), (QStringList{"no", "yes", "yes"}));
         QCOMPARE(texts(model, PartModel::Side), (QStringList{"Bottom", "Top", "Top"}));
         model.setBoard(model::DocumentBuilder().finish());
-        QCOMPARE(model.missing(), QStringList{"The job has no components"});
+        QCOMPARE(model.missing({}), QStringList{"The job has no components"});
         QCOMPARE(model.rowCount(), 0);
     }
 

@@ -1,0 +1,152 @@
+#include "ui/parts/part_group_model.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "model/nets/net_statistics.h"
+
+namespace ui {
+
+namespace {
+
+const QLatin1String kBetween(", ");  // designators
+
+}  // namespace
+
+PartGroupModel::PartGroupModel(const PartModel& parts, QObject* parent)
+    : TableModel(
+          {{tr("Quantity"), tr("How many of them are on the board; of placed steps, on one copy"), kNumber},
+           {tr("Part"), tr("Part name or number in the job")},
+           {tr("Value"), tr("The attribute of that name")},
+           {tr("Package"), tr("Name of the package")},
+           {tr("Attributes"), tr("The attribute chosen above the table, or all that are the same in all of them; "
+                                 "a filter looks through all either way")},
+           {tr("Fitted"), tr("Whether they are assembled: the job may say that they are not populated")},
+           {tr("Step"), tr("The step they are on; seen in all its copies")},
+           {tr("Designators"), tr("Reference designators")}},
+          parent),
+      m_parts(parts) {
+    connect(&parts, &QAbstractItemModel::modelReset, this, [this] {
+        if (m_isOn) {
+            group();
+        }
+    });
+    connect(&parts, &QAbstractItemModel::dataChanged, this, &PartGroupModel::announceChange);
+}
+
+void PartGroupModel::setOn(bool isOn) {
+    m_isOn = isOn;
+    group();
+}
+
+void PartGroupModel::group() {
+    beginResetModel();
+    m_groups.clear();
+    m_groupOf.clear();
+    std::map<std::tuple<std::uint32_t, bool, QString, QString, QString>, int> groups;
+    for (int part = 0; m_isOn && part < m_parts.rowCount(); ++part) {
+        const auto key = std::tuple(m_parts.partAt(part).step, m_parts.componentAt(part).isPopulated,
+                                    textOf(part, Part), textOf(part, Value), textOf(part, Package));
+        const auto [found, isNew] = groups.try_emplace(key, static_cast<int>(m_groups.size()));
+        if (isNew) {
+            m_groups.emplace_back();
+        }
+        m_groups[static_cast<std::size_t>(found->second)].push_back(part);
+        m_groupOf.push_back(found->second);
+    }
+    for (const Column column : {Part, Value, Package}) {
+        rank(column);
+    }
+    endResetModel();
+}
+
+void PartGroupModel::rank(Column column) {
+    std::vector<std::string> texts;
+    for (const std::vector<int>& parts : m_groups) {
+        texts.push_back(textOf(parts.front(), column).toStdString());
+    }
+    m_ranks[static_cast<std::size_t>(column)] = model::ranksOf(texts);
+}
+
+std::optional<int> PartGroupModel::groupOf(int part) const {
+    const auto at = static_cast<std::size_t>(part);
+    return at < m_groupOf.size() ? std::optional(m_groupOf[at]) : std::nullopt;
+}
+
+bool PartGroupModel::hasValues() const {
+    return std::ranges::any_of(m_groups,
+                               [&](const std::vector<int>& parts) { return !textOf(parts.front(), Value).isEmpty(); });
+}
+
+QString PartGroupModel::textOf(int part, int column) const {
+    return column == Part    ? QString::fromStdString(m_parts.componentAt(part).part)
+           : column == Value ? m_parts.valueOf(part)
+                             : QString::fromStdString(m_parts.packageOf(part));
+}
+
+QStringList PartGroupModel::designators(int row) const {
+    QStringList names;
+    for (const int part : partsOf(row)) {
+        names += QString::fromStdString(m_parts.componentAt(part).refdes);
+    }
+    return names;
+}
+
+/// Of one attribute all values that there are, else what all components have in common.
+QString PartGroupModel::attributes(int row) const {
+    QStringList texts = m_parts.attributeTextsOf(partsOf(row).front());
+    for (const int part : partsOf(row)) {
+        const QStringList others = m_parts.attributeTextsOf(part);
+        if (m_parts.isOneAttribute()) {
+            texts += others;
+        } else {
+            texts.removeIf([&](const QString& text) { return !others.contains(text); });
+        }
+    }
+    texts.removeDuplicates();
+    return texts.join(m_parts.isOneAttribute() ? QStringLiteral(", ") : QStringLiteral(" · "));
+}
+
+Cell PartGroupModel::cell(int row, int column) const {
+    const int first = partsOf(row).front();
+    switch (column) {
+        case Quantity: return count(partsOf(row).size());
+        case Part:
+        case Value:
+        case Package:
+            return {.text = textOf(first, column),
+                    .order = m_ranks[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)]};
+        case Attributes: return {attributes(row)};
+        case Fitted: return {m_parts.componentAt(first).isPopulated ? tr("yes") : tr("no")};
+        case Step: return {m_parts.stepNameOf(first)};
+        default: return {.text = designators(row).join(kBetween), .order = row};
+    }
+}
+
+QString PartGroupModel::searchText(int row) const {
+    QStringList texts{textOf(partsOf(row).front(), Part), textOf(partsOf(row).front(), Package)};
+    texts += designators(row);
+    for (const int part : partsOf(row)) {
+        for (const auto& [name, value] : m_parts.attributesOf(part)) {
+            texts << name << value;
+        }
+    }
+    texts.removeDuplicates();
+    return texts.join('\t');
+}
+
+QString PartGroupModel::tip(int row, int column) const {
+    if (column != Designators) {
+        return column == Quantity || column == Fitted ? QString() : cell(row, column).text.toString();
+    }
+    constexpr qsizetype kInLine = 12;
+    const QStringList names = designators(row);
+    QStringList lines;
+    for (qsizetype first = 0; first < names.size(); first += kInLine) {
+        lines += names.mid(first, kInLine).join(kBetween);
+    }
+    return lines.join(QStringLiteral(",\n"));
+}
+
+}  // namespace ui
