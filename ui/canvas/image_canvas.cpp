@@ -156,10 +156,14 @@ void ImageCanvas::drawByDevice(QSize pixels) {
     m_isByTiles = false;
     const Warped before = warped(pixels);
     m_picture.preparePlane(pixels);
+    const bool isPlaneShown = !m_picture.inPlane.isNull();
+    if (std::exchange(m_isPlaneShown, isPlaneShown) && !isPlaneShown) {
+        m_isDue = true;  // nobody asks for a frame of the board when a map goes, but the last picture has it
+    }
     bool isNew = std::exchange(m_isShotNew, false);
     bool isAwaited = false;  // what is shown stays until the device is done
     // What the pointer moves over a map asks for no frame of the board, but for one of the map.
-    const bool isPlaneDue = !isNew && !m_picture.inPlane.isNull();
+    const bool isPlaneDue = !isNew && isPlaneShown;
     const bool isPostponed = isCoarse() && before.isNear;
     if ((m_isDue && !isPostponed) || isPlaneDue) {
         m_goOn.stop();

@@ -71,12 +71,13 @@ private:
     std::vector<std::uint32_t> m_warped;
     render::CameraPose m_shown;  ///< where the image is seen from
     bool m_isStale = true;
-    bool m_isDue = true;       ///< the board is another one than the image has, or was asked for
-    bool m_isShotNew = false;  ///< the device has drawn one that was not shown yet
-    bool m_isByTiles = false;  ///< the image is
-    QTimer m_goOn;             ///< runs while there is more to do
-    bool m_isExact = false;    ///< what there is to do about the tiles is for frames to come
-    bool m_isWholeDue = true;  ///< the device has drawn the board since it drew all of it
+    bool m_isDue = true;          ///< the board is another one than the image has, or was asked for
+    bool m_isPlaneShown = false;  ///< the last picture asked for has one in a plane of the board
+    bool m_isShotNew = false;     ///< the device has drawn one that was not shown yet
+    bool m_isByTiles = false;     ///< the image is
+    QTimer m_goOn;                ///< runs while there is more to do
+    bool m_isExact = false;       ///< what there is to do about the tiles is for frames to come
+    bool m_isWholeDue = true;     ///< the device has drawn the board since it drew all of it
 };
 
 }  // namespace ui

@@ -64,6 +64,18 @@ private slots:
         QCOMPARE(text(), QString());
     }
 
+    /// Both at once, without a hand that moves one of them.
+    void whatIsOnTheScreenLosesTheMapToo() {
+        const QImage without[2] = {shown(views().flat()), shown(views().solid())};
+        m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
+        waitForMaps();
+        QTRY_VERIFY(differingPixels(without[0], shown(views().flat())) > 500);
+        QTRY_VERIFY(differingPixels(without[1], shown(views().solid())) > 500);
+        m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
+        QTRY_COMPARE(differingPixels(without[0], shown(views().flat())), 0);
+        QTRY_COMPARE(differingPixels(without[1], shown(views().solid())), 0);
+    }
+
     void thePanelOpensWithTheMapOnly() {
         auto* panel = window().findChild<QDockWidget*>("clearances");
         panel->hide();
@@ -293,6 +305,12 @@ private:
     QSlider& slider() { return *panel().findChild<QSlider*>("mapReach"); }
     QString text() { return panel().findChild<QLabel*>("map")->text(); }
     QImage grab(BoardView& view) { return view.grabPicture()->convertToFormat(QImage::Format_RGB32); }
+
+    /// What is on the screen, which waits for no device as `grab` does.
+    QImage shown(BoardView& view) {
+        auto* canvas = qobject_cast<QWidget*>(&view.canvas());
+        return canvas != nullptr ? canvas->grab().toImage().convertToFormat(QImage::Format_RGB32) : grab(view);
+    }
 
     void switchOn() {
         m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
