@@ -49,8 +49,7 @@ bool GroupedLayers::isDull(LayerGroup group) const {
     const bool isRare = group == LayerGroup::Paste || group == LayerGroup::Mechanical ||
                         group == LayerGroup::Dielectric || group == LayerGroup::Other;
     return isRare || std::ranges::all_of(layersIn(group), [this](LayerId layer) {
-               const auto& counts = m_layers.document()->layer(layer).countsWithCopies;
-               return std::ranges::all_of(counts, [](auto count) { return count == 0; });
+               return drawsNothing(m_layers.document()->layer(layer));
            });
 }
 

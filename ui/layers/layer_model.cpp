@@ -14,13 +14,11 @@ QString micrometres(model::Nm nm) {
     return QString::number(static_cast<double>(nm) / base::kNmPerUm, 'g', 6) + QStringLiteral(" µm");
 }
 
-/// Neither drawn nor material.
-bool isEmpty(const model::Layer& layer) {
-    return layer.type != model::LayerType::Dielectric &&
-           std::ranges::all_of(layer.countsWithCopies, [](auto count) { return count == 0; });
-}
-
 }  // namespace
+
+bool drawsNothing(const model::Layer& layer) {
+    return std::ranges::all_of(layer.countsWithCopies, [](auto count) { return count == 0; });
+}
 
 QString layerGroupText(model::LayerGroup group) {
     using model::LayerGroup;
@@ -265,18 +263,22 @@ void LayerModel::announceAllChanged() {
     }
 }
 
+/// What a layer that draws nothing is set to changes no picture: its row is grey.
 Cell LayerModel::cell(int row, int column) const {
+    Cell cell = settingOf(row, column);
+    if (drawsNothing(m_document->layers[static_cast<std::size_t>(row)])) {
+        cell.colour = QColor(Qt::gray);
+    }
+    return cell;
+}
+
+Cell LayerModel::settingOf(int row, int column) const {
     const model::Layer& layer = m_document->layers[static_cast<std::size_t>(row)];
     const LayerAppearance& style = m_styles[static_cast<std::size_t>(row)];
     switch (column) {
         case Visible: return {.isChecked = style.isVisible};
         case Colour: return {{}, style.colour};
-        case Name:
-            return {QString::fromStdString(layer.name),
-                    {},
-                    {},
-                    {},
-                    isEmpty(layer) ? QVariant(QColor(Qt::gray)) : QVariant()};
+        case Name: return {QString::fromStdString(layer.name)};
         case Type: return {layerTypeText(layer.type)};
         case Opacity: return {QStringLiteral("%1 %").arg(style.opacityPercent), style.opacityPercent};
         default: return {.isChecked = m_solo == model::LayerId{static_cast<std::size_t>(row)}};
@@ -299,6 +301,9 @@ QString LayerModel::tip(int row, int) const {
     }
     if (!layer.useName.empty()) {
         text += '\n' + tr("Made as %1").arg(QString::fromStdString(layer.useName));
+    }
+    if (drawsNothing(layer)) {
+        return text + '\n' + tr("No elements: there is nothing to show");
     }
     const auto all = std::accumulate(layer.countsWithCopies.begin(), layer.countsWithCopies.end(), qulonglong{0});
     return text + '\n' + tr("%1 elements").arg(all);

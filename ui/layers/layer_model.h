@@ -112,6 +112,7 @@ private:
     void announceAllChanged();
     [[nodiscard]] int rows() const override { return static_cast<int>(m_styles.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] Cell settingOf(int row, int column) const;
     [[nodiscard]] QString tip(int row, int column) const override;
     bool edit(int row, int column, const QVariant& value) override;
     bool check(int row, int column, bool isChecked) override;
@@ -124,6 +125,8 @@ private:
     model::BoardColourChoice m_boardColours;
 };
 
+/// Has a layer no elements, in copies neither? Dielectrics, say, and sides without components.
+[[nodiscard]] bool drawsNothing(const model::Layer& layer);
 /// "Copper", "Solder mask", …
 [[nodiscard]] QString layerGroupText(model::LayerGroup group);
 /// What a layer is for, in words instead of the matrix's capitals: "Signal", "Power plane", …

@@ -171,8 +171,9 @@ void LayersPanel::step(int by) {
     const std::vector<bool> isVisible = m_model.visibility();
     const auto count = static_cast<int>(isVisible.size());
     for (int row = static_cast<int>(currentLayer().row()) + by; row >= 0 && row < count; row += by) {
-        if (isVisible[static_cast<std::size_t>(row)] || isSolo) {
-            makeCurrent(model::LayerId{static_cast<std::size_t>(row)});
+        const model::LayerId layer{static_cast<std::size_t>(row)};
+        if ((isVisible[layer.row()] || isSolo) && !drawsNothing(m_model.document()->layer(layer))) {
+            makeCurrent(layer);
             return;
         }
     }

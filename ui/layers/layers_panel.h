@@ -30,7 +30,8 @@ public:
     /// Unfolds its group.
     void select(model::LayerId layer);
     /// Moves to the next visible layer `by` rows on (1 or -1) in the order of the stackup, or stays at the last one.
-    /// While a layer is shown alone, all layers of the board count, and the one moved to is shown alone instead.
+    /// While a layer is shown alone, all layers of the board count, and the one moved to is shown alone instead. Layers
+    /// that draw nothing are passed over.
     void step(int by);
     /// Goes to the uppermost or the lowest copper and shows it.
     void goToOuterCopper(bool isTop);

@@ -125,6 +125,32 @@ private slots:
         }
     }
 
+    void layersThatDrawNothingAreGreyAndPassedOver() {
+        const model::LayerId core = window().document()->findLayer("CORE1");
+        window().layersPanel().select(core);  // unfolds its group
+        const auto colourOf = [this](model::LayerId layer, ui::LayerModel::Column column) {
+            return window().layers().index(static_cast<int>(layer.row()), column).data(Qt::ForegroundRole);
+        };
+        const model::LayerId top = window().document()->findLayer("TOP");
+        for (const auto column : {ui::LayerModel::Visible, ui::LayerModel::Name, ui::LayerModel::Solo}) {
+            QCOMPARE(colourOf(core, column), QVariant(QColor(Qt::gray)));
+            QCOMPARE(colourOf(top, column), QVariant());
+        }
+        trigger(ActionId::ShowAllLayers);
+        for (const bool isAlone : {false, true}) {
+            window().layersPanel().select(top);
+            if (isAlone) {
+                trigger(ActionId::SoloLayer);
+            }
+            m_fixture->key(Qt::Key_PageDown);
+            const model::LayerId next = window().layersPanel().currentLayer();
+            QCOMPARE(QString::fromStdString(window().document()->layer(next).name), QString("Inner Plane"));
+            QCOMPARE(window().layers().soloLayer(), isAlone ? next : model::LayerId{});
+            m_fixture->key(Qt::Key_PageUp);
+            QCOMPARE(window().layersPanel().currentLayer(), top);
+        }
+    }
+
     void kiCadsKeysGoToOuterCopper() {
         trigger(ActionId::KeysKiCad);
         m_fixture->key(Qt::Key_PageDown);
