@@ -1,6 +1,7 @@
 #include "model/clearance/side_names.h"
 
 #include "model/board/holes.h"
+#include "model/index/copper_kind.h"
 #include "model/index/pin_names.h"
 
 namespace model {
@@ -31,33 +32,14 @@ std::pair<Side, Side> SideNames::of(const RuleFinding& finding) const {
 }
 
 std::string SideNames::kindOf(ElementId element) const {
-    const std::uint8_t flags = m_document.elements.flags[element.row()];
-    const ElementKind kind = m_document.elements.kind[element.row()];
-    if ((flags & kHole) != 0) {
-        return kindOfHole(element);
-    }
-    const Layer& layer = m_document.layer(m_document.elements.layer[element.row()]);
-    if (!layer.isCopper()) {
-        return layer.type == LayerType::SilkScreen ? "silkscreen" : "opening";
-    }
-    const SubnetId subnet = m_document.elements.subnet[element.row()];
-    const bool isPad =
-        (flags & kPad) != 0 || (subnet.isValid() && m_document.subnets[subnet.row()].kind == SubnetKind::PinPads);
-    return isPad ? "pad" : kind == ElementKind::Area ? "area" : kind == ElementKind::Circle ? "dot" : "track";
-}
-
-std::string SideNames::kindOfHole(ElementId hole) const {
-    const bool isRound = m_document.elements.kind[hole.row()] == ElementKind::Circle;
-    if (m_isMicrovia[hole.row()]) {
+    if (m_isMicrovia[element.row()]) {
         return "microvia";
     }
-    switch (holeKind(m_document.elements.flags[hole.row()])) {
-        case HoleKind::Via: return "via";
-        case HoleKind::Component: return isRound ? "component hole" : "plated slot";
-        case HoleKind::Plated: return isRound ? "plated hole" : "plated slot";
-        case HoleKind::NonPlated: return isRound ? "NPTH" : "NPTH slot";
+    const Layer& layer = m_document.layer(m_document.elements.layer[element.row()]);
+    if ((m_document.elements.flags[element.row()] & kHole) != 0 || layer.isCopper()) {
+        return copperKind(m_document, element);
     }
-    return {};
+    return layer.type == LayerType::SilkScreen ? "silkscreen" : "opening";
 }
 
 }  // namespace model

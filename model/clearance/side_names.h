@@ -31,7 +31,6 @@ public:
 
 private:
     [[nodiscard]] std::string kindOf(ElementId element) const;
-    [[nodiscard]] std::string kindOfHole(ElementId hole) const;
 
     const Document& m_document;
     PinFinder m_pins;

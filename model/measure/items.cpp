@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "model/index/copper_kind.h"
+#include "model/index/pin_names.h"
+
 namespace model {
 
 namespace {
@@ -90,7 +93,7 @@ Piece pieceOf(const BoardIndex& index, BoardElement at) {
     return piece;
 }
 
-std::string pinName(const Document& step, PinId id) {
+std::string nameOfPin(const Document& step, PinId id) {
     const Pin& pin = step.pins[id.row()];
     const std::string part = pin.component.isValid() ? step.components[pin.component.row()].refdes + "." : "";
     return "pin " + part + step.text(pin.name);
@@ -108,7 +111,7 @@ struct Namer {
     }
     std::string operator()(NetOfCopy at) const { return "net " + index.stepOf(at.copy).nets[at.net.row()].name; }
     std::string operator()(PartOfCopy at) const { return index.stepOf(at.copy).components[at.component.row()].refdes; }
-    std::string operator()(PinOfCopy at) const { return pinName(index.stepOf(at.copy), at.pin); }
+    std::string operator()(PinOfCopy at) const { return nameOfPin(index.stepOf(at.copy), at.pin); }
     std::string operator()(BoardEdge) const { return "the board's edge"; }
     std::string operator()(const Location&) const { return "the location"; }
 };
@@ -176,6 +179,20 @@ NetId netOf(const BoardIndex& index, BoardElement at) {
 
 std::string nameOf(const BoardIndex& index, const MeasureItem& item) {
     return std::visit(Namer{index}, item);
+}
+
+std::string kindOf(const BoardIndex& index, BoardElement at) {
+    const Document& step = index.stepOf(at.copy);
+    if (const Body* body = step.bodyOf(at.element)) {
+        return body->component.isValid() ? "body of " + step.components[body->component.row()].refdes : "body";
+    }
+    const ElementKind kind = step.elements.kind[at.element.row()];
+    const bool isHole = (step.elements.flags[at.element.row()] & kHole) != 0;
+    if (!isHole && !step.layer(step.elements.layer[at.element.row()]).isCopper()) {
+        return kind == ElementKind::Trail ? "line" : toString(kind);
+    }
+    const PinId pin = pinOf(step, index.pinsOf(at.copy), at.element);
+    return copperKind(step, at.element) + (pin.isValid() ? " " + fullPinName(step, pin) : "");
 }
 
 Pieces piecesOf(const BoardIndex& index, std::span<const BoardElement> elements) {

@@ -41,6 +41,8 @@ using MeasureItem = std::variant<BoardElement, NetOfCopy, PartOfCopy, PinOfCopy,
 [[nodiscard]] NetId netOf(const BoardIndex& index, BoardElement at);
 /// What people call it: "net GND", "U1", "pin U1.3", "element 12 (TOP)", "the board's edge", "the location".
 [[nodiscard]] std::string nameOf(const BoardIndex& index, const MeasureItem& item);
+/// What an element is, without its net: "pad U1.7", "track", "via", "body of U1", "line" (of a drawing).
+[[nodiscard]] std::string kindOf(const BoardIndex& index, BoardElement at);
 
 /// How far the faces of two layers of the board that face each other are apart, in nm; 0 where their heights meet.
 /// Nothing if one is none or is not in the stackup.

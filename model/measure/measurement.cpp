@@ -57,7 +57,9 @@ std::vector<std::string> cellsOf(const Measurement& m) {
             m.corner ? mm(m.corner->x) : "",
             m.corner ? mm(m.corner->y) : "",
             isLength ? partsOf(*m.path) : "",
-            joined(m.notes, "; ")};
+            joined(m.notes, "; "),
+            m.from.item,
+            m.to.item};
 }
 
 }  // namespace
@@ -107,7 +109,7 @@ double Measurement::angleDeg() const {
 std::string measurementsCsv(const std::vector<Measurement>& measurements) {
     std::string csv =
         "name,step,kind,value mm,value mil,value deg,dx mm,dy mm,dz mm,overlap mm,layer a,layer b,net a,net b,"
-        "x mm on a,y mm on a,x mm on b,y mm on b,x mm at corner,y mm at corner,parts mm,notes\n";
+        "x mm on a,y mm on a,x mm on b,y mm on b,x mm at corner,y mm at corner,parts mm,notes,element a,element b\n";
     for (const Measurement& m : measurements) {
         for (const std::string& cell : cellsOf(m)) {
             csv += csvField(cell) + ",";

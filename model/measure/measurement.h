@@ -18,6 +18,8 @@ struct MeasuredEnd {
     std::string layer;  ///< empty: none
     std::string net;    ///< empty: none
     std::string snap;   ///< what was caught: "centre", "edge", "free" …
+    std::string
+        item{};  ///< what was measured to, without its net: "track", "pad U1.7"; empty: a location, or not known
     bool operator==(const MeasuredEnd&) const = default;
 };
 
@@ -57,7 +59,7 @@ struct MeasuredPath {
 /// Something that the user measured. In a session file:
 ///
 ///     {"name": "A", "step": "pcb", "kind": "edge to edge",
-///      "from": {"at_nm": [0, 0], "layer": "TOP", "net": "GND", "snap": "edge"}, "to": {…},
+///      "from": {"at_nm": [0, 0], "layer": "TOP", "net": "GND", "snap": "edge", "item": "pad U1.7"}, "to": {…},
 ///      "dz_nm": 0, "overlap_nm": 0, "notes": ["both are of net GND"], "shown": true}
 ///
 /// one measured in a plan also has "planar": true, an angle "corner": {…}, a length along a net

@@ -8,12 +8,16 @@ namespace model::session {
 namespace {
 
 Json toJson(const MeasuredEnd& end) {
-    return {{"at_nm", std::array{end.x, end.y}}, {"layer", end.layer}, {"net", end.net}, {"snap", end.snap}};
+    Json json = {{"at_nm", std::array{end.x, end.y}}, {"layer", end.layer}, {"net", end.net}, {"snap", end.snap}};
+    if (!end.item.empty()) {
+        json["item"] = end.item;
+    }
+    return json;
 }
 
 MeasuredEnd endFrom(const Json& json) {
     const base::PointD at = pointFrom(json.at("at_nm"));
-    return {at.x, at.y, json.at("layer"), json.at("net"), json.at("snap")};
+    return {at.x, at.y, json.at("layer"), json.at("net"), json.at("snap"), json.value("item", std::string())};
 }
 
 Json toJson(const MeasuredRun& run) {

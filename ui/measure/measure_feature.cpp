@@ -372,7 +372,26 @@ QString MeasureFeature::refusalOf(const Caught& caught) const {
 }
 
 void MeasureFeature::measure(const std::vector<Caught>& clicked) {
-    m_tool == Tool::Length ? followNet(clicked[0], clicked[1]) : save(measured(clicked));
+    if (m_tool == Tool::Length) {
+        followNet(clicked[0], clicked[1]);
+        return;
+    }
+    base::Result<Measurement> measurement = measured(clicked);
+    if (m_tool == Tool::Objects && measurement) {
+        noteOnNets(clicked, *measurement);
+    }
+    save(measurement);
+}
+
+void MeasureFeature::noteOnNets(const std::vector<Caught>& clicked, Measurement& measurement) const {
+    const auto closer = netsCloserThan(*m_index, measurement.distance(), *clicked[0].element, *clicked[1].element);
+    if (closer) {
+        const QString length = fixedLengthInBoth(closer->distance, m_workspace.unit());
+        const QString note = closer->layer.empty() ? tr("their nets come as near as %1 elsewhere").arg(length)
+                                                   : tr("their nets come as near as %1 elsewhere, on %2")
+                                                         .arg(length, QString::fromStdString(closer->layer));
+        measurement.notes.push_back(note.toStdString());
+    }
 }
 
 base::Result<Measurement> MeasureFeature::measured(const std::vector<Caught>& clicked) const {

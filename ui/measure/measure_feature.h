@@ -62,6 +62,7 @@ private:
     void reportNextClick();
     void clearClicks();
     void measure(const std::vector<Caught>& clicked);
+    void noteOnNets(const std::vector<Caught>& clicked, model::Measurement& measurement) const;
     /// What so many clicks measure. Not for lengths.
     [[nodiscard]] base::Result<model::Measurement> measured(const std::vector<Caught>& clicked) const;
     /// What it will be if the cursor is clicked; nothing if that is not known yet, or takes too long to find out.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "model/board/single_element.h"
 #include "model/measure/separation.h"
 
 namespace ui {
@@ -26,6 +27,18 @@ Measurement measurementOf(const BoardIndex& index, MeasurementKind kind, const C
     return measurement;
 }
 
+/// Between two elements, which the ends name: their nets may be nearer to each other elsewhere.
+Measurement betweenElements(const BoardIndex& index, MeasurementKind kind, const Caught& from, const Caught& to) {
+    Measurement measurement = measurementOf(index, kind, from, to);
+    const auto itemOf = [&](const Caught& caught) {
+        const bool isElement = caught.element && caught.element->element.isValid();
+        return isElement ? model::kindOf(index, *caught.element) : std::string();
+    };
+    measurement.from.item = itemOf(from);
+    measurement.to.item = itemOf(to);
+    return measurement;
+}
+
 Caught edgeOf(base::PointD at, model::LayerId layer, BoardElement element) {
     return {at, SnapKind::Edge, layer, element};
 }
@@ -36,6 +49,25 @@ model::ZRange heightsOf(const model::Layer& layer) {
 
 std::string layerName(const BoardIndex& index, model::LayerId layer) {
     return layer.isValid() ? index.board->layer(layer).name : "";
+}
+
+/// What measuring to all copper of a net costs.
+std::size_t nodesOf(const BoardIndex& index, const model::NetOfCopy& net) {
+    std::size_t nodes = 0;
+    for (const model::ElementId element : index.stepOf(net.copy).elementsOf(net.net)) {
+        nodes += model::nodeCountOf(index.stepOf(net.copy), element);
+    }
+    return nodes;
+}
+
+/// Of the two that lie nearest: a hole lies on many.
+std::string copperNameOf(const BoardIndex& index, const model::PieceDistance& nearest) {
+    for (const model::LayerId layer : {nearest.from.layer, nearest.to.layer}) {
+        if (layer.isValid() && index.board->layer(layer).isCopper()) {
+            return layerName(index, layer);
+        }
+    }
+    return {};
 }
 
 /// Legs on one layer, one after the other, are a run.
@@ -90,18 +122,36 @@ base::Result<Measurement> edgeToEdge(const BoardIndex& index, BoardElement a, Bo
     if (nearest == nullptr) {
         return noNumber(separation.notes.front());
     }
-    Measurement measurement = measurementOf(index, MeasurementKind::Clearance,
-                                            edgeOf(nearest->spacing.from, nearest->from.layer, nearest->from.at),
-                                            edgeOf(nearest->spacing.to, nearest->to.layer, nearest->to.at));
+    Measurement measurement = betweenElements(index, MeasurementKind::Clearance,
+                                              edgeOf(nearest->spacing.from, nearest->from.layer, nearest->from.at),
+                                              edgeOf(nearest->spacing.to, nearest->to.layer, nearest->to.at));
     measurement.dz = nearest->dz;
     measurement.overlap = nearest->relation == model::Relation::Overlapping ? nearest->overlap : 0.0;
     measurement.notes = separation.notes;
     return measurement;
 }
 
+std::optional<CloserNets> netsCloserThan(const BoardIndex& index, double distance, BoardElement a, BoardElement b) {
+    constexpr std::size_t kMostNodes = 50'000;  // a click is answered at once
+    constexpr double kLeastNm = 1.0;            // closer by less is rounding
+    const model::NetOfCopy netA{a.copy, model::netOf(index, a)};
+    const model::NetOfCopy netB{b.copy, model::netOf(index, b)};
+    const bool isOneNet = netA.copy == netB.copy && netA.net == netB.net;
+    if (!netA.net.isValid() || !netB.net.isValid() || isOneNet ||
+        nodesOf(index, netA) + nodesOf(index, netB) > kMostNodes) {
+        return std::nullopt;
+    }
+    base::Progress progress;
+    const auto separation = model::separationOf(index, netA, netB, progress);
+    if (!separation || !separation->onLayer || separation->onLayer->distance > distance - kLeastNm) {
+        return std::nullopt;
+    }
+    return CloserNets{copperNameOf(index, *separation->onLayer), separation->onLayer->distance};
+}
+
 Measurement spacingOn(const BoardIndex& index, const model::LocalSpacing& spacing) {
-    return measurementOf(index, MeasurementKind::Spacing, edgeOf(spacing.spacing.from, spacing.layer, spacing.from),
-                         edgeOf(spacing.spacing.to, spacing.layer, spacing.to));
+    return betweenElements(index, MeasurementKind::Spacing, edgeOf(spacing.spacing.from, spacing.layer, spacing.from),
+                           edgeOf(spacing.spacing.to, spacing.layer, spacing.to));
 }
 
 Measurement angleAt(const BoardIndex& index, const Caught& corner, const Caught& from, const Caught& to) {

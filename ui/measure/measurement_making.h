@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "model/measure/measurement.h"
@@ -16,6 +17,14 @@ namespace ui {
 /// Of two elements on one layer, or through the stackup. Errors: BadUsage where there is no distance, and why.
 [[nodiscard]] base::Result<model::Measurement> edgeToEdge(const model::BoardIndex& index, model::BoardElement a,
                                                           model::BoardElement b);
+/// The layer and the distance in nm where the nets of two elements come closer to each other than `distance` on one
+/// layer. Nothing if they do not, have no net or one net, or are too large to be looked through at once.
+struct CloserNets {
+    std::string layer;  ///< empty: between holes
+    double distance = 0.0;
+};
+[[nodiscard]] std::optional<CloserNets> netsCloserThan(const model::BoardIndex& index, double distance,
+                                                       model::BoardElement a, model::BoardElement b);
 /// A spacing found on a layer; the elements may be none.
 [[nodiscard]] model::Measurement spacingOn(const model::BoardIndex& index, const model::LocalSpacing& spacing);
 [[nodiscard]] model::Measurement angleAt(const model::BoardIndex& index, const Caught& corner, const Caught& from,

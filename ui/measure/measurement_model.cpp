@@ -15,6 +15,12 @@ QString pairText(const std::string& a, const std::string& b, const QString& none
     return a == b ? text(a) : QStringLiteral("%1 – %2").arg(text(a), text(b));
 }
 
+/// "track of GND": a value that holds between two elements must not read as one that holds between their nets.
+QString elementText(const model::MeasuredEnd& end) {
+    const QString net = end.net.empty() ? MeasurementModel::tr("no net") : QString::fromStdString(end.net);
+    return end.item.empty() ? net : MeasurementModel::tr("%1 of %2").arg(QString::fromStdString(end.item), net);
+}
+
 /// Distances have parts along the axes.
 bool hasDeltas(const Measurement& measurement) {
     return measurement.kind == MeasurementKind::Points || measurement.kind == MeasurementKind::Clearance ||
@@ -69,6 +75,9 @@ QString layersText(const Measurement& measurement) {
 }
 
 QString netsText(const Measurement& measurement) {
+    if (!measurement.from.item.empty() || !measurement.to.item.empty()) {
+        return QStringLiteral("%1 – %2").arg(elementText(measurement.from), elementText(measurement.to));
+    }
     return pairText(measurement.from.net, measurement.to.net, MeasurementModel::tr("no net"));
 }
 
@@ -80,7 +89,7 @@ MeasurementModel::MeasurementModel(QObject* parent)
                   {tr("ΔY"), {}, kNumber},
                   {tr("ΔZ"), {}, kNumber},
                   {tr("Layers"), {}},
-                  {tr("Nets"), {}},
+                  {tr("Elements and nets"), {}},
                   {tr("Details"), {}}},
                  parent) {}
 

@@ -16,6 +16,7 @@ namespace ui {
 [[nodiscard]] QStringList partsText(const model::Measurement& measurement, LengthUnit unit);
 /// "TOP – BOTTOM", or one name if both ends are on one layer.
 [[nodiscard]] QString layersText(const model::Measurement& measurement);
+/// The same of nets; between two elements "track of P3_3V – pad U1.7 of GND".
 [[nodiscard]] QString netsText(const model::Measurement& measurement);
 
 /// What the user has measured, in the order it was measured. The box before a name says whether it is drawn. Names and

@@ -59,7 +59,7 @@ SavedView selectionOf(std::vector<model::session::SavedElement> elements) {
 
 Measurement measured(const char* name) {
     Measurement measurement{name, "pcb", model::MeasurementKind::Clearance};
-    measurement.from = {1.5, -2, "TOP", "GND", "edge"};
+    measurement.from = {1.5, -2, "TOP", "GND", "edge", "pad U1.7"};
     measurement.to = {4.5, 2, "SMT", "", "centre"};
     measurement.dz = 12.0;
     measurement.overlap = 0.25;
@@ -461,6 +461,7 @@ private slots:
         // 3, 4 and 12 nm: 13 nm in all.
         QVERIFY2(lines[1].startsWith("\"a,b\",pcb,edge to edge,0.000013,0.0005,,0.000003,0.000004,0.000012,"),
                  csv.c_str());
+        QVERIFY2(lines[1].endsWith(",a remark,pad U1.7,"), csv.c_str());
         QVERIFY2(lines[2].startsWith("angle,pcb,angle,,,"), csv.c_str());
         QVERIFY2(lines[3].startsWith("length,pcb,along a net,10000.000017,"), csv.c_str());
         QVERIFY2(lines[3].contains("TOP 0.000004; SMT 10000.000000; 1 holes 0.000013"), csv.c_str());
