@@ -105,6 +105,11 @@ ordered_json sizeOrNull(model::Nm size) {
     return size > 0 ? ordered_json(size) : ordered_json();
 }
 
+/// A plating that no tool states is taken as usual.
+model::Source sourceOfInside(const DrillRow& row) {
+    return row.isOpenAssumed ? model::Source::Assumed : model::Source::Job;
+}
+
 ordered_json drillJson(const model::Document& document, const DrillRow& row) {
     const model::Layer& layer = document.layer(row.layer);
     static const model::DrillTool kNone;
@@ -120,6 +125,7 @@ ordered_json drillJson(const model::Document& document, const DrillRow& row) {
             {"diameter_nm", row.diameter},
             {"inside_nm", row.open},
             {"open_nm", row.open},
+            {"inside_source", row.diameter > 0 ? ordered_json(model::toString(sourceOfInside(row))) : ordered_json()},
             {"length_nm", sizeOrNull(row.length)},
             {"tool", row.tool != nullptr ? ordered_json(tool.number) : ordered_json()},
             {"other_tools", row.otherTools},
@@ -185,14 +191,15 @@ void printDrills(const model::Document& document) {
     if (rows.empty()) {
         return;
     }
-    std::printf("\n%-28s %-9s %-10s %-6s %9s %9s %9s %5s %11s %9s %8s  %s\n", "holes on", "span", "kind", "shape",
-                "hole mm", "inside mm", "length mm", "tool", "finished mm", "drill mm", "count", "from - to");
+    std::printf("\n%-28s %-9s %-10s %-6s %9s %9s %-8s %9s %5s %11s %9s %8s  %s\n", "holes on", "span", "kind", "shape",
+                "hole mm", "inside mm", "from", "length mm", "tool", "finished mm", "drill mm", "count", "from - to");
     for (const DrillRow& row : rows) {
         const model::Layer& layer = document.layer(row.layer);
         const bool hasTool = row.tool != nullptr;
-        std::printf("%-28s %-9s %-10s %-6s %9s %9s %9s %5s %11s %9s %8u  %s - %s\n", layer.name.c_str(),
+        std::printf("%-28s %-9s %-10s %-6s %9s %9s %-8s %9s %5s %11s %9s %8u  %s - %s\n", layer.name.c_str(),
                     model::toString(row.span), model::toString(row.kind), row.shape, inMm(row.diameter).c_str(),
-                    inMm(row.open).c_str(), inMm(row.length).c_str(), hasTool ? model::toolsText(row).c_str() : "-",
+                    inMm(row.open).c_str(), row.open > 0 ? model::toString(sourceOfInside(row)) : "-",
+                    inMm(row.length).c_str(), hasTool ? model::toolsText(row).c_str() : "-",
                     hasTool ? inMm(row.tool->finishedSize).c_str() : "-",
                     hasTool ? inMm(row.tool->drillSize).c_str() : "-", row.count,
                     nameOf(document, layer.spanTop).c_str(), nameOf(document, layer.spanBottom).c_str());
@@ -200,7 +207,7 @@ void printDrills(const model::Document& document) {
     if (!document.instances.empty()) {
         const auto all = std::accumulate(rows.begin(), rows.end(), std::uint64_t{0},
                                          [](std::uint64_t sum, const DrillRow& row) { return sum + row.count; });
-        std::printf("%-114s %8llu\n", "in all, with the copies of other steps", static_cast<unsigned long long>(all));
+        std::printf("%-123s %8llu\n", "in all, with the copies of other steps", static_cast<unsigned long long>(all));
     }
 }
 

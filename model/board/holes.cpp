@@ -135,15 +135,18 @@ std::vector<DrillTool const*> toolsOf(const Document& document, LayerId layer) {
     return tools;
 }
 
+bool hasBothSizes(const DrillTool& tool, const DrillRow& hole) {
+    return tool.drillSize == hole.diameter && tool.finishedSize == hole.open;
+}
+
 /// Of the tools that fit, the one of the same plating counts first: plated and non-plated holes of one size have two.
 /// Then both sizes, which the reader takes from the tool where it knows them, then whether it is for vias.
 int rankOf(const DrillTool& tool, const DrillRow& hole) {
     const bool isPlated = hole.kind != HoleKind::NonPlated;
-    const bool isBoth = tool.drillSize == hole.diameter && tool.finishedSize == hole.open;
     const bool isSamePlating = model::isPlated(tool.plating) == isPlated;
     const bool isSameUse = (tool.plating == Plating::Via) == (hole.kind == HoleKind::Via);
     return fits(tool, hole.diameter)
-               ? 1 + (isSamePlating ? 4 : 0) + (isBoth ? 2 : 0) + (isSamePlating && isSameUse ? 1 : 0)
+               ? 1 + (isSamePlating ? 4 : 0) + (hasBothSizes(tool, hole) ? 2 : 0) + (isSamePlating && isSameUse ? 1 : 0)
                : 0;
 }
 
@@ -160,6 +163,9 @@ void setTool(const std::vector<const DrillTool*>& tools, DrillRow& hole) {
             hole.otherTools.push_back(tool->number);
         }
     }
+    const auto saysPlating = [&hole](const DrillTool* tool) { return hasBothSizes(*tool, hole); };
+    hole.isOpenAssumed =
+        hole.kind != HoleKind::NonPlated && hole.diameter > 0 && std::ranges::none_of(tools, saysPlating);
 }
 
 int toolNumberOf(const DrillRow& row) {
@@ -283,11 +289,16 @@ std::vector<DrillRow> drillTableWithCopies(const Document& board) {
     return rows;
 }
 
-HoleSpan spanOf(const Document& document, ElementId hole) {
+DrillRow drillRowOf(const Document& document, ElementId hole) {
     DrillRow row = measured(document, hole.row());
-    const LayerId layer = document.elements.layer[hole.row()];
-    setTool(toolsOf(document, layer), row);
-    return spanOf(document, document.layer(layer), row);
+    setTool(toolsOf(document, row.layer), row);
+    row.span = spanOf(document, document.layer(row.layer), row);
+    row.count = 1;
+    return row;
+}
+
+HoleSpan spanOf(const Document& document, ElementId hole) {
+    return drillRowOf(document, hole).span;
 }
 
 std::vector<bool> microviasOf(const Document& document) {

@@ -42,6 +42,7 @@ struct DrillRow {
     const char* shape = "round";      ///< "round", "slot" (one straight or curved track), "path" (a rout), "area"
     Nm diameter = 0;                  ///< as drilled, or width of a slot or path; 0 for areas
     Nm open = 0;                      ///< what the plating leaves; as drilled for NPTHs
+    bool isOpenAssumed = false;       ///< no tool says how thick the plating is, so a reader assumed it
     Nm length = 0;                    ///< of all but round holes, as drilled and over their ends; to 100 nm
     const DrillTool* tool = nullptr;  ///< in Document::tools; none if no tool of the layer fits
     std::vector<int> otherTools;      ///< numbers of tools that fit as well: some of the holes may be theirs
@@ -57,6 +58,8 @@ struct DrillRow {
 /// The same of a board with all copies of steps on it, each hole as often as it is drilled. Steps of a job have tool
 /// lists of their own: holes that are alike but for the number of their tool are two rows.
 [[nodiscard]] std::vector<DrillRow> drillTableWithCopies(const Document& board);
+/// What a row of the table says of one hole.
+[[nodiscard]] DrillRow drillRowOf(const Document& document, ElementId hole);
 /// Of one hole.
 [[nodiscard]] HoleSpan spanOf(const Document& document, ElementId hole);
 /// Which elements are plated holes with HoleSpan::Micro, by element.

@@ -150,6 +150,23 @@ private slots:
         QVERIFY(run.err.isEmpty());
     }
 
+    void assumedPlatingIsMarked() {
+        const QString board = QString(locations::kTestData) + "/odb/everything";
+        const QJsonObject info = QJsonDocument::fromJson(copperscope({"info", board, "--json"}).out).object();
+        int assumed = 0;
+        for (const QJsonValue& row : info["drills"].toArray()) {
+            const bool isAsDrilled = row["inside_nm"] == row["diameter_nm"];
+            const bool isSaid = row["inside_nm"] == row["finished_nm"] && row["diameter_nm"] == row["drill_nm"];
+            const bool isArea = row["shape"].toString() == "area";
+            QCOMPARE(row["inside_source"].toString(), isArea ? "" : isAsDrilled || isSaid ? "job" : "assumed");
+            assumed += row["inside_source"].toString() == "assumed" ? 1 : 0;
+        }
+        const QByteArray text = copperscope({"info", board}).out;
+        const QByteArray holes = text.mid(text.indexOf("holes on"));
+        QVERIFY(assumed > 0);
+        QCOMPARE(holes.left(holes.indexOf("\n\n")).count(" assumed "), assumed);
+    }
+
     void holesOfCopiesAreCountedToo() {
         const QString panel = QString(locations::kTestData) + "/odb/panel";
         const QJsonObject info = QJsonDocument::fromJson(copperscope({"info", panel, "--json"}).out).object();

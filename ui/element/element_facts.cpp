@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "model/board/holes.h"
 #include "model/index/pin_names.h"
 #include "model/statistics/element_sizes.h"
 #include "ui/common/net_name.h"
@@ -49,12 +50,27 @@ void addLocation(const Subject& s, model::Point point, const QString& name, Fact
     facts.emplace_back(name, positionText(point.x, point.y, s.unit));
 }
 
+/// As the tool list of the job has it.
+void addFinishedSize(const Subject& s, Facts& facts) {
+    const model::DrillTool* tool = s.has(model::kHole) ? model::drillRowOf(s.step, s.element).tool : nullptr;
+    if (tool != nullptr && tool->finishedSize > 0) {
+        facts.emplace_back(s.tr("Finished size"), s.text(tool->finishedSize));
+    }
+}
+
 void addCircle(const Subject& s, Facts& facts) {
     const model::CircleGeometry& circle = s.step.circles[s.geometry()];
     facts.emplace_back(s.tr("Diameter"), s.text(circle.diameter));
     if (circle.innerDiameter > 0 && circle.innerDiameter != circle.diameter) {
-        facts.emplace_back(s.tr("Inner diameter"), s.text(circle.innerDiameter));
+        const bool isAssumed = s.has(model::kHole) && model::drillRowOf(s.step, s.element).isOpenAssumed;
+        const QString inner = s.text(circle.innerDiameter);
+        facts.emplace_back(s.tr("Inner diameter"),
+                           isAssumed
+                               ? s.tr("%1 (assumed, usual plating of %2)")
+                                     .arg(inner, lengthText((circle.diameter - circle.innerDiameter) / 2.0, s.unit))
+                               : inner);
     }
+    addFinishedSize(s, facts);
     addLocation(s, circle.centre, s.tr("Centre"), facts);
 }
 
@@ -79,6 +95,7 @@ void addShape(const Subject& s, Facts& facts) {
         case ElementKind::Line: {
             const model::LineGeometry& line = s.step.lines[s.geometry()];
             facts.emplace_back(s.tr("Width"), s.text(line.width));
+            addFinishedSize(s, facts);
             addLocation(s, line.a, s.tr("From"), facts);
             addLocation(s, line.b, s.tr("To"), facts);
             break;

@@ -41,13 +41,28 @@ Cell DrillModel::cell(int at, int column) const {
         case Shape: return {row.shape == std::string_view("path") ? tr("routed slot") : QString::fromLatin1(row.shape)};
         case Diameter: return row.diameter > 0 ? length(row.diameter) : Cell{};
         case Length: return row.length > 0 ? length(row.length) : Cell{};
-        case Finished: return row.open > 0 ? length(row.open) : Cell{};
+        case Finished: return row.open > 0 ? inside(row) : Cell{};
         case Tool:
             return row.tool == nullptr      ? Cell{}
                    : row.otherTools.empty() ? Cell{row.tool->number}
                                             : Cell{QString::fromStdString(model::toolsText(row)), {}, row.tool->number};
         default: return count(row.count);
     }
+}
+
+/// Slanted where it is assumed, as in the stackup.
+Cell DrillModel::inside(const model::DrillRow& row) const {
+    Cell cell = length(row.open);
+    if (row.isOpenAssumed) {
+        QFont slanted;
+        slanted.setItalic(true);
+        cell.font = slanted;
+        cell.tip = tr("Assumed: no tool of the job says how thick the plating is");
+        if (row.tool != nullptr && row.tool->finishedSize > 0) {
+            cell.tip += '\n' + tr("Finished size of the tool: %1").arg(length(row.tool->finishedSize).text.toString());
+        }
+    }
+    return cell;
 }
 
 QString DrillModel::tip(int row, int column) const {

@@ -24,6 +24,7 @@ public:
 private:
     [[nodiscard]] int rows() const override { return static_cast<int>(m_rows.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] Cell inside(const model::DrillRow& row) const;
     [[nodiscard]] QString tip(int row, int column) const override;
 
     std::shared_ptr<const model::Document> m_document;

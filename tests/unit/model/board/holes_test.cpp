@@ -116,6 +116,30 @@ private slots:
         QCOMPARE(model::toolsText(rows[0]), std::string("1, 2"));
     }
 
+    void whatNoToolSaysOfThePlatingIsAssumed() {
+        for (const bool isSaid : {false, true}) {
+            Step step;
+            model::DrillTool tool;
+            tool.layer = step.through;
+            tool.drillSize = 300'000;
+            tool.finishedSize = isSaid ? 250'000 : 300'000;
+            step.builder.addTool(tool);
+            step.holes(step.through, 300'000, 1, model::kHole);  // an NPTH is as wide inside as it is drilled
+            DocumentBuilder::Origin origin;
+            origin.flags = kViaFlags;
+            const model::ElementId plated = step.builder.addCircle({{0, 0}, 300'000, 250'000}, origin);
+            const auto board = step.builder.finish();
+            for (const DrillRow& row : model::drillTable(*board)) {
+                QCOMPARE(row.isOpenAssumed, !isSaid && row.kind != HoleKind::NonPlated);
+            }
+            const DrillRow row = model::drillRowOf(*board, plated);
+            QCOMPARE(row.isOpenAssumed, !isSaid);
+            QCOMPARE(row.open, 250'000);
+            QCOMPARE(row.tool->finishedSize, isSaid ? 250'000 : 300'000);
+            QCOMPARE(row.count, 1U);
+        }
+    }
+
     void slotsOfOneWidthAreToldApartByLength() {
         Step step;
         step.builder.beginLayer(step.through);
@@ -127,8 +151,8 @@ private slots:
         slot({0, 0}, {3'000'000, 0});
         slot({0, 0}, {0, 3'000'002});  // ends are whole nanometres
         slot({0, 0}, {2'400'000, 3'200'000});
-        step.builder.addArc({{{1'000'000, 0}, {0, 0}, model::EdgeKind::ArcCounterClockwise}, {-1'000'000, 0}, 600'000, 0},
-                            origin);
+        step.builder.addArc(
+            {{{1'000'000, 0}, {0, 0}, model::EdgeKind::ArcCounterClockwise}, {-1'000'000, 0}, 600'000, 0}, origin);
         const std::vector<DrillRow> rows = model::drillTable(*step.builder.finish());
         std::vector<std::pair<Nm, std::uint32_t>> lengths;
         for (const DrillRow& row : rows) {

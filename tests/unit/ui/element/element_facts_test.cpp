@@ -84,6 +84,34 @@ private slots:
                  "Pad (circle), 2 mm across · top · GND · U1.7");
     }
 
+    void whatIsInsideAHoleSaysWhetherItIsAssumed() {
+        for (const model::Nm drilled : {500'000, 450'000}) {
+            model::DocumentBuilder builder;
+            model::Layer layer;
+            layer.type = model::LayerType::Drill;
+            model::DrillTool tool;
+            tool.layer = builder.addLayer(layer);
+            tool.drillSize = 500'000;
+            tool.finishedSize = drilled;  // as drilled: how thick the plating is nobody says
+            builder.addTool(tool);
+            builder.beginLayer(tool.layer);
+            model::DocumentBuilder::Origin origin;
+            origin.flags = model::kHole | model::kPlated;
+            builder.addCircle({{0, 0}, 500'000, 450'000}, origin);
+            const auto document = builder.finish();
+            const auto facts =
+                factsOf(model::unfoldCopies(*document), {0, ElementId{std::size_t{0}}}, LengthUnit::Millimetre);
+            const auto fact = [&](const char* name) {
+                const auto found = std::ranges::find(facts, QLatin1String(name), &Facts::value_type::first);
+                return found != facts.end() ? found->second : QString();
+            };
+            QCOMPARE(fact("Inner diameter"), drilled == 500'000
+                                                 ? "0.45 mm (17.72 mil) (assumed, usual plating of 0.025 mm)"
+                                                 : "0.45 mm (17.72 mil)");
+            QCOMPARE(fact("Finished size"), drilled == 500'000 ? "0.5 mm (19.69 mil)" : "0.45 mm (17.72 mil)");
+        }
+    }
+
     void heightsOfBodiesSayWhetherTheyAreAssumed() {
         model::DocumentBuilder builder;
         model::Layer layer;

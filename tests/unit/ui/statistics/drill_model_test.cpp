@@ -12,7 +12,7 @@ using ui::DrillModel;
 namespace {
 
 /// Three vias and a mounting hole; between them a pad, which is no hole. One tool.
-std::shared_ptr<const model::Document> drilledBoard() {
+std::shared_ptr<const model::Document> drilledBoard(model::Nm finished = 250'000) {
     using namespace model;
     DocumentBuilder builder;
     Layer copper;
@@ -34,7 +34,7 @@ std::shared_ptr<const model::Document> drilledBoard() {
     tool.number = 7;
     tool.plating = model::Plating::Via;
     tool.drillSize = 300'000;
-    tool.finishedSize = 250'000;
+    tool.finishedSize = finished;
     builder.addTool(tool);
     builder.beginLayer(top);
     builder.addCircle({{0, 0}, 600'000, 0}, {});
@@ -80,6 +80,18 @@ private slots:
         QCOMPARE(m_model.holesIn({0}), own({1, 3, 4}));
         QCOMPARE(m_model.holesIn({1, 0}), own({1, 2, 3, 4}));
         QVERIFY(m_model.holesIn({}).empty());
+    }
+
+    void anAssumedPlatingIsMarked() {
+        const auto isMarked = [this](int row) {
+            const QModelIndex cell = m_model.index(row, DrillModel::Finished);
+            const bool isSlanted = cell.data(Qt::FontRole).value<QFont>().italic();
+            return isSlanted && cell.data(Qt::ToolTipRole).toString().contains("Finished size of the tool: 0.3000 mm");
+        };
+        QVERIFY(!isMarked(0) && !isMarked(1));
+        m_model.setDocument(drilledBoard(300'000));
+        QVERIFY(isMarked(0));
+        QVERIFY(!isMarked(1));  // an NPTH has none
     }
 
     void lengthsFollowTheUnit() {
