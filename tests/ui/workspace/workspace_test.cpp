@@ -14,6 +14,17 @@ using ui::Workspace;
 
 namespace {
 
+/// A step of so many elements.
+std::shared_ptr<const model::Document> stepOf(const char* name, int elements) {
+    model::DocumentBuilder builder;
+    builder.job().step = name;
+    builder.beginLayer(builder.addLayer({}));
+    for (int i = 0; i < elements; ++i) {
+        builder.addCircle({{i * 1'000'000, 0}, 500'000, 0}, {});
+    }
+    return builder.finish();
+}
+
 /// Boards of these names never end, fail, or have notes; others are done at once.
 base::Result<LoadedBoard> work(const OpenRequest& request, base::Progress& progress) {
     while (request.path == "slow" && !progress.isCancelled()) {
@@ -29,6 +40,17 @@ base::Result<LoadedBoard> work(const OpenRequest& request, base::Progress& progr
         layer.isSynthetic = isSynthetic;
         builder.beginLayer(builder.addLayer(layer));
         builder.addCircle({{0, 0}, 1'000'000, 0}, {});
+    }
+    const std::string path = request.path.string();
+    constexpr int kTimes[] = {3, 1, 2};
+    for (std::size_t i = 0; path.starts_with("panel") && i < std::size_t(path.back() - '0'); ++i) {
+        const std::uint32_t step = builder.addStep(stepOf(i == 0   ? "PCB1"
+                                                          : i == 1 ? "COUPON"
+                                                                   : "MARK",
+                                                          1'200 / (1 + static_cast<int>(i))));
+        for (int copy = 0; copy < kTimes[i]; ++copy) {
+            builder.addInstance({step, {{copy * 1'000'000, 0}, 0.0, false}, false});
+        }
     }
     LoadedBoard board{{request, builder.finish()}, std::make_shared<const render::BoardModel>(), {}};
     board.thicknesses = {{{"TOP", 35'000}}, {{"CORE", 1'000'000}}};
@@ -65,6 +87,20 @@ private slots:
         open(workspace, "board");
         const QString said = reports.last()[0].toString();
         QVERIFY2(said.startsWith("Opened board: 1 layer, 1 element, "), qPrintable(said));
+    }
+
+    void whatCopiesOnAPanelHoldIsSaidToo() {
+        Workspace workspace(work);
+        const QSignalSpy reports(&workspace, &Workspace::reported);
+        const std::pair<const char*, const char*> expected[] = {
+            {"panel1", "1 element, 3 copies of PCB1 with 1,200 each, "},
+            {"panel2", "1 element, 3 copies of PCB1 with 1,200 each, 1 copy of COUPON with 600, "},
+            {"panel3", "1 element, copies of 3 steps with 5,000 in all, "}};
+        for (const auto& [path, text] : expected) {
+            open(workspace, path);
+            const QString said = reports.last()[0].toString();
+            QVERIFY2(said.contains(text), qPrintable(said));
+        }
     }
 
     void filesAreProposedBesideTheBoard() {
