@@ -30,12 +30,6 @@ void connectView(FeatureContext& context, StackupView& view) {
     context.on(ActionId::ExaggerateCopper, &view, [&view](bool isOn) { view.setExaggerated(isOn); });
 }
 
-/// Is there anything of it to be seen in the views?
-bool isDrawn(const model::Document& document, model::LayerId id) {
-    const model::Layer& layer = document.layer(id);
-    return layer.elements.count > 0 || std::ranges::any_of(layer.countsWithCopies, [](auto n) { return n > 0; });
-}
-
 /// With the layer of another row alone in the views, they show that of this one instead.
 void follow(FeatureContext& context, model::LayerId layer) {
     if (!layer.isValid()) {
@@ -43,18 +37,18 @@ void follow(FeatureContext& context, model::LayerId layer) {
     }
     context.workspace.setCurrentLayer(layer);
     const model::LayerId alone = context.layers.soloLayer();
-    if (alone.isValid() && alone != layer && isDrawn(*context.workspace.board()->document, layer)) {
+    if (alone.isValid() && alone != layer && !drawsNothing(context.workspace.board()->document->layer(layer))) {
         context.layers.toggleSolo(layer);
     }
 }
 
 void isolate(FeatureContext& context, model::LayerId layer) {
-    const model::Document& document = *context.workspace.board()->document;
-    if (isDrawn(document, layer)) {
-        context.layers.toggleSolo(layer);
+    const model::Layer& row = context.workspace.board()->document->layer(layer);
+    if (drawsNothing(row)) {
+        context.workspace.report(
+            StackupPanel::tr("%1 draws nothing that could be shown alone").arg(QString::fromStdString(row.name)));
     } else {
-        context.workspace.report(StackupPanel::tr("%1 draws nothing that could be shown alone")
-                                     .arg(QString::fromStdString(document.layer(layer).name)));
+        context.layers.toggleSolo(layer);
     }
 }
 
@@ -93,6 +87,7 @@ void addStackup(FeatureContext& context) {
                      *panel);
     const auto setBoard = [stackup](const LoadedBoard& board) { stackup->setDocument(board.document); };
     QObject::connect(&workspace, &Workspace::boardRead, stackup, setBoard);
+    QObject::connect(&workspace, &Workspace::boardRead, panel, &StackupPanel::clearSelection);
     QObject::connect(&workspace, &Workspace::restacked, stackup, setBoard);
     QObject::connect(&workspace, &Workspace::unitChanged, stackup, &StackupModel::setUnit);
     auto* editing = new ThicknessEditing(workspace, &context.window);

@@ -80,6 +80,12 @@ void StackupPanel::selectRows(const std::vector<std::size_t>& rows) {
     m_table->scrollTo(first);
 }
 
+void StackupPanel::clearSelection() {
+    m_table->setCurrentIndex({});
+    m_table->clearSelection();
+    m_view->setSelected(-1);  // where the table had none any more, it has not said so
+}
+
 void StackupPanel::selectLayer(model::LayerId layer) {
     const int row = m_model.rowOf(layer);
     if (row >= 0 && row != m_table->currentIndex().row()) {

@@ -29,6 +29,8 @@ public:
 
     /// Selects the row of a layer, if it is in the stackup; the current row is not moved within its layer.
     void selectLayer(model::LayerId layer);
+    /// No row is current: those of another board are about to be shown.
+    void clearSelection();
 
 signals:
     /// Another row is current, by whichever way; never a total.

@@ -44,6 +44,23 @@ private slots:
         QCOMPARE(window().workspace().currentLayer(), layerOf("BURIED"));
     }
 
+    void noRowOfTheBoardBeforeStaysSelected() {
+        clickAt(edgeOf(rowOf("L2")));
+        const QImage selected = view().grab().toImage();
+        const std::filesystem::path job = m_fixture->copyOfJob("drills");
+        const std::filesystem::path another = job.parent_path() / "another";  // with as many rows
+        std::filesystem::copy(job, another, std::filesystem::copy_options::recursive);
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(another.string())));
+        QVERIFY(panel().table().selectedRows().empty());
+        QVERIFY(!panel().table().currentIndex().isValid());
+        const QImage opened = view().grab().toImage();
+        QVERIFY(differingPixels(selected, opened) > 50);
+        m_fixture->restart();
+        window().showPanel("stackup");
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(another.string())));
+        QCOMPARE(view().grab().toImage(), opened);
+    }
+
     void altClickShowsALayerAloneInBothViewsAndEscEndsIt() {
         const QImage solid = m_fixture->picture();
         const QImage flat = flatPicture();
