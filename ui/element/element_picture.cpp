@@ -18,8 +18,23 @@ constexpr int kSettleMs = 60;
 /// One for both pictures: they are small, and each back end has pipelines of its own.
 constexpr render::Backend kBackend = render::Backend::Pull;
 
+/// Bodies of components are nearly as dark as the ground of the views: a picture of them has another one.
+constexpr float kLeastContrast = 2.0F;
+constexpr glm::vec3 kLightGround{0.78F, 0.80F, 0.83F};
+
 glm::vec3 rgb(const QColor& colour) {
     return {static_cast<float>(colour.redF()), static_cast<float>(colour.greenF()), static_cast<float>(colour.blueF())};
+}
+
+/// How bright an sRGB colour is, 0 to 1.
+float brightnessOf(const glm::vec3& colour) {
+    return glm::dot(glm::pow(colour, glm::vec3(2.2F)), {0.2126F, 0.7152F, 0.0722F});
+}
+
+/// As WCAG counts it: 1 for colours that are equally bright, 21 for black and white.
+float contrastOf(const glm::vec3& a, const glm::vec3& b) {
+    const auto [dark, light] = std::minmax(brightnessOf(a), brightnessOf(b));
+    return (light + 0.05F) / (dark + 0.05F);
 }
 
 /// All of the element, whatever the faces of its board are.
@@ -194,7 +209,11 @@ QString ElementPicture::drawModelled(QSize pixels) {
     Picture picture;
     picture.settings.backend = kBackend;
     picture.scene = &*scene;
-    picture.styles = {{rgb(m_layers.effectiveStyles()[m_modelled->layer].colour), 1.0F, true}};
+    const QColor colour = m_layers.effectiveStyles()[m_modelled->layer].colour;
+    picture.styles = {{rgb(colour), 1.0F, true}};
+    if (contrastOf(rgb(colour), picture.settings.background) < kLeastContrast) {
+        picture.settings.background = kLightGround;
+    }
     for (const View view : {Flat, Solid}) {
         picture.settings.is2d = view == Flat;
         const render::Camera camera = cameraFor(*m_modelled->alone, *m_modelled->model, view, pixels);

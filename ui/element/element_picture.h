@@ -15,7 +15,8 @@
 
 namespace ui {
 
-/// The element selected last by itself, from above and aslant, in the colour of its layer and with its true height.
+/// The element selected last by itself, from above and aslant, in the colour of its layer and with its true height, on
+/// a ground that it stands out from.
 /// Modelled a moment after the selection changed, so that the views answer first, in the background, and when it is
 /// painted, so that it costs nothing while it is out of sight; hidden while nothing is selected. It requests no room of
 /// its own: a selection must not make the window grow.

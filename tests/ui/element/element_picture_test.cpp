@@ -60,6 +60,21 @@ private slots:
         }
     }
 
+    void aBodyStandsOutFromTheGround() {
+        const auto& elements = window().document()->elements;
+        const model::Document& board = *window().document();
+        std::size_t body = 0;
+        while (board.layer(elements.layer[body]).type != model::LayerType::ComponentBody) {
+            ++body;
+        }
+        for (const auto view : {ElementPicture::Flat, ElementPicture::Solid}) {
+            const QImage image = drawn(ElementId{body}, view);
+            const int ground = qGray(image.pixel(0, 0));
+            const int middle = qGray(image.pixel(image.width() / 2, image.height() / 2));
+            QVERIFY2(std::abs(ground - middle) > 80, qPrintable(QString("%1 on %2").arg(middle).arg(ground)));
+        }
+    }
+
     void theSolidOneIsSeenAslant() {
         const ElementId element = *squatOnCopper(model::ElementKind::Circle);
         QVERIFY(drawn(element, ElementPicture::Flat) != drawn(element, ElementPicture::Solid));
