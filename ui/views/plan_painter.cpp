@@ -15,7 +15,6 @@ namespace ui {
 
 namespace {
 
-constexpr int kRulerPixels = 18;
 constexpr double kTickPixels = 64.0;   // between numbers of the rulers
 constexpr double kSmallestName = 8.0;  // pixels high; smaller ones cannot be read
 constexpr double kLargestName = 18.0;
@@ -203,7 +202,7 @@ void PlanPainter::paint(QPainter& painter) const {
         paintNames(painter);
     }
     if (m_hasGrid) {
-        paintRulers(painter, gridStep(m_view.controller().nmPerPixel(), m_workspace.unit(), kTickPixels));
+        paintRulers(painter);
     }
 }
 
@@ -224,14 +223,20 @@ void PlanPainter::paintGrid(QPainter& painter, double step) const {
     }
 }
 
-void PlanPainter::paintRulers(QPainter& painter, double step) const {
+PlanPainter::RulerKey PlanPainter::rulerKey(const QFont& font) const {
+    const model::Box box = shownBox();
+    const double step = gridStep(m_view.controller().nmPerPixel(), m_workspace.unit(), kTickPixels);
+    const QSize size = m_view.controller().viewport().toSize();
+    return {box, screenOf(box.min.x, box.min.y), step, m_workspace.unit(), size, font};
+}
+
+void PlanPainter::paintRulers(QPainter& painter) const {
     QFont font = painter.font();
     font.setPixelSize(10);
     painter.setFont(font);
     painter.setRenderHint(QPainter::Antialiasing, false);  // ticks are sharp
-    const model::Box box = shownBox();
-    const QSize size = m_view.controller().viewport().toSize();
-    const RulerKey key{box, screenOf(box.min.x, box.min.y), step, m_workspace.unit(), size, font};
+    const RulerKey key = rulerKey(font);
+    const QSize size = key.size;
     if (!m_upperRuler.show(painter, key)) {
         m_upperRuler.keep(painter, key, QRect(0, 0, size.width(), kRulerPixels),
                           [&](QPainter& own) { paintUpperRuler(own, key); });
@@ -242,14 +247,35 @@ void PlanPainter::paintRulers(QPainter& painter, double step) const {
     }
 }
 
+/// A number begins beside its tick. Where it would lie under the corner with the unit, or be cut, it is left out.
+std::vector<PlanPainter::RulerTick> PlanPainter::ticks(Ruler ruler, const QFont& font) const {
+    const RulerKey key = rulerKey(font);
+    const bool isUpper = ruler == Ruler::Upper;
+    const double low = isUpper ? key.box.min.x : key.box.min.y;
+    const double high = isUpper ? key.box.max.x : key.box.max.y;
+    const QFontMetricsF letters(font);
+    std::vector<RulerTick> ticks;
+    for (double value = std::ceil(low / key.step) * key.step; value <= high; value += key.step) {
+        const double at = isUpper ? screenOf(value, key.box.min.y).x() : screenOf(key.box.min.x, value).y();
+        RulerTick tick{at, number(value, key.unit)};
+        const double width = letters.horizontalAdvance(tick.number);
+        const bool hasRoom = isUpper ? tick.at >= kRulerPixels && tick.at + kBesideTick + width <= key.size.width()
+                                     : tick.at - kBesideTick - width >= kRulerPixels;
+        if (!hasRoom) {
+            tick.number.clear();
+        }
+        ticks.push_back(tick);
+    }
+    return ticks;
+}
+
 /// With the unit in the corner.
 void PlanPainter::paintUpperRuler(QPainter& painter, const RulerKey& key) const {
     painter.fillRect(QRect(0, 0, key.size.width(), kRulerPixels), kRulerGround);
     painter.setPen(kRulerInk);
-    for (double x = std::ceil(key.box.min.x / key.step) * key.step; x <= key.box.max.x; x += key.step) {
-        const double at = screenOf(x, key.box.min.y).x();
-        painter.drawLine(QPointF(at, kRulerPixels - 5), QPointF(at, kRulerPixels));
-        painter.drawText(QPointF(at + 3, kRulerPixels - 6), number(x, key.unit));
+    for (const RulerTick& tick : ticks(Ruler::Upper, key.font)) {
+        painter.drawLine(QPointF(tick.at, kRulerPixels - 5), QPointF(tick.at, kRulerPixels));
+        painter.drawText(QPointF(tick.at + kBesideTick, kRulerPixels - 6), tick.number);
     }
     const QRect corner(0, 0, kRulerPixels, kRulerPixels);
     painter.fillRect(corner, kRulerGround);
@@ -263,13 +289,12 @@ void PlanPainter::paintLeftRuler(QPainter& painter, const RulerKey& key) const {
     painter.setClipRect(all);
     painter.fillRect(all, kRulerGround);
     painter.setPen(kRulerInk);
-    for (double y = std::ceil(key.box.min.y / key.step) * key.step; y <= key.box.max.y; y += key.step) {
-        const double at = screenOf(key.box.min.x, y).y();
-        painter.drawLine(QPointF(kRulerPixels - 5, at), QPointF(kRulerPixels, at));
+    for (const RulerTick& tick : ticks(Ruler::Left, key.font)) {
+        painter.drawLine(QPointF(kRulerPixels - 5, tick.at), QPointF(kRulerPixels, tick.at));
         painter.save();
-        painter.translate(kRulerPixels - 6, at - 3);
+        painter.translate(kRulerPixels - 6, tick.at - kBesideTick);
         painter.rotate(-90);
-        painter.drawText(QPointF(0, 0), number(y, key.unit));
+        painter.drawText(QPointF(0, 0), tick.number);
         painter.restore();
     }
     painter.restore();

@@ -44,6 +44,18 @@ public:
     /// names are written, and no others. No two lie on one another: where they would, pads come before tracks.
     [[nodiscard]] std::vector<Label> labels() const;
 
+    enum class Ruler { Upper, Left };
+    /// A tick of a ruler, in canvas coordinates along it; without a number where that has no room.
+    struct RulerTick {
+        double at = 0.0;
+        QString number;
+    };
+    /// With numbers in this font.
+    [[nodiscard]] std::vector<RulerTick> ticks(Ruler ruler, const QFont& font) const;
+
+    static constexpr int kRulerPixels = 18;     ///< how wide rulers are
+    static constexpr double kBesideTick = 3.0;  ///< from a tick to its number, in the direction of reading
+
 private:
     /// What rulers look like.
     struct RulerKey {
@@ -59,7 +71,8 @@ private:
     void setBoard(const LoadedBoard& board);
     void paint(QPainter& painter) const;
     void paintGrid(QPainter& painter, double step) const;
-    void paintRulers(QPainter& painter, double step) const;
+    void paintRulers(QPainter& painter) const;
+    [[nodiscard]] RulerKey rulerKey(const QFont& font) const;
     void paintUpperRuler(QPainter& painter, const RulerKey& key) const;
     void paintLeftRuler(QPainter& painter, const RulerKey& key) const;
     void paintNames(QPainter& painter) const;

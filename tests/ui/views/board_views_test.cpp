@@ -7,6 +7,7 @@
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers/layers_panel.h"
+#include "ui/views/plan_painter.h"
 
 using ui::ActionId;
 using ui::Arrangement;
@@ -86,6 +87,30 @@ private slots:
             const QPointF at = *views().flat().screenOf(base::toDouble(corner));
             QVERIFY2(at.x() > kRuler && at.y() > kRuler, qPrintable(QString("%1 %2").arg(at.x()).arg(at.y())));
         }
+    }
+
+    void numbersOfRulersAreNotCut() {
+        using Ruler = ui::PlanPainter::Ruler;
+        const auto& plan = window().find<ui::PlanPainter>();
+        QFont font;
+        font.setPixelSize(10);
+        const QFontMetricsF letters(font);
+        int shown = 0;
+        int leftOut = 0;
+        for (int i = 0; i < 40; ++i) {
+            drag(views().flat(), Qt::RightButton, {200.0, 200.0}, {203.0, 203.0});
+            for (const Ruler ruler : {Ruler::Upper, Ruler::Left}) {
+                for (const ui::PlanPainter::RulerTick& tick : plan.ticks(ruler, font)) {
+                    const double width = letters.horizontalAdvance(tick.number);
+                    const double from = tick.at + (ruler == Ruler::Upper ? ui::PlanPainter::kBesideTick
+                                                                         : -ui::PlanPainter::kBesideTick - width);
+                    const double end = ruler == Ruler::Upper ? flat().viewport().width() : flat().viewport().height();
+                    QVERIFY(tick.number.isEmpty() || (from >= ui::PlanPainter::kRulerPixels && from + width <= end));
+                    ++(tick.number.isEmpty() ? leftOut : shown);
+                }
+            }
+        }
+        QVERIFY(shown > 100 && leftOut > 5);
     }
 
     void flatViewStaysFlat() {
