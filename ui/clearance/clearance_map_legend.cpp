@@ -56,18 +56,25 @@ std::vector<double> ClearanceMapLegend::numbers() const {
     return values;
 }
 
-void ClearanceMapLegend::paint(QPainter& painter, QSizeF canvas) const {
-    const QFontMetricsF metrics(painter.font());
+QRectF ClearanceMapLegend::place(const QFont& font, QSizeF canvas) const {
+    const QFontMetricsF metrics(font);
     double widest = 0.0;
     for (const double value : numbers()) {
         widest = std::max(widest, metrics.horizontalAdvance(lengthText(value, unit)));
     }
     const double width = std::max(metrics.horizontalAdvance(title), kTick * 4 + kBarWidth + widest) + 2 * kPadding;
     const double height = metrics.height() * 2 + kBarHeight + 2 * kPadding;
-    if (canvas.width() < kLeastView * width || canvas.height() < kLeastView * height) {
+    const bool hasRoom = canvas.width() >= kLeastView * width && canvas.height() >= kLeastView * height;
+    return hasRoom ? QRectF(canvas.width() - width - kMargin, canvas.height() - height - kMargin, width, height)
+                   : QRectF();
+}
+
+void ClearanceMapLegend::paint(QPainter& painter, QSizeF canvas) const {
+    const QFontMetricsF metrics(painter.font());
+    const QRectF box = place(painter.font(), canvas);
+    if (box.isEmpty()) {
         return;
     }
-    const QRectF box(canvas.width() - width - kMargin, canvas.height() - height - kMargin, width, height);
     painter.setPen(Qt::NoPen);
     painter.setBrush(kGround);
     painter.drawRoundedRect(box, 4, 4);

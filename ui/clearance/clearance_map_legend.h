@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QFont>
+#include <QRectF>
 #include <QSizeF>
 #include <QString>
 #include <optional>
@@ -19,7 +21,9 @@ struct ClearanceMapLegend {
 
     /// The numbers beside the ramp: 0 to the end in round steps, the end itself included.
     [[nodiscard]] std::vector<double> numbers() const;
-    /// In the lower right corner of a canvas; not at all where it would cover most of that.
+    /// In the lower right corner of a canvas; empty where it would cover most of that.
+    [[nodiscard]] QRectF place(const QFont& font, QSizeF canvas) const;
+    /// There, or not at all.
     void paint(QPainter& painter, QSizeF canvas) const;
 };
 

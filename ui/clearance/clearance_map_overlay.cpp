@@ -1,5 +1,6 @@
 #include "ui/clearance/clearance_map_overlay.h"
 
+#include <QGuiApplication>
 #include <QPainter>
 
 #include "ui/common/net_name.h"
@@ -28,6 +29,9 @@ ClearanceMapOverlay::ClearanceMapOverlay(BoardViews& views, Probing& probing, Wo
         connect(m_pictures[static_cast<std::size_t>(view->kind())], &ClearanceMapPicture::failed, this,
                 &ClearanceMapOverlay::reported);
         view->addPainter([this, view](QPainter& painter) { paintLegend(painter, *view); });
+        view->addCorner([this, view] {
+            return m_field ? legend().place(QGuiApplication::font(), view->controller().viewport()) : QRectF();
+        });
     }
 }
 

@@ -106,7 +106,9 @@ void Lens::paint(QPainter& painter) {
             lines.push_back({*from, *to, near.spacing.distance});
         }
     }
-    m_numbers = LensPainter(painter, {QPointF(), view.controller().viewport()}).paint(lines, m_workspace.unit());
+    LensPainter lens(painter, {QPointF(), view.controller().viewport()});
+    lens.keepFree(view.corners());
+    m_numbers = lens.paint(lines, m_workspace.unit());
 }
 
 }  // namespace ui

@@ -75,6 +75,7 @@ std::vector<LensPainter::Number> LensPainter::drawNumbers(std::span<const Line> 
                                                           std::span<const std::size_t> rows, LengthUnit unit) {
     const QFontMetricsF metrics(m_painter.font());
     LabelPlacing placing(m_canvas.size());
+    std::ranges::for_each(m_free, [&placing](const QRectF& box) { placing.keepFree(box); });
     std::vector<std::size_t> wanted;
     for (std::size_t i = 0; i < rows.size() && wanted.size() < kMostNumbers; ++i) {
         if (!isDot(lines[rows[i]])) {

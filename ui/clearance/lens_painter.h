@@ -33,6 +33,8 @@ public:
 
     LensPainter(QPainter& painter, const QRectF& canvas) : m_painter(painter), m_canvas(canvas) {}
 
+    /// No number is written there.
+    void keepFree(std::vector<QRectF> boxes) { m_free = std::move(boxes); }
     /// `lines` in order of their length on the board, the nearest first. Lines beside the canvas are left out, and
     /// those that would be painted where a nearer one is already. Numbers are written in that order where there is
     /// room: none lies on another, and those that find none beside their line, or whose line is a dot, are left out.
@@ -48,6 +50,7 @@ private:
 
     QPainter& m_painter;
     QRectF m_canvas;
+    std::vector<QRectF> m_free;
 };
 
 }  // namespace ui

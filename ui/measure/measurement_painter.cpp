@@ -76,7 +76,11 @@ glm::vec3 DrawnHeights::at(base::PointD nm, const std::string& layer) const {
 }
 
 MeasurementPainter::MeasurementPainter(QPainter& painter, const BoardView& view, const model::Document& document)
-    : m_painter(painter), m_view(view), m_heights(view, document), m_placing(view.controller().viewport()) {}
+    : m_painter(painter), m_view(view), m_heights(view, document), m_placing(view.controller().viewport()) {
+    for (const QRectF& corner : view.corners()) {
+        m_placing.keepFree(corner);
+    }
+}
 
 std::optional<QPointF> MeasurementPainter::screenOf(base::PointD nm, const std::string& layer) const {
     return m_view.controller().screenOf(m_heights.at(nm, layer));
@@ -232,7 +236,8 @@ void MeasurementPainter::paintSnap(const MeasuredEnd& end, SnapKind kind, const 
     m_labels.push_back({{word}, *at});
 }
 
-void MeasurementPainter::paintLabels() {
+std::vector<QRectF> MeasurementPainter::paintLabels() {
+    std::vector<QRectF> boxes;
     const QFontMetricsF metrics(m_painter.font());
     for (const Label& label : m_labels) {
         double width = 0.0;
@@ -240,8 +245,10 @@ void MeasurementPainter::paintLabels() {
             width = std::max(width, metrics.horizontalAdvance(line));
         }
         const double height = metrics.height() * static_cast<double>(label.lines.size());
-        paintLabel(label, m_placing.place(label.beside, {width + 2 * kMargin, height + 2 * kMargin}));
+        boxes.push_back(m_placing.place(label.beside, {width + 2 * kMargin, height + 2 * kMargin}));
+        paintLabel(label, boxes.back());
     }
+    return boxes;
 }
 
 void MeasurementPainter::paintLabel(const Label& label, const QRectF& box) const {

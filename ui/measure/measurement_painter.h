@@ -38,8 +38,9 @@ public:
     void paint(const model::Measurement& measurement, LengthUnit unit, bool isFull);
     /// The mark of what a cursor catches, and a word for it.
     void paintSnap(const model::MeasuredEnd& end, model::SnapKind kind, const QString& word);
-    /// All labels of what was painted. Call it once, at the end.
-    void paintLabels();
+    /// All labels of what was painted, off the corners of the view as long as there is room. Call it once, at the end.
+    /// Returns where they are.
+    std::vector<QRectF> paintLabels();
 
 private:
     struct Label {

@@ -170,6 +170,16 @@ void BoardView::paintAll(QPainter& painter, Shown where) const {
     }
 }
 
+std::vector<QRectF> BoardView::corners() const {
+    std::vector<QRectF> places;
+    for (const auto& place : m_corners) {
+        if (const QRectF at = place(); !at.isEmpty()) {
+            places.push_back(at);
+        }
+    }
+    return places;
+}
+
 void BoardView::setPlanePainter(Painter painter, std::function<std::optional<float>()> height) {
     if (m_kind == Kind::Flat) {
         addGroundPainter(std::move(painter));

@@ -71,6 +71,9 @@ public:
     void addPainter(Painter painter, Shown shown = Shown::Everywhere) {
         m_painters.emplace_back(std::move(painter), shown);
     }
+    /// Where something is painted that no label is to cover, in logical pixels; empty while nothing is.
+    void addCorner(std::function<QRectF()> place) { m_corners.push_back(std::move(place)); }
+    [[nodiscard]] std::vector<QRectF> corners() const;
     /// Paints before all others that were added so far.
     void addGroundPainter(Painter painter) {
         m_painters.emplace(m_painters.begin(), std::move(painter), Shown::Everywhere);
@@ -149,6 +152,7 @@ private:
     CameraController m_controller;
     BoardPosition m_position;
     std::vector<std::pair<Painter, Shown>> m_painters;
+    std::vector<std::function<QRectF()>> m_corners;
     Painter m_planePainter;
     std::function<std::optional<float>()> m_planeHeight;
     Picture m_picture;

@@ -30,6 +30,8 @@ public:
 
     /// A line that labels better leave free.
     void avoid(const QLineF& line) { m_lines.push_back(line); }
+    /// What is painted there is to be seen, as if it were an earlier label.
+    void keepFree(const QRectF& box) { m_taken.push_back(box); }
     /// The place of the next label, which is taken from then on.
     [[nodiscard]] QRectF place(QPointF beside, QSizeF size);
     /// The same right beside it, where no earlier label is; none if there is no room.

@@ -4,6 +4,7 @@
 #include <QClipboard>
 #include <QLineEdit>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QStatusBar>
 #include <QtTest>
 #include <cmath>
@@ -114,6 +115,54 @@ private slots:
         click(flat(), screenOf(flat(), m_a));  // the same twice: said, not measured
         QCOMPARE(list().size(), std::size_t{1});
         QVERIFY(window().statusBar()->currentMessage().contains("both are the same"));
+    }
+
+    void aClearanceNamesItsElementsAndSaysWhereTheirNetsAreNearer() {
+        m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+        click(flat(), screenOf(flat(), m_a));
+        click(flat(), screenOf(flat(), m_b));
+        const auto index = window().workspace().board()->index;
+        const auto nameOf = [&](model::ElementId id) {
+            return QString::fromStdString(model::kindOf(*index, {0, id}) + " of " + netOf(id));
+        };
+        QVERIFY2(nameOf(m_a).startsWith("pad "), qPrintable(nameOf(m_a)));
+        const QString said = table().model()->index(0, ui::MeasurementModel::Nets).data().toString();
+        QCOMPARE(said, nameOf(m_a) + " – " + nameOf(m_b));
+        base::Progress progress;
+        const auto netAt = [&](model::ElementId id) { return model::NetOfCopy{0, board().elements.net[id.row()]}; };
+        const auto nets = *model::separationOf(*index, netAt(m_a), netAt(m_b), progress);
+        QVERIFY2(nets.onLayer->distance < list()[0].distance() - 1.0, "the pads are the nearest of their nets");
+        const QString nearer = ui::fixedLengthInBoth(nets.onLayer->distance, ui::LengthUnit::Millimetre);
+        const QString details = table().model()->index(0, ui::MeasurementModel::Details).data().toString();
+        QVERIFY2(details.contains("their nets come as near as " + nearer + " elsewhere, on "), qPrintable(details));
+    }
+
+    void labelsKeepOffTheViewCubeAndTheLegendOfTheMap() {
+        window().resize(1'500, 950);
+        window().actions()[ActionId::ShowSolid].trigger();
+        window().actions()[ActionId::ClearanceMap].trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(solid().corners().size(), std::size_t{2}, 20'000);
+        QVERIFY(solid().corners()[0] == window().viewCube().place() ||
+                solid().corners()[1] == window().viewCube().place());
+        const QSizeF canvas = solid().controller().viewport();
+        QImage image(canvas.toSize(), QImage::Format_ARGB32_Premultiplied);
+        for (const QRectF& corner : solid().corners()) {
+            QPainter painter(&image);
+            ui::MeasurementPainter on(painter, solid(), board());
+            Measurement measurement;
+            const auto [from, along] = solid().controller().rayAt(corner.center());
+            const float top = solid().position().toModel({0.0, 0.0}, board().boardThickness).z;
+            const base::PointD at = solid().position().toJob(from + along * ((top - from.z) / along.z));
+            measurement.from.x = measurement.to.x = at.x;
+            measurement.from.y = measurement.to.y = at.y;
+            on.paint(measurement, ui::LengthUnit::Millimetre, true);
+            const std::vector<QRectF> labels = on.paintLabels();
+            QCOMPARE(labels.size(), std::size_t{1});
+            for (const QRectF& other : solid().corners()) {
+                QVERIFY(!labels[0].intersects(other));
+            }
+        }
+        window().actions()[ActionId::ClearanceMap].trigger();
     }
 
     void theFirstOfTwoElementsIsMarkedAndTheValueIsLive() {

@@ -43,6 +43,15 @@ private slots:
         QVERIFY(!ui::partWithin(aslant, placing.place({400, 300}, {60, 20})));
     }
 
+    void labelsKeepOffWhatIsToBeSeen() {
+        LabelPlacing placing(kCanvas);
+        const QRectF corner(650, 0, 150, 150);
+        placing.keepFree(corner);
+        for (int i = 0; i < 6; ++i) {
+            QVERIFY(!placing.place({660.0 + 20.0 * i, 100}, {120, 40}).intersects(corner));
+        }
+    }
+
     void equalCallsGiveEqualPlaces() {
         const auto run = [] {
             QRandomGenerator random(3);
