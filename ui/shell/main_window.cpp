@@ -54,7 +54,7 @@ QString boardFilters() {
     const auto filter = [](const QString& name, std::span<const model::BoardFormat> formats) {
         return QStringLiteral("%1 (%2);;").arg(name, QString::fromStdString(model::namePatterns(formats)));
     };
-    QString filters = filter(MainWindow::tr("Boards"), model::knownFormats());
+    QString filters = filter(MainWindow::tr("Boards of all formats"), model::knownFormats());
     for (const model::BoardFormat& format : model::knownFormats()) {
         filters += filter(QString::fromStdString(std::string(format.name)), {&format, 1});
     }
@@ -206,7 +206,7 @@ void MainWindow::createMenus() {
 
 void MainWindow::connectFiles() {
     const auto choose = [this](const QString& title, const QString& filters) {
-        m_nextBoard = &m_features.openFile(title, filters, [this](const QString& path) {
+        m_nextBoard = &m_features.openFile(title, filters, QDir::homePath(), [this](const QString& path) {
             m_settings.setLastFolder(QFileInfo(path).absolutePath());
             openPath(path);
         });

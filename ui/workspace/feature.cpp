@@ -4,7 +4,9 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QSaveFile>
+#include <algorithm>
 
 #include "ui/common/paths.h"
 
@@ -20,6 +22,31 @@ void nameControls(QWidget& panel, const QString& title) {
             widget->setAccessibleName(widget->toolTip().isEmpty() ? title : widget->toolTip());
         }
     }
+}
+
+/// A path that is typed whole names a file, whatever folder the dialog shows and whatever its completer makes of it.
+class PathDialog : public QFileDialog {
+public:
+    using QFileDialog::QFileDialog;
+
+    void accept() override {
+        const auto* field = findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        const QFileInfo typed(field != nullptr ? field->text().trimmed() : QString());
+        if (fileMode() == ExistingFile && typed.isAbsolute() && typed.isFile()) {
+            const QString path = QDir::cleanPath(typed.filePath());
+            done(QDialog::Accepted);
+            emit fileSelected(path);
+        } else {
+            QFileDialog::accept();
+        }
+    }
+};
+
+/// A list of patterns that has no room in the line of a dialog is left out of it, and names of kinds remain.
+bool areCut(const QString& filters) {
+    constexpr qsizetype kMostLetters = 50;
+    const QStringList kinds = filters.split(QStringLiteral(";;"));
+    return std::ranges::any_of(kinds, [](const QString& kind) { return kind.size() > kMostLetters; });
 }
 
 }  // namespace
@@ -69,10 +96,11 @@ void FeatureContext::saveFile(const QString& title, const QString& what, const Q
     nameFile(title, what, filters, [this, write](const QString& path) { workspace.reportSaved(write(path), path); });
 }
 
-QDialog& FeatureContext::openFile(const QString& title, const QString& filters,
+QDialog& FeatureContext::openFile(const QString& title, const QString& filters, const QString& folder,
                                   const std::function<void(const QString&)>& open) const {
-    auto* dialog = new QFileDialog(&window, title, settings.lastFolder(workspace.boardFolder()), filters);
+    auto* dialog = new PathDialog(&window, title, settings.lastFolder(folder), filters);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setOption(QFileDialog::HideNameFilterDetails, areCut(filters));
     dialog->setFileMode(filters.isEmpty() ? QFileDialog::Directory : QFileDialog::ExistingFile);
     QObject::connect(dialog, &QFileDialog::fileSelected, &workspace, open);
     dialog->open();

@@ -3,12 +3,15 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDialog>
+#include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QStatusBar>
 #include <QTimer>
@@ -92,6 +95,28 @@ private slots:
         QTRY_VERIFY2(differingPixels(m_fixture->shown(), m_fixture->picture()) < m_fixture->picture().width() * 4,
                      "the screen shows what the picture has");
         QTRY_VERIFY(window().label("frame").endsWith(" ms"));
+    }
+
+    /// In whatever folder the dialog is, and whether Enter or its button ends it.
+    void aPathThatIsTypedOpensItsFile() {
+        const QString board = m_fixture->copyOfSample();
+        for (const bool isInItsFolder : {false, true, true}) {
+            QFileDialog& dialog = openDialog();
+            QCOMPARE(dialog.directory().absolutePath(), isInItsFolder ? m_fixture->folder() : QDir::homePath());
+            QCOMPARE(dialog.findChild<QComboBox*>("fileTypeCombo")->currentText(),
+                     "Boards of all formats");  // else cut
+            auto* field = dialog.findChild<QLineEdit*>("fileNameEdit");
+            QTest::keyClicks(field, board);
+            QSignalSpy opened(&window().workspace(), &ui::Workspace::boardOpened);
+            QTest::keyClick(field, Qt::Key_Return);
+            QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
+            QTRY_VERIFY(window().findChild<QFileDialog*>() == nullptr);
+        }
+        QFileDialog& dialog = openDialog();
+        dialog.findChild<QLineEdit*>("fileNameEdit")->setText(board);
+        QSignalSpy opened(&window().workspace(), &ui::Workspace::boardOpened);
+        QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open), Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
     }
 
     void hidingALayerChangesThePictureAndShowingItRestoresIt() {
@@ -536,6 +561,15 @@ private slots:
     }
 
 private:
+    /// The dialog that chooses the next board, once it can be typed in.
+    QFileDialog& openDialog() {
+        window().actions()[ActionId::OpenFile].trigger();
+        auto* dialog = window().findChild<QFileDialog*>();
+        if (dialog == nullptr || !QTest::qWaitForWindowExposed(dialog)) {
+            qFatal("no dialog");
+        }
+        return *dialog;
+    }
     TestWindow& window() { return m_fixture->window(); }
 
     QModelIndex topCopper(int column) {
