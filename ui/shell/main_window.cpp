@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScreen>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -21,6 +22,7 @@
 #include "ui/shell/change_bar.h"
 #include "ui/shell/device_notice.h"
 #include "ui/shell/features.h"
+#include "ui/shell/first_size.h"
 #include "ui/shell/form_chooser.h"
 #include "ui/shell/guide_window.h"
 #include "ui/shell/help_dialogs.h"
@@ -141,6 +143,15 @@ MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Wo
 MainWindow::~MainWindow() {
     hide();          // an editor that is open commits while all it needs is still there
     delete m_views;  // its canvases must not draw with painters that are gone
+}
+
+void MainWindow::appear() {
+    if (m_settings.windowGeometry().isEmpty()) {
+        const FirstSize first = firstSize(size(), screen()->availableSize());
+        resize(first.size);
+        setWindowState(first.isMaximised ? Qt::WindowMaximized : Qt::WindowNoState);
+    }
+    show();
 }
 
 void MainWindow::createCentre() {

@@ -33,6 +33,8 @@ public:
     MainWindow(GpuContext& context, Settings& settings, const Loader::Work& work = loadBoard);
     ~MainWindow() override;
 
+    /// Shows the window as it was left; the first time with all of its frame on the screen.
+    void appear();
     /// Starts to load a board. Where a folder or archive holds several forms, the user chooses one first.
     void open(model::OpenRequest request);
     /// Back to the state of a first start, except for the board.

@@ -53,7 +53,7 @@ int runWorkbench(int argc, char** argv, const StartOptions& options) {
     const CardCalibration calibration((*context)->device().caps());
     Settings settings;
     MainWindow window(**context, settings);
-    window.show();
+    window.appear();
     if (options.board) {
         window.open(*options.board);
     }

@@ -26,6 +26,7 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/canvas/image_canvas.h"
 #include "ui/layers/layers_panel.h"
+#include "ui/shell/first_size.h"
 #include "ui/shell/message_bar.h"
 
 using base::ErrorCode;
@@ -117,6 +118,27 @@ private slots:
         QSignalSpy opened(&window().workspace(), &ui::Workspace::boardOpened);
         QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open), Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
+    }
+
+    void theFirstWindowFitsOnTheScreenWithItsFrame() {
+        const QSize wanted(1280, 800);
+        QCOMPARE(ui::firstSize(wanted, {1920, 1080}), (ui::FirstSize{wanted, false}));
+        for (const QSize screen : {QSize(1280, 800), QSize(1366, 768), QSize(1920, 820), QSize(800, 600)}) {
+            const ui::FirstSize first = ui::firstSize(wanted, screen);
+            QVERIFY(first.isMaximised);
+            QVERIFY(first.size.width() < screen.width() && first.size.height() < screen.height());
+        }
+        QTemporaryDir folder;
+        ui::Settings none(folder.filePath("settings.ini"));
+        TestWindow first(m_fixture->context(), none);
+        first.appear();
+        const ui::FirstSize expected = ui::firstSize(wanted, first.screen()->availableSize());
+        QCOMPARE(first.isMaximized(), expected.isMaximised);
+        QVERIFY(expected.isMaximised || first.size() == wanted);
+        TestWindow later(m_fixture->context(), m_fixture->settings());
+        m_fixture->settings().setWindowGeometry(window().saveGeometry());
+        later.appear();  // the settings know a place
+        QVERIFY(!later.isMaximized());
     }
 
     void hidingALayerChangesThePictureAndShowingItRestoresIt() {
