@@ -24,13 +24,19 @@ void nameControls(QWidget& panel, const QString& title) {
     }
 }
 
-/// A path that is typed whole names a file, whatever folder the dialog shows and whatever its completer makes of it.
+/// A path that is typed whole names a file, whatever folder the dialog shows. Qt's line has a list of completions,
+/// which takes the keyboard when it comes up; the dialog then writes over what is being typed. So it has none.
 class PathDialog : public QFileDialog {
 public:
-    using QFileDialog::QFileDialog;
+    PathDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filters)
+        : QFileDialog(parent, title, folder, filters) {
+        if (QLineEdit* field = line()) {
+            field->setCompleter(nullptr);
+        }
+    }
 
     void accept() override {
-        const auto* field = findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        const QLineEdit* field = line();
         const QFileInfo typed(field != nullptr ? field->text().trimmed() : QString());
         if (fileMode() == ExistingFile && typed.isAbsolute() && typed.isFile()) {
             const QString path = QDir::cleanPath(typed.filePath());
@@ -40,6 +46,10 @@ public:
             QFileDialog::accept();
         }
     }
+
+private:
+    /// None of dialogs that the desktop brings along.
+    [[nodiscard]] QLineEdit* line() const { return findChild<QLineEdit*>(QStringLiteral("fileNameEdit")); }
 };
 
 /// A list of patterns that has no room in the line of a dialog is left out of it, and names of kinds remain.

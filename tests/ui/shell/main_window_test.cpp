@@ -107,8 +107,10 @@ private slots:
             QCOMPARE(dialog.findChild<QComboBox*>("fileTypeCombo")->currentText(),
                      "Boards of all formats");  // else cut
             auto* field = dialog.findChild<QLineEdit*>("fileNameEdit");
-            QTest::keyClicks(field, board);
+            QTRY_VERIFY(field->hasFocus());
+            QTest::keyClicks(field, board, Qt::NoModifier, 1);  // as Qt lists the folders on the way
             QSignalSpy opened(&window().workspace(), &ui::Workspace::boardOpened);
+            QCOMPARE(field->text(), board);
             QTest::keyClick(field, Qt::Key_Return);
             QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
             QTRY_VERIFY(window().findChild<QFileDialog*>() == nullptr);
