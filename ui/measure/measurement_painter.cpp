@@ -58,6 +58,24 @@ QPainterPath markOf(SnapKind kind) {
     return path;
 }
 
+/// In lines that leave most of a view free: between two ends, then between words.
+QStringList inLines(const QString& text) {
+    constexpr qsizetype kMostLetters = 32;
+    if (text.size() <= kMostLetters) {
+        return {text};
+    }
+    QStringList lines{QString()};
+    for (const QString& word : text.split(' ')) {
+        const bool isFull = !lines.back().isEmpty() && lines.back().size() + 1 + word.size() > kMostLetters;
+        if (isFull || word == QStringLiteral("–")) {
+            lines.append(word);
+        } else {
+            lines.back() += (lines.back().isEmpty() ? QString() : QStringLiteral(" ")) + word;
+        }
+    }
+    return lines;
+}
+
 }  // namespace
 
 DrawnHeights::DrawnHeights(const BoardView& view, const model::Document& document)
@@ -107,8 +125,10 @@ void MeasurementPainter::paint(const Measurement& measurement, LengthUnit unit, 
         if (!measurement.path) {
             lines += layersText(measurement);
         }
-        lines += netsText(measurement);
-        lines += textsOf(measurement.notes);
+        lines += inLines(netsText(measurement));
+        for (const QString& note : textsOf(measurement.notes)) {
+            lines += inLines(note);
+        }
     }
     m_labels.push_back({lines, *beside});
 }
