@@ -36,6 +36,10 @@ start() {
     timeout 900 "$program" "$@" >"$scratch/log" 2>&1 &
     program_pid=$!
     sleep "${first:-10}"
+    local window
+    window=$(window_named 'Copperscope$')
+    xdotool windowmove "$window" 0 0
+    xdotool windowsize "$window" 1280 800  # it left room for a frame
     focus 'Copperscope$'
 }
 
