@@ -7,6 +7,7 @@
 #include "app/common/console_progress.h"
 #include "app/reports/info_json.h"
 #include "app/reports/stackup_report.h"
+#include "model/board/diagnostic_place.h"
 #include "model/formats/common/read_options.h"
 #include "model/formats/gerber/layer_proposals.h"
 #include "model/text/json_text.h"
@@ -89,8 +90,7 @@ void printLayers(const Document& document) {
 
 void printDiagnostics(const model::Diagnostics& diagnostics) {
     for (const model::Diagnostic& entry : diagnostics.entries()) {
-        const std::string line = entry.line > 0 ? ":" + std::to_string(entry.line) : "";
-        const std::string location = entry.file.empty() ? "" : entry.file + line + ": ";
+        const std::string location = entry.file.empty() ? "" : model::placeOf(entry) + ": ";
         const std::string times = entry.count > 1 ? " (" + std::to_string(entry.count) + " times)" : "";
         std::printf("  %-8s %s%s%s\n", model::toString(entry.severity), location.c_str(), entry.text.c_str(),
                     times.c_str());

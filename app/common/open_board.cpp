@@ -7,6 +7,7 @@
 #include "app/common/beside_program.h"
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
+#include "model/board/diagnostic_place.h"
 
 namespace app {
 
@@ -60,7 +61,8 @@ void sayErrors(const model::Document& document) {
     std::size_t errors = 0;
     for (const model::Diagnostic& entry : document.diagnostics.entries()) {
         if (entry.severity == model::Severity::Error && errors++ < kNamedErrors) {
-            std::fprintf(stderr, "%s:%u: error: %s\n", entry.file.c_str(), entry.line, entry.text.c_str());
+            const std::string place = entry.file.empty() ? "copperscope" : model::placeOf(entry);
+            std::fprintf(stderr, "%s: error: %s\n", place.c_str(), entry.text.c_str());
         }
     }
     if (errors > kNamedErrors) {

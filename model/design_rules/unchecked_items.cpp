@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/board/copies.h"
+#include "model/board/diagnostic_place.h"
 #include "model/board/layers.h"
 #include "model/clearance/layer_geometry.h"
 #include "model/design_rules/rule_context.h"
@@ -106,8 +107,8 @@ private:
         }
         const Diagnostic& first =
             *std::ranges::find(m_document.diagnostics.entries(), Severity::Error, &Diagnostic::severity);
-        const std::string why = "not all of the job could be read: " + first.file + ':' + std::to_string(first.line) +
-                                ": " + first.text;
+        const std::string place = first.file.empty() ? "" : placeOf(first) + ": ";
+        const std::string why = "not all of the job could be read: " + place + first.text;
         for (std::size_t rule = 0; rule < m_table.rules.size(); ++rule) {
             if (m_table.rules[rule].isOn) {
                 m_items.push_back({rule, errors, errors == 1 ? "error" : "errors", why});

@@ -1,17 +1,9 @@
 #include "ui/messages/message_model.h"
 
+#include "model/board/diagnostic_place.h"
 #include "ui/common/severity_colour.h"
 
 namespace ui {
-
-namespace {
-
-QString locationText(const model::Diagnostic& entry) {
-    const QString file = QString::fromStdString(entry.file);
-    return entry.line > 0 ? QStringLiteral("%1:%2").arg(file).arg(entry.line) : file;
-}
-
-}  // namespace
 
 MessageModel::MessageModel(QObject* parent)
     : TableModel({{tr("Severity"), tr("How much it matters")},
@@ -77,7 +69,7 @@ const model::Diagnostic& MessageModel::message(int row) const {
 }
 
 QString MessageModel::searchText(int row) const {
-    return QString::fromStdString(message(row).text) + ' ' + locationText(message(row));
+    return QString::fromStdString(message(row).text) + ' ' + QString::fromStdString(model::placeOf(message(row)));
 }
 
 Cell MessageModel::cell(int row, int column) const {
@@ -89,7 +81,7 @@ Cell MessageModel::cell(int row, int column) const {
                     .order = rankOf(row),  // by weight, not by spelling
                     .decoration = severityColour(entry.severity)};
         case Text: return text(entry.text);
-        case Location: return {locationText(entry)};
+        case Location: return {QString::fromStdString(model::placeOf(entry))};
         default: return {entry.count};
     }
 }

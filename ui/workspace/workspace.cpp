@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/board/copies.h"
+#include "model/board/diagnostic_place.h"
 #include "ui/common/paths.h"
 #include "ui/common/texts.h"
 #include "ui/common/trouble_text.h"
@@ -41,8 +42,9 @@ QStringList lossesOf(const LoadedBoard& board) {
     }
     const auto& first =
         *std::ranges::find(board.document->diagnostics.entries(), model::Severity::Error, &model::Diagnostic::severity);
-    const QString place = QStringLiteral("%1:%2").arg(QString::fromStdString(first.file)).arg(first.line);
-    const QString loss = Workspace::tr("Not all of %1 could be read. %2 (%3).")
+    const QString place =
+        first.file.empty() ? QString() : QStringLiteral(" (%1)").arg(QString::fromStdString(model::placeOf(first)));
+    const QString loss = Workspace::tr("Not all of %1 could be read. %2%3.")
                              .arg(displayName(board.request.path), QString::fromStdString(first.text), place);
     return {errors == 1 ? loss : loss + ' ' + Workspace::tr("Messages lists %L1 more errors.").arg(errors - 1)};
 }
