@@ -63,6 +63,7 @@ ClearanceFeature::ClearanceFeature(FeatureContext& context)
       m_views(context.views),
       m_probing(context.probing),
       m_selection(context.workspace.selection()),
+      m_shown(m_selection, m_views, this),
       m_plan(context.plan),
       m_savedRules(
           m_workspace, tr("The rules"), [this](const model::RuleFile& rules) { setRules(rules); }, saveRulesOf),
@@ -79,11 +80,7 @@ ClearanceFeature::ClearanceFeature(FeatureContext& context)
     connect(&m_search.background(), &Background::finished, this, &ClearanceFeature::take);
     connect(&m_rules, &RuleModel::edited, this, &ClearanceFeature::remember);
     connect(&m_rules, &RuleModel::refused, &m_workspace, &Workspace::errorReported);
-    connect(&m_selection, &SelectionModel::selectionChanged, this, [this] {
-        if (m_isShowing && m_selection.selected() != m_sides) {
-            endShowing();
-        }
-    });
+    connect(&m_shown, &ShownFinding::ended, this, [this] { m_workspace.showSpacing(std::nullopt); });
     connectCommands(context);
     connectFiles(context);
     connectWaivers(context);
@@ -183,7 +180,7 @@ model::LayerId ClearanceFeature::mappedLayer() const {
 void ClearanceFeature::setBoard(const LoadedBoard& board) {
     m_requested.reset();
     m_result = {};
-    endShowing();
+    m_shown.end();
     m_locations.setSpacings(nullptr, {}, {}, true);
     if (m_savedRules.open()) {
         setRules(rulesOf(board));
@@ -299,7 +296,7 @@ void ClearanceFeature::take() {
         m_workspace.reportError(QString::fromStdString(result.error().text));
         return;
     }
-    endShowing();
+    m_shown.end();
     m_requested = m_wanted;
     m_result = std::move(*result);
     if (m_wanted.throughStackup) {
@@ -344,14 +341,13 @@ void ClearanceFeature::showPlain(const ClearanceModel::Location& location) {
     const std::uint32_t row = m_selection.firstCopyOf(location.step);
     const model::StepCopy& copy = m_selection.tree().copies[row];
     const model::Document& step = *m_selection.tree().steps[location.step];
-    const auto onBoard = [&](model::LayerId layer) { return step.layerOfCopy(layer, copy.isFlipped); };
-    const model::LayerId layer = onBoard(location.found.layer);
+    const model::LayerId layer = step.layerOfCopy(location.found.layer, copy.isFlipped);
     std::vector<model::BoardElement> sides;
     std::vector<model::LayerId> layers{layer};
     for (const model::ElementId side : {location.found.a, location.found.b}) {
         if (side.isValid()) {
             sides.push_back({row, side});
-            layers.push_back(onBoard(step.elements.layer[side.row()]));
+            layers.push_back(m_selection.layerOf({row, side}));
         }
     }
     const model::Spacing& s = location.found.spacing;
@@ -362,21 +358,11 @@ void ClearanceFeature::showPlain(const ClearanceModel::Location& location) {
 
 void ClearanceFeature::showSides(std::vector<model::BoardElement> sides, std::vector<model::LayerId> layers,
                                  const model::LocalSpacing& spacing) {
-    m_isShowing = false;  // what was shown before ends with its selection
-    m_selection.select(std::move(sides));
-    m_sides = m_selection.selected();
-    m_isShowing = true;
-    m_views.setContrastLayers(std::move(layers));
+    m_shown.show(std::move(sides), std::move(layers));
     const model::Spacing& s = spacing.spacing;
     const float around = std::max(kLeastAroundMm, kTimesAround * static_cast<float>(base::toMm(s.distance)));
     m_probing.showPosition({(s.from.x + s.to.x) / 2, (s.from.y + s.to.y) / 2}, spacing.layer, around);
     m_workspace.showSpacing(spacing);
-}
-
-void ClearanceFeature::endShowing() {
-    m_isShowing = false;
-    m_views.setContrastLayers({});
-    m_workspace.showSpacing(std::nullopt);
 }
 
 void ClearanceFeature::setRules(const model::RuleFile& rules) {

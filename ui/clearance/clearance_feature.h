@@ -8,6 +8,7 @@
 #include "ui/clearance/clearance_search.h"
 #include "ui/clearance/lens.h"
 #include "ui/clearance/rule_waivers.h"
+#include "ui/findings/shown_finding.h"
 #include "ui/views/plan_painter.h"
 #include "ui/views/probing.h"
 #include "ui/workspace/background_result.h"
@@ -66,7 +67,6 @@ private:
     void showThrough(const model::StackupClearance& found);
     void showSides(std::vector<model::BoardElement> sides, std::vector<model::LayerId> layers,
                    const model::LocalSpacing& spacing);
-    void endShowing();
     void setRules(const model::RuleFile& rules);
     /// Other rules, but from the same file.
     [[nodiscard]] model::RuleFile withTable(const model::RuleTable& table) const;
@@ -79,6 +79,7 @@ private:
     BoardViews& m_views;
     Probing& m_probing;
     SelectionModel& m_selection;
+    ShownFinding m_shown;
     const PlanPainter& m_plan;
     ClearanceModel m_locations;
     RuleModel m_rules;
@@ -94,8 +95,6 @@ private:
     std::optional<ClearanceRequest> m_requested;  ///< what was found last, and how it was asked for
     ClearanceResult m_result;
     std::optional<ClearanceModel::Location> m_current;  ///< to be the current row again after a check
-    bool m_isShowing = false;
-    std::vector<model::BoardElement> m_sides;  ///< of what is shown, as they are selected
 };
 
 }  // namespace ui

@@ -1,7 +1,6 @@
 #include "ui/netlist_check/netlist_check_feature.h"
 
 #include <QLabel>
-#include <utility>
 
 #include "ui/common/panel_parts.h"
 #include "ui/common/sorted_rows.h"
@@ -10,7 +9,9 @@
 namespace ui {
 
 NetlistCheckFeature::NetlistCheckFeature(FeatureContext& context)
-    : QObject(&context.window), m_workspace(context.workspace), m_views(context.views) {
+    : QObject(&context.window),
+      m_workspace(context.workspace),
+      m_shown(context.workspace.selection(), context.views, this) {
     m_findings.setParent(this);
     QWidget* panel = makePanel(context.actions);
     context.addPanel({ActionId::ShowNetCheckDock, "netCheck", tr("Netlist check"), Qt::BottomDockWidgetArea}, *panel);
@@ -21,13 +22,8 @@ NetlistCheckFeature::NetlistCheckFeature(FeatureContext& context)
     m_workspace.watch(m_checks.background(), [] { return tr("Nets"); });
     connect(&m_checks.background(), &Background::finished, this, &NetlistCheckFeature::deliver);
     connect(&m_workspace, &Workspace::boardRead, this, [this] { m_findings.setChecks(nullptr, {}); });
-    connect(&m_workspace, &Workspace::boardOpened, this, &NetlistCheckFeature::endShowing);
+    connect(&m_workspace, &Workspace::boardOpened, &m_shown, &ShownFinding::end);
     connect(&m_workspace, &Workspace::unitChanged, &m_findings, &NetlistCheckModel::setUnit);
-    connect(&m_workspace.selection(), &SelectionModel::selectionChanged, this, [this] {
-        if (m_isShowing && m_workspace.selection().selected() != m_shown) {
-            endShowing();
-        }
-    });
 }
 
 QWidget* NetlistCheckFeature::makePanel(const ActionSet& actions) {
@@ -61,31 +57,20 @@ void NetlistCheckFeature::deliver() {
 }
 
 void NetlistCheckFeature::show(const NetlistCheckModel::Finding& finding) {
-    SelectionModel& selection = m_workspace.selection();
+    const SelectionModel& selection = m_workspace.selection();
     const std::uint32_t row = selection.firstCopyOf(finding.step);
     const model::StepCopy& copy = selection.tree().copies[row];
-    const model::Document& step = *selection.tree().steps[finding.step];
-    const auto onBoard = [&](model::LayerId layer) { return step.layerOfCopy(layer, copy.isFlipped); };
-    const model::LayerId layer = onBoard(m_findings.layerOf(finding));
+    const model::LayerId layer =
+        selection.tree().steps[finding.step]->layerOfCopy(m_findings.layerOf(finding), copy.isFlipped);
     std::vector<model::BoardElement> elements;
     std::vector<model::LayerId> layers{layer};
     for (const model::ElementId element : m_findings.elementsOf(finding)) {
         elements.push_back({row, element});
-        layers.push_back(onBoard(step.elements.layer[element.row()]));
+        layers.push_back(selection.layerOf({row, element}));
     }
     m_workspace.showLayer(layer);
-    m_isShowing = false;  // what was shown before ends with its selection
-    selection.select(elements);
-    m_shown = selection.selected();
-    m_isShowing = true;
-    m_views.setContrastLayers(std::move(layers));
+    m_shown.show(std::move(elements), std::move(layers));
     m_workspace.showLocation(copy.placement.apply(m_findings.locationOf(finding)), layer);
-}
-
-void NetlistCheckFeature::endShowing() {
-    if (std::exchange(m_isShowing, false)) {
-        m_views.setContrastLayers({});
-    }
 }
 
 }  // namespace ui

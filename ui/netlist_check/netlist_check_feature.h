@@ -1,8 +1,8 @@
 #pragma once
 
 #include "model/nets/net_check.h"
+#include "ui/findings/shown_finding.h"
 #include "ui/netlist_check/netlist_check_model.h"
-#include "ui/views/board_views.h"
 #include "ui/workspace/background_result.h"
 #include "ui/workspace/feature.h"
 
@@ -23,15 +23,12 @@ private:
     void deliver();
     /// Until something else is selected.
     void show(const NetlistCheckModel::Finding& finding);
-    void endShowing();
 
     Workspace& m_workspace;
-    BoardViews& m_views;
+    ShownFinding m_shown;
     NetlistCheckModel m_findings;
     BackgroundResult<std::vector<model::StepCheck>> m_checks;
     std::shared_ptr<const model::Document> m_board;  ///< that is or was checked
-    bool m_isShowing = false;
-    std::vector<model::BoardElement> m_shown;  ///< as they are selected
 };
 
 }  // namespace ui
