@@ -7,7 +7,7 @@
 #include "app/common/console_progress.h"
 #include "app/reports/info_json.h"
 #include "app/reports/stackup_report.h"
-#include "model/board/diagnostic_place.h"
+#include "model/board/diagnostic_facts.h"
 #include "model/formats/common/read_options.h"
 #include "model/formats/gerber/layer_proposals.h"
 #include "model/text/json_text.h"

@@ -7,7 +7,7 @@
 #include "app/common/beside_program.h"
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
-#include "model/board/diagnostic_place.h"
+#include "model/board/diagnostic_facts.h"
 
 namespace app {
 

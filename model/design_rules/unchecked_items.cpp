@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "model/board/copies.h"
-#include "model/board/diagnostic_place.h"
+#include "model/board/diagnostic_facts.h"
 #include "model/board/layers.h"
 #include "model/clearance/layer_geometry.h"
 #include "model/design_rules/rule_context.h"
@@ -101,14 +101,13 @@ private:
 
     /// What could not be read may break every rule.
     void addWhatIsMissing() {
-        const std::size_t errors = m_document.diagnostics.count(Severity::Error);
-        if (errors == 0) {
+        const Diagnostic* first = firstError(m_document.diagnostics);
+        if (first == nullptr) {
             return;
         }
-        const Diagnostic& first =
-            *std::ranges::find(m_document.diagnostics.entries(), Severity::Error, &Diagnostic::severity);
-        const std::string place = first.file.empty() ? "" : placeOf(first) + ": ";
-        const std::string why = "not all of the job could be read: " + place + first.text;
+        const std::size_t errors = m_document.diagnostics.count(Severity::Error);
+        const std::string place = first->file.empty() ? "" : placeOf(*first) + ": ";
+        const std::string why = "not all of the job could be read: " + place + first->text;
         for (std::size_t rule = 0; rule < m_table.rules.size(); ++rule) {
             if (m_table.rules[rule].isOn) {
                 m_items.push_back({rule, errors, errors == 1 ? "error" : "errors", why});

@@ -28,6 +28,10 @@ public:
     [[nodiscard]] std::uint32_t geometry() const { return step.elements.geometry[element.row()]; }
     [[nodiscard]] bool has(model::ElementFlag flag) const { return (step.elements.flags[element.row()] & flag) != 0; }
     [[nodiscard]] QString text(double nm) const { return lengthInBoth(nm, unit); }
+    /// What the drill table says of it; nothing of what is no hole.
+    [[nodiscard]] model::DrillRow hole() const {
+        return has(model::kHole) ? model::drillRowOf(step, element) : model::DrillRow();
+    }
 };
 
 QString kindText(const Subject& s) {
@@ -51,26 +55,25 @@ void addLocation(const Subject& s, model::Point point, const QString& name, Fact
 }
 
 /// As the tool list of the job has it.
-void addFinishedSize(const Subject& s, Facts& facts) {
-    const model::DrillTool* tool = s.has(model::kHole) ? model::drillRowOf(s.step, s.element).tool : nullptr;
-    if (tool != nullptr && tool->finishedSize > 0) {
-        facts.emplace_back(s.tr("Finished size"), s.text(tool->finishedSize));
+void addFinishedSize(const Subject& s, const model::DrillRow& hole, Facts& facts) {
+    if (hole.tool != nullptr && hole.tool->finishedSize > 0) {
+        facts.emplace_back(s.tr("Finished size"), s.text(hole.tool->finishedSize));
     }
 }
 
 void addCircle(const Subject& s, Facts& facts) {
     const model::CircleGeometry& circle = s.step.circles[s.geometry()];
+    const model::DrillRow hole = s.hole();
     facts.emplace_back(s.tr("Diameter"), s.text(circle.diameter));
     if (circle.innerDiameter > 0 && circle.innerDiameter != circle.diameter) {
-        const bool isAssumed = s.has(model::kHole) && model::drillRowOf(s.step, s.element).isOpenAssumed;
         const QString inner = s.text(circle.innerDiameter);
         facts.emplace_back(s.tr("Inner diameter"),
-                           isAssumed
+                           hole.isOpenAssumed
                                ? s.tr("%1 (assumed, usual plating of %2)")
                                      .arg(inner, lengthText((circle.diameter - circle.innerDiameter) / 2.0, s.unit))
                                : inner);
     }
-    addFinishedSize(s, facts);
+    addFinishedSize(s, hole, facts);
     addLocation(s, circle.centre, s.tr("Centre"), facts);
 }
 
@@ -95,7 +98,7 @@ void addShape(const Subject& s, Facts& facts) {
         case ElementKind::Line: {
             const model::LineGeometry& line = s.step.lines[s.geometry()];
             facts.emplace_back(s.tr("Width"), s.text(line.width));
-            addFinishedSize(s, facts);
+            addFinishedSize(s, s.hole(), facts);
             addLocation(s, line.a, s.tr("From"), facts);
             addLocation(s, line.b, s.tr("To"), facts);
             break;

@@ -1,6 +1,6 @@
 #include "ui/messages/message_model.h"
 
-#include "model/board/diagnostic_place.h"
+#include "model/board/diagnostic_facts.h"
 #include "ui/common/severity_colour.h"
 
 namespace ui {

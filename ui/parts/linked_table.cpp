@@ -4,6 +4,7 @@
 #include <QScopedValueRollback>
 #include <algorithm>
 
+#include "ui/common/panel_parts.h"
 #include "ui/common/sorted_rows.h"
 
 namespace ui {
@@ -14,16 +15,19 @@ LinkedTable::LinkedTable(TableModel& model, QWidget* parent) : TableView(model, 
 }
 
 QLineEdit* LinkedTable::makeFilter(const QString& hint) {
-    auto* line = new QLineEdit;
-    line->setPlaceholderText(hint);
-    line->setClearButtonEnabled(true);
-    filterBy(*line);
+    QLineEdit* line = filterEdit(m_sorted, hint);
+    watch(*line);
     return line;
 }
 
 void LinkedTable::filterBy(const QLineEdit& line) {
-    connect(&line, &QLineEdit::textChanged, this, [this](const QString& words) {
-        m_sorted.setWords(words);
+    connect(&line, &QLineEdit::textChanged, &m_sorted, &SortedRows::setWords);
+    watch(line);
+}
+
+/// Behind what filters: what is marked is shown in the rows that are left.
+void LinkedTable::watch(const QLineEdit& line) {
+    connect(&line, &QLineEdit::textChanged, this, [this] {
         showMarked();
         emit filtered();
     });

@@ -32,6 +32,7 @@ signals:
     void filtered();
 
 private:
+    void watch(const QLineEdit& filter);
     void showMarked();
     void scrollToMarked();
     void takeSelected();

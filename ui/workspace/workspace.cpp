@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "model/board/copies.h"
-#include "model/board/diagnostic_place.h"
+#include "model/board/diagnostic_facts.h"
 #include "ui/common/paths.h"
 #include "ui/common/texts.h"
 #include "ui/common/trouble_text.h"
@@ -36,16 +36,15 @@ std::size_t elementsOfJob(const model::Document& board) {
 
 /// The first thing in the job that is not on the board as it should be, and how many more there are.
 QStringList lossesOf(const LoadedBoard& board) {
-    const std::size_t errors = board.document->diagnostics.count(model::Severity::Error);
-    if (errors == 0) {
+    const model::Diagnostic* first = model::firstError(board.document->diagnostics);
+    if (first == nullptr) {
         return {};
     }
-    const auto& first =
-        *std::ranges::find(board.document->diagnostics.entries(), model::Severity::Error, &model::Diagnostic::severity);
+    const std::size_t errors = board.document->diagnostics.count(model::Severity::Error);
     const QString place =
-        first.file.empty() ? QString() : QStringLiteral(" (%1)").arg(QString::fromStdString(model::placeOf(first)));
+        first->file.empty() ? QString() : QStringLiteral(" (%1)").arg(QString::fromStdString(model::placeOf(*first)));
     const QString loss = Workspace::tr("Not all of %1 could be read. %2%3.")
-                             .arg(displayName(board.request.path), QString::fromStdString(first.text), place);
+                             .arg(displayName(board.request.path), QString::fromStdString(first->text), place);
     return {errors == 1 ? loss : loss + ' ' + Workspace::tr("Messages lists %L1 more errors.").arg(errors - 1)};
 }
 
@@ -54,9 +53,8 @@ QString counted(std::size_t count, const QString& one, const QString& many) {
 }
 
 /// A panel draws little itself: ", 3 copies of PCB1 with 7,049 each". Nothing for a board without copies.
-QString copiesText(const model::Document& board) {
+QString copiesText(const model::StepTree& tree) {
     constexpr std::size_t kMostNamed = 2;
-    const model::StepTree tree = model::unfoldCopies(board);
     std::vector<std::size_t> times(tree.steps.size());
     for (const model::StepCopy& copy : tree.copies) {
         ++times[copy.step];
@@ -79,12 +77,12 @@ QString copiesText(const model::Document& board) {
 }
 
 /// "Opened board.tgz: 24 layers, 141,000 elements, 3 warnings, in 1.2 s"
-QString summaryOf(const LoadedBoard& board) {
+QString summaryOf(const LoadedBoard& board, const model::StepTree& tree) {
     return Workspace::tr("Opened %1: %2, %3, %4, in %5")
         .arg(displayName(board.request.path),
              counted(layersOfJob(*board.document), Workspace::tr("%1 layer"), Workspace::tr("%1 layers")),
              counted(elementsOfJob(*board.document), Workspace::tr("%1 element"), Workspace::tr("%1 elements")) +
-                 copiesText(*board.document),
+                 copiesText(tree),
              troubleText(countOf(board, model::Severity::Error), countOf(board, model::Severity::Warning)),
              timeText(board.seconds));
 }
@@ -164,7 +162,7 @@ void Workspace::take(const LoadedBoard& board) {
     if (const QStringList troubles = lossesOf(board) + textsOf(board.notes); !troubles.isEmpty()) {
         reportError(troubles.join('\n'));
     }
-    report(summaryOf(*m_board));
+    report(summaryOf(*m_board, m_selection.tree()));
 }
 
 void Workspace::restack(std::shared_ptr<const model::Document> document, model::SetThicknesses thicknesses,
