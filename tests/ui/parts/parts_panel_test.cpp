@@ -121,14 +121,7 @@ private slots:
     }
 
     void rowsBecomeAFile() {
-        const QString path = m_fixture->folder() + "/parts.csv";
-        window().findChild<QToolButton*>("exportParts")->click();
-        auto* dialog = window().findChild<QFileDialog*>();
-        emit dialog->fileSelected(path);
-        delete dialog;
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+        const QList<QByteArray> lines = exportedLines();
         QCOMPARE(lines.size(), static_cast<qsizetype>(window().document()->components.size()) + 1);
         QVERIFY(lines.front().startsWith("Designator,"));
     }
@@ -175,14 +168,7 @@ private slots:
                                      .arg(count)
                                      .arg(window().document()->components.size())),
                  qPrintable(window().label("partsShown")));
-        const QString path = m_fixture->folder() + "/bom.csv";
-        window().findChild<QToolButton*>("exportParts")->click();
-        auto* dialog = window().findChild<QFileDialog*>();
-        emit dialog->fileSelected(path);
-        delete dialog;
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+        const QList<QByteArray> lines = exportedLines();
         QCOMPARE(lines.size(), 2);
         QVERIFY(lines[0].startsWith("Quantity,Part,Value,Package,"));
         QVERIFY(lines[1].startsWith(QByteArray::number(count) + ','));
@@ -239,6 +225,16 @@ private slots:
     }
 
 private:
+    /// Of the table that is shown; empty if there is no file.
+    QList<QByteArray> exportedLines() {
+        const QString path = m_fixture->folder() + "/table.csv";
+        window().findChild<QToolButton*>("exportParts")->click();
+        auto* dialog = window().findChild<QFileDialog*>();
+        emit dialog->fileSelected(path);
+        delete dialog;
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().split('\n') : QList<QByteArray>();
+    }
     TestWindow& window() { return m_fixture->window(); }
     ui::TableView& parts() { return window().table("parts"); }
     ui::TableView& groups() { return *window().panel("parts").findChildren<ui::TableView*>().last(); }

@@ -1,20 +1,16 @@
 #include "ui/shell/main_window.h"
 
-#include <QClipboard>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFileDialog>
-#include <QGuiApplication>
-#include <QInputDialog>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStatusBar>
-#include <QTimer>
 #include <QToolButton>
 #include <QUrl>
 #include <QtTest>
@@ -386,129 +382,6 @@ private slots:
         QTRY_VERIFY(!window().actions()[ActionId::ShowLayersDock].isChecked());
         m_fixture->key(Qt::Key_6, Qt::ControlModifier);
         QVERIFY(stack->isHidden());
-    }
-
-    void savedPictureIsWhatTheCanvasShows() {
-        QVERIFY(m_fixture->openAndWait(kSample));
-        const QString path = m_fixture->folder() + "/picture.png";
-        window().savePicture(path);
-        QVERIFY(window().awaitWork());
-        const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB32);
-        QCOMPARE(differingPixels(saved, m_fixture->picture()), 0);
-        QVERIFY(!window().messageBar().isVisible());
-    }
-
-    void picturesThatCannotBeWrittenAreAnError() {
-        QVERIFY(m_fixture->openAndWait(kSample));
-        for (const QString& path : {m_fixture->folder() + "/no/such/folder/picture.png", QString("/dev/full")}) {
-            window().messageBar().hide();
-            window().savePicture(path);
-            QVERIFY(window().awaitWork());
-            QVERIFY(window().messageBar().isVisible());
-            QVERIFY2(window().error().contains(path), qPrintable(window().error()));
-        }
-    }
-
-    void windowGoesOnWhileAPictureIsSaved() {
-        QVERIFY(m_fixture->openAndWait(kSample));
-        const QImage before = m_fixture->picture();
-        int turns = 0;
-        QTimer timer;
-        connect(&timer, &QTimer::timeout, this, [&turns] { ++turns; });
-        timer.start(0);
-        const QStringList paths{m_fixture->folder() + "/one.png", m_fixture->folder() + "/two.png"};
-        window().savePicture(paths[0], 1'500);
-        window().savePicture(paths[1]);
-        QVERIFY(window().workspace().isWorking());
-        QVERIFY(!QFile::exists(paths[0]));
-        window().views().solid().controller().look(render::NamedView::Bottom);  // they show what was there before
-        window().selection().select({{0, model::ElementId{100}}});
-        QVERIFY(window().awaitWork());
-        QVERIFY(turns > 10);
-        QCOMPARE(QImage(paths[0]).width(), 1'500);
-        QCOMPARE(differingPixels(QImage(paths[1]).convertToFormat(QImage::Format_RGB32), before), 0);
-        QTRY_VERIFY_WITH_TIMEOUT(m_fixture->context().turns().isFree(), kPatienceMs);
-        QVERIFY(differingPixels(m_fixture->picture(), before) > 1000);
-    }
-
-    void stoppedPicturesLeaveNothing_data() {
-        QTest::addColumn<int>("waitMs");
-        for (const int ms : {0, 50, 300}) {
-            QTest::addRow("after %d ms", ms) << ms;
-        }
-    }
-    void stoppedPicturesLeaveNothing() {
-        QFETCH(int, waitMs);
-        QVERIFY(m_fixture->openAndWait(kSample));
-        const QDir folder(m_fixture->folder() + "/pictures");
-        QVERIFY(folder.mkpath("."));
-        window().savePicture(folder.filePath("picture.png"), 2'000);
-        QTest::qWait(waitMs);
-        if (!window().workspace().cancelWork()) {
-            QVERIFY(QFile::exists(folder.filePath("picture.png")));
-            return;  // a fast machine
-        }
-        QVERIFY(window().statusBar()->currentMessage().contains("picture.png"));
-        QTRY_VERIFY_WITH_TIMEOUT(folder.isEmpty(), kPatienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(m_fixture->context().turns().isFree(), kPatienceMs);
-        QVERIFY(!window().messageBar().isVisible());
-    }
-
-    void picturesEndWithTheirBoardWindowOrDevice() {
-        QVERIFY(m_fixture->openAndWait(kSample));
-        const QDir folder(m_fixture->folder() + "/pictures");
-        QVERIFY(folder.mkpath("."));
-        const auto begin = [&] {
-            for (int i = 0; i < 2; ++i) {
-                window().savePicture(folder.filePath("%1.png").arg(i), 2'000);
-            }
-            QTest::qWait(20);  // the device may be at work, the pixels are not packed yet
-        };
-        begin();
-        QVERIFY(m_fixture->openAndWait(kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(folder.isEmpty(), kPatienceMs);
-        begin();
-        m_fixture->context().device().markLost();
-        window().views().requestFrame();
-        QTRY_VERIFY_WITH_TIMEOUT(!m_fixture->context().device().isLost(), kPatienceMs);
-        QVERIFY(window().awaitWork());
-        QTRY_VERIFY_WITH_TIMEOUT(folder.isEmpty(), kPatienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(window().views().solid().hasScene(), kPatienceMs);
-        begin();
-        m_fixture->restart();
-        QTRY_VERIFY_WITH_TIMEOUT(folder.isEmpty(), kPatienceMs);
-        QVERIFY(m_fixture->openAndWait(kSample));
-    }
-
-    void picturesOfAnySizeShowTheSame() {
-        QVERIFY(m_fixture->openAndWait(kSample));
-        window().actions()[ActionId::SaveLargePicture].trigger();
-        auto* question = window().findChild<QInputDialog*>();
-        QVERIFY(question != nullptr && question->isVisible());
-        QCOMPARE(question->intValue(), 3840);
-        question->setIntValue(1'700);
-        question->accept();
-        QVERIFY(QTest::qWaitFor([this] { return window().findChild<QFileDialog*>() != nullptr; }));
-        window().findChild<QFileDialog*>()->reject();
-        const QString path = m_fixture->folder() + "/large.png";
-        window().savePicture(path, 1'700);
-        QVERIFY(window().awaitWork());
-        const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB32);
-        QCOMPARE(saved.width(), 1'700);
-        const QImage shown = m_fixture->picture();
-        QVERIFY(std::abs(saved.height() - 1'700.0 * shown.height() / shown.width()) <= 1.0);
-        QVERIFY(std::abs(inkOf(saved) - inkOf(shown)) < 0.02);
-        window().savePicture(path, 10'000'000);  // more than a device can
-        QVERIFY(window().messageBar().isVisible());
-        QCOMPARE(QImage(path).width(), 1'700);
-    }
-
-    void copiedPictureIsOnTheClipboard() {
-        QVERIFY(m_fixture->openAndWait(kSample));
-        window().actions()[ActionId::CopyPicture].trigger();
-        QVERIFY(window().awaitWork());
-        const QImage copied = QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
-        QCOMPARE(differingPixels(copied, m_fixture->picture()), 0);
     }
 
     void lostDeviceIsRenewedAndTheBoardShownAgain() {

@@ -39,16 +39,6 @@ constexpr int kWall = model::kHole | model::kPlated;
 class RulesTest : public QObject {
     Q_OBJECT
 
-    /// One finding below the width, none at it.
-    static void verifyNarrowest(const model::Document& board, RuleKind kind, Nm width) {
-        QVERIFY(check(board, kind, width).isPassed());
-        const RuleReport broken = check(board, kind, width + 1);
-        QCOMPARE(broken.findings.size(), std::size_t{1});
-        QCOMPARE(broken.counts.front(), std::size_t{1});
-        QVERIFY2(std::abs(broken.findings.front().spacing.distance - width) < 0.001,
-                 qPrintable(QString::number(broken.findings.front().spacing.distance)));
-    }
-
 private slots:
     void copperKeepsItsDistanceToOtherNets() {
         Board board;
@@ -144,39 +134,6 @@ private slots:
         QCOMPARE(broken.findings.size(), std::size_t{1});
         QCOMPARE(broken.findings.front().spacing.distance, 0.0);
         QCOMPARE(broken.findings.front().layer, board.bottom);
-    }
-
-    void openingsThatMeetLeaveNoSliver() {
-        Board board;
-        board.builder.beginLayer(board.mask);
-        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of({}));
-        board.builder.addCircle({{100 * kUm, 0}, 200 * kUm, 0}, of({}));
-        board.builder.addCircle({{350 * kUm, 0}, 200 * kUm, 0}, of({}));
-        verifyNarrowest(*board.builder.finish(), RuleKind::MaskSliver, 50 * kUm);
-    }
-
-    void openingsThatAbutButForRoundingLeaveNoSliver() {
-        for (const auto& [gapNm, isSliver] : {std::pair(2, false), std::pair(500, false), std::pair(501, true)}) {
-            Board board;
-            board.builder.beginLayer(board.mask);
-            const int side = 1'000'000;
-            for (const int x : {0, side + gapNm}) {
-                const auto square = hand_made::rectangle({x, 0}, {x + side, side});
-                board.builder.addArea({board.builder.addShape(square), {}}, of({}));
-            }
-            const RuleTable table{{}, {{RuleKind::MaskSliver, 100 * kUm, {}}}};  // tolerance: half a micrometre
-            base::Progress progress;
-            QCOMPARE(model::checkRules(*board.builder.finish(), table, progress)->isPassed(), !isSliver);
-        }
-    }
-
-    void aThirdOpeningTakesTheSliverAway() {
-        Board board;
-        board.builder.beginLayer(board.mask);
-        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of({}));
-        board.builder.addCircle({{250 * kUm, 0}, 200 * kUm, 0}, of({}));
-        board.builder.addLine({{0, 0}, {250 * kUm, 0}, 20 * kUm, 0}, of({}));
-        QVERIFY(check(*board.builder.finish(), RuleKind::MaskSliver, 1000 * kUm).isPassed());
     }
 
     void whatCannotBeCheckedIsSaid() {
@@ -463,33 +420,10 @@ private slots:
         }
     }
 
-    /// Whatever the shape: a mask that leaves exactly the pad free leaves no margin.
-    void openingsAsLargeAsTheirPadsHaveNoMargin() {
-        for (const Nm more : {-2 * kUm, Nm{0}, 2 * kUm}) {
-            Board board;
-            board.builder.beginLayer(board.mask);
-            board.builder.addCircle({{0, 0}, 600 * kUm + more, 0}, of({}));
-            board.builder.addLine({{kMm, 0}, {2 * kMm, 0}, 500 * kUm + more, 0}, of({}));
-            board.builder.beginLayer(board.top);
-            board.builder.addCircle({{0, 0}, 600 * kUm, 0}, of(board.a, model::kPad));
-            board.builder.addLine({{kMm, 0}, {2 * kMm, 0}, 500 * kUm, 0}, of(board.a, model::kPad));
-            const RuleReport report = check(*board.builder.finish(), RuleKind::MaskToCopper, 50 * kUm);
-            QCOMPARE(report.findings.size(), more < 0 ? std::size_t{0} : std::size_t{2});
-            for (const model::RuleFinding& finding : report.findings) {
-                QVERIFY(std::abs(finding.spacing.distance - static_cast<double>(more) / 2) < 1);
-                const model::PointD at = finding.spacing.from;  // on the outline
-                const double out = at.x < double{kMm} ? std::hypot(at.x, at.y) - 300e3 : 0.0;
-                QVERIFY2(std::abs(out) < double{2 * kUm}, qPrintable(QString::number(out)));
-            }
-            QCOMPARE(report.notes.size(), more < 0 ? std::size_t{1} : std::size_t{0});
-        }
-    }
-
     /// Tracks that lead on are one element, as long as the job has them in order.
     void legsOfOneTrackKeepTheirDistance() {
         using model::PathNode;
-        const std::vector<PathNode> hairpin{
-            {{0, 0}, {}}, {{0, 10 * kMm}, {}}, {{kMm, 10 * kMm}, {}}, {{kMm, 0}, {}}};
+        const std::vector<PathNode> hairpin{{{0, 0}, {}}, {{0, 10 * kMm}, {}}, {{kMm, 10 * kMm}, {}}, {{kMm, 0}, {}}};
         const auto found = [&](Nm least, bool isOne) {
             Board board;
             board.builder.beginLayer(board.top);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QtTest>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -34,6 +36,16 @@ struct Board {
 
 [[nodiscard]] inline model::RuleReport check(const model::Document& board, model::RuleKind kind, model::Nm least) {
     return check(board, model::RuleTable{{}, {{kind, least, {}}}});
+}
+
+/// One finding below the width, none at it.
+inline void verifyNarrowest(const model::Document& board, model::RuleKind kind, model::Nm width) {
+    QVERIFY(check(board, kind, width).isPassed());
+    const model::RuleReport broken = check(board, kind, width + 1);
+    QCOMPARE(broken.findings.size(), std::size_t{1});
+    QCOMPARE(broken.counts.front(), std::size_t{1});
+    QVERIFY2(std::abs(broken.findings.front().spacing.distance - width) < 0.001,
+             qPrintable(QString::number(broken.findings.front().spacing.distance)));
 }
 
 struct PadAt {

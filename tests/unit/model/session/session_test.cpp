@@ -1,7 +1,5 @@
 #include "model/session/session.h"
 
-#include <unistd.h>
-
 #include <QtTest>
 #include <atomic>
 #include <cstring>
@@ -10,8 +8,9 @@
 #include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
 #include "model/board/thickness_override.h"
-#include "tests/unit/model/formats/odb/odb_testing.h"
+#include "tests/unit/model/session/session_board.h"
 
+using namespace session_board;
 using model::Measurement;
 using model::session::colourFrom;
 using model::session::colourText;
@@ -31,15 +30,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<model::ThicknessOverride> kOneThickness = {{"TOP", 70'000}};
-const std::vector<model::ThicknessOverride> kNoThickness;
-
-SavedView viewNamed(const char* name) {
-    return {
-        name,           "pcb",       {{1.5, -2.25, 0.1}, 30.0, 0.0, -90.0, true}, {{0, 0, 0}, 80.5, 33.0, -40.0, false},
-        {"TOP", "SMT"}, std::nullopt};
-}
-
 model::session::Desk desk() {
     return {"pcb",
             {{1.5, -2.25, 0.1}, 30.0, 0.0, -90.0, true},
@@ -57,17 +47,6 @@ SavedView selectionOf(std::vector<model::session::SavedElement> elements) {
     return kept;
 }
 
-Measurement measured(const char* name) {
-    Measurement measurement{name, "pcb", model::MeasurementKind::Clearance};
-    measurement.from = {1.5, -2, "TOP", "GND", "edge", "pad U1.7"};
-    measurement.to = {4.5, 2, "SMT", "", "centre"};
-    measurement.dz = 12.0;
-    measurement.overlap = 0.25;
-    measurement.notes = {"a remark"};
-    measurement.isShown = false;
-    return measurement;
-}
-
 Measurement measuredAngle() {
     Measurement angle = measured("angle");
     angle.kind = model::MeasurementKind::Angle;
@@ -81,32 +60,6 @@ Measurement measuredLength() {
     length.path = {{{"TOP", 4.0, {{0, 0}, {3, 0}, {3, 0.5}}}, {"SMT", 1e10, {{3, 0.5}, {4.25, -7}}}}, 1, 13.0};
     return length;
 }
-
-/// A board beside which sessions may lie.
-struct Location {
-    odb_testing::Folder folder;
-    fs::path board = folder.path() / "job.tgz";
-    std::shared_ptr<const model::Document> document = odb_testing::read(odb_testing::dataJob("everything"));
-
-    [[nodiscard]] LoadedSession load() const { return loadSession(board, *document); }
-    [[nodiscard]] base::Status save(const std::vector<model::ThicknessOverride>& thicknesses,
-                                    KnownPart* known = nullptr) const {
-        return saveThicknesses(board, *document, thicknesses, known);
-    }
-    /// Those of the file.
-    [[nodiscard]] QMap<QString, int> thicknesses() const {
-        QMap<QString, int> byLayer;
-        for (const model::ThicknessOverride& set : load().session.thicknesses) {
-            byLayer[QString::fromStdString(set.layer)] = static_cast<int>(set.thickness);
-        }
-        return byLayer;
-    }
-    [[nodiscard]] base::Status save(const std::vector<SavedView>& views) const {
-        return saveViews(board, *document, views);
-    }
-    [[nodiscard]] std::string file() const { return odb_testing::readFile(sessionPath(board)); }
-    void write(const std::string& text) const { odb_testing::writeFile(sessionPath(board), text); }
-};
 
 }  // namespace
 
@@ -518,147 +471,6 @@ private slots:
         for (const char* text : {"", "#", "#12345", "#1234567", "1234567", "#-12345", "#00000x"}) {
             QVERIFY(!colourFrom(text));
         }
-    }
-
-    void whatIsNoSessionIsNeitherReadNorOverwritten_data() {
-        QTest::addColumn<QString>("text");
-        QTest::newRow("later version") << R"({"copperscope_session": 2, "job": "everything"})";
-        QTest::newRow("huge version") << R"({"copperscope_session": 1e300})";
-        QTest::newRow("another file") << R"({"name": "something else"})";
-        QTest::newRow("no JSON") << "hello";
-        QTest::newRow("empty") << "";
-        QTest::newRow("cut short") << R"({"copperscope_session": 1, "job")";
-        QTest::newRow("deep") << QString(100'000, '[');
-        QTest::newRow("large") << QString(2 << 20, ' ');
-    }
-    void whatIsNoSessionIsNeitherReadNorOverwritten() {
-        QFETCH(QString, text);
-        const Location location;
-        location.write(text.toStdString());
-        QVERIFY(location.load().session == Session());
-        QCOMPARE(location.load().ignored.size(), std::size_t{1});
-        const auto saved = location.save(kOneThickness);
-        QVERIFY(!saved);
-        QCOMPARE(saved.error().code, base::ErrorCode::OutputFailed);
-        QCOMPARE(location.file(), text.toStdString());
-    }
-
-    void aFolderThatRefusesLosesNothing() {
-        if (::geteuid() == 0) {
-            QSKIP("root may write everywhere");
-        }
-        const Location location;
-        QVERIFY(location.save(kOneThickness).ok());
-        const std::string before = location.file();
-        fs::permissions(location.folder.path(), fs::perms::owner_write, fs::perm_options::remove);
-        const auto saved = location.save(kNoThickness);
-        fs::permissions(location.folder.path(), fs::perms::owner_write, fs::perm_options::add);
-        QVERIFY(!saved);
-        QVERIFY(saved.error().text.find(sessionPath(location.board).string()) != std::string::npos);
-        QCOMPARE(location.file(), before);
-    }
-
-    /// As two windows do that have the same board open.
-    void partsThatAreWrittenAtOnceAreAllKept() {
-        const Location location;
-        constexpr std::size_t kTimes = 50;
-        std::atomic<int> lost = 0;
-        const auto repeat = [&](const auto& saves, const auto& countOf) {
-            return std::jthread([&, saves, countOf] {
-                for (std::size_t i = 1; i <= kTimes; ++i) {
-                    lost += saves(i).ok() && countOf(location.load().session) == i ? 0 : 1;
-                }
-            });
-        };
-        {
-            const std::jthread views =
-                repeat([&](std::size_t i) { return location.save(std::vector<SavedView>(i, viewNamed("view"))); },
-                       [](const Session& session) { return session.views.size(); });
-            const std::jthread measurements = repeat(
-                [&](std::size_t i) {
-                    return saveMeasurements(location.board, *location.document,
-                                            std::vector<Measurement>(i, measured("one")));
-                },
-                [](const Session& session) { return session.measurements.size(); });
-        }
-        QCOMPARE(lost.load(), 0);
-        const LoadedSession found = location.load();
-        QVERIFY(found.ignored.empty());
-        QCOMPARE(found.session.views.size(), kTimes);
-        QCOMPARE(found.session.measurements.size(), kTimes);
-        std::size_t files = 0;
-        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(location.folder.path())) {
-            ++files;
-        }
-        QCOMPARE(files, std::size_t{1});
-    }
-
-    /// Two windows opened the board, and each writes what it shows.
-    void whatTwoWindowsSaveOfOnePartIsAllThere() {
-        const Location location;
-        KnownPart a;
-        KnownPart b;
-        QVERIFY(location.save({{"CORE1", 200'000}}, &b).ok());
-        QVERIFY(!b.keepsOthers && !b.replacesOthers);
-        QVERIFY(location.save({{"CORE2", 300'000}}, &a).ok());
-        QVERIFY(a.keepsOthers && !a.replacesOthers);
-        QVERIFY(location.save({{"CORE1", 200'000}, {"TOP", 70'000}}, &b).ok());
-        QVERIFY(b.keepsOthers && !b.replacesOthers);
-        QCOMPARE(location.thicknesses(), (QMap<QString, int>{{"CORE1", 200'000}, {"CORE2", 300'000}, {"TOP", 70'000}}));
-        // Undone, and nothing is new to this one.
-        QVERIFY(location.save({{"CORE1", 200'000}}, &b).ok());
-        QVERIFY(!b.keepsOthers && !b.replacesOthers);
-        QCOMPARE(location.thicknesses(), (QMap<QString, int>{{"CORE1", 200'000}, {"CORE2", 300'000}}));
-        // What it never showed it replaces, and knows it.
-        QVERIFY(location.save({{"CORE1", 200'000}, {"CORE2", 500'000}}, &b).ok());
-        QVERIFY(!b.keepsOthers && b.replacesOthers);
-        QCOMPARE(location.thicknesses(), (QMap<QString, int>{{"CORE1", 200'000}, {"CORE2", 500'000}}));
-    }
-
-    void whatWasReadIsWhatOthersChange() {
-        const Location location;
-        QVERIFY(location.save(std::vector{viewNamed("a"), viewNamed("b")}).ok());
-        KnownPart known{location.load().file, location.load().file};
-        QVERIFY(location.save(std::vector{viewNamed("a"), viewNamed("b"), viewNamed("c")}).ok());
-        QVERIFY(saveViews(location.board, *location.document, {viewNamed("b"), viewNamed("d")}, &known).ok());
-        QVERIFY((location.load().session.views == std::vector{viewNamed("b"), viewNamed("d"), viewNamed("c")}));
-        QVERIFY(known.keepsOthers);
-    }
-
-    void rulesAreReplacedAsAWhole() {
-        const Location location;
-        model::RuleTable here = model::defaultRules();
-        model::RuleTable there = here;
-        here.rules.pop_back();
-        there.rules.clear();
-        KnownPart known;
-        QVERIFY(model::session::saveDesignRules(location.board, *location.document, there).ok());
-        QVERIFY(model::session::saveDesignRules(location.board, *location.document, here, &known).ok());
-        QVERIFY(known.replacesOthers && !known.keepsOthers);
-        QVERIFY(location.load().session.designRules == here);
-    }
-
-    /// What is known stays as it was, so nothing of it is taken as removed by others later.
-    void whatCouldNotBeWrittenIsNotKnownAsWritten() {
-        const Location location;
-        KnownPart known;
-        fs::create_directories(sessionPath(location.board) / "inside");
-        QVERIFY(!location.save(kOneThickness, &known));
-        fs::remove_all(sessionPath(location.board));
-        QVERIFY(location.save({{"TOP", 70'000}, {"CORE1", 200'000}}, &known).ok());
-        QCOMPARE(location.thicknesses(), (QMap<QString, int>{{"CORE1", 200'000}, {"TOP", 70'000}}));
-    }
-
-    void aFailedWriteLeavesNoPart() {
-        const Location location;
-        // A folder where the file should be refuses the rename, whoever runs this.
-        fs::create_directories(sessionPath(location.board) / "inside");
-        QVERIFY(!location.save(kOneThickness));
-        std::size_t entries = 0;
-        for (const auto& entry : fs::directory_iterator(location.folder.path())) {
-            entries += entry.path() != sessionPath(location.board) ? 1 : 0;
-        }
-        QCOMPARE(entries, std::size_t{0});
     }
 };
 
