@@ -39,7 +39,8 @@ ImageCanvas::ImageCanvas(GpuContext& context, CameraController& controller, cons
     connect(&m_goOn, &QTimer::timeout, this, &ImageCanvas::goOn);
     connect(&m_device, &DevicePicture::done, this, [this] {
         m_isShotNew = true;
-        requestFrame();
+        m_isStale = true;
+        update();
     });
     connect(&m_device, &DevicePicture::deviceLost, this, &ImageCanvas::deviceLost);
 }
@@ -77,6 +78,7 @@ void ImageCanvas::goOn() {
 }
 
 void ImageCanvas::requestFrame() {
+    m_isAsked = true;
     m_isStale = true;
     update();
 }
@@ -157,13 +159,14 @@ void ImageCanvas::drawByDevice(QSize pixels) {
     const Warped before = warped(pixels);
     m_picture.preparePlane(pixels);
     const bool isPlaneShown = !m_picture.inPlane.isNull();
-    if (std::exchange(m_isPlaneShown, isPlaneShown) && !isPlaneShown) {
-        m_isDue = true;  // nobody asks for a frame of the board when a map goes, but the last picture has it
+    if (std::exchange(m_isPlaneShown, isPlaneShown) != isPlaneShown) {
+        m_isDue = true;  // nobody asks for a frame of the board when a map comes or goes
     }
     bool isNew = std::exchange(m_isShotNew, false);
     bool isAwaited = false;  // what is shown stays until the device is done
-    // What the pointer moves over a map asks for no frame of the board, but for one of the map.
-    const bool isPlaneDue = !isNew && isPlaneShown;
+    // What the pointer moves over a map asks for no frame of the board, but for one of the map. A shot that came says
+    // nothing of it: it may be older than what the map is now.
+    const bool isPlaneDue = std::exchange(m_isAsked, false) && isPlaneShown;
     const bool isPostponed = isCoarse() && before.isNear;
     if ((m_isDue && !isPostponed) || isPlaneDue) {
         m_goOn.stop();

@@ -72,6 +72,7 @@ private:
     render::CameraPose m_shown;  ///< where the image is seen from
     bool m_isStale = true;
     bool m_isDue = true;          ///< the board is another one than the image has, or was asked for
+    bool m_isAsked = true;        ///< somebody asked for a frame since the device was asked for one
     bool m_isPlaneShown = false;  ///< the last picture asked for has one in a plane of the board
     bool m_isShotNew = false;     ///< the device has drawn one that was not shown yet
     bool m_isByTiles = false;     ///< the image is
