@@ -33,7 +33,7 @@ float brightnessOf(const glm::vec3& colour) {
 
 /// As WCAG counts it: 1 for colours that are equally bright, 21 for black and white.
 float contrastOf(const glm::vec3& a, const glm::vec3& b) {
-    const auto [dark, light] = std::minmax(brightnessOf(a), brightnessOf(b));
+    const auto [dark, light] = std::minmax({brightnessOf(a), brightnessOf(b)});
     return (light + 0.05F) / (dark + 0.05F);
 }
 
