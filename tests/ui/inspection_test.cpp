@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/element/element_panel.h"
@@ -29,7 +30,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kPatienceMs = 60000;
 constexpr double kReadNm = 3.0;  // coordinates and diameters are rounded to nanometres as they are read
 
 /// A board, and two round pads on top of it by their nets. How far apart they are was worked out from the job's files.
@@ -188,7 +188,7 @@ private slots:
 
     void tablesAndViewsFollowWhenAsked() {
         window().showPanel("nets");
-        QTRY_VERIFY_WITH_TIMEOUT(window().nets().isArranged(), kPatienceMs);
+        QTRY_VERIFY(window().nets().isArranged());
         click(solid(), screenOf(solid(), m_a));
         QCOMPARE(netInTable(), netOf(m_a));
         chord(Qt::Key_T);
@@ -258,7 +258,7 @@ private slots:
         window().showPanel("clearances");
         box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::View));
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(!window().workspace().isWorking(), kPatienceMs);
+        QTRY_VERIFY(!window().workspace().isWorking());
         const auto& locations = window().find<ui::ClearanceModel>();
         QVERIFY2(locations.rowCount() > 0, qPrintable(label("summary")));
         for (int row = 0; row < std::min(locations.rowCount(), 3); ++row) {
@@ -273,7 +273,7 @@ private slots:
         window().selection().select({{0, m_a}});
         m_fixture->key(Qt::Key_L);
         lensSlider().setValue(lensSlider().maximum());
-        QTRY_VERIFY_WITH_TIMEOUT(!window().selection().nearby().empty(), kPatienceMs);
+        QTRY_VERIFY(!window().selection().nearby().empty());
         shoot("lens");
         m_fixture->key(Qt::Key_L);
         QVERIFY(window().selection().nearby().empty());
@@ -297,7 +297,7 @@ private slots:
         }
         for (const Qt::Key key : {Qt::Key_N, Qt::Key_G}) {
             m_fixture->key(key, Qt::ControlModifier | Qt::ShiftModifier);
-            QTRY_VERIFY_WITH_TIMEOUT(!isBusy(), kPatienceMs);
+            QTRY_VERIFY(!isBusy());
         }
         m_fixture->key(Qt::Key_L);
         QVERIFY(window().selection().nets().empty());
@@ -324,7 +324,7 @@ private slots:
         m_fixture->key(Qt::Key_L);
         box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
         m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(!isBusy(), kPatienceMs);
+        QTRY_VERIFY(!isBusy());
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QVERIFY(window().selection().nearby().empty());
         m_fixture->key(Qt::Key_L);
@@ -358,10 +358,10 @@ private slots:
         const QSignalSpy started(&window().loader(), &ui::Loader::started);
         m_fixture->key(Qt::Key_F5);
         QCOMPARE(started.count(), 1);
-        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), kPatienceMs);
+        QTRY_VERIFY(!window().loader().isLoading());
         QVERIFY(!window().workspace().isWorking());
         QVERIFY(!window().workspace().isWorking());
-        QTRY_VERIFY_WITH_TIMEOUT(!window().find<ui::Lens>().isSearching(), kPatienceMs);  // about what stays selected
+        QTRY_VERIFY(!window().find<ui::Lens>().isSearching());  // about what stays selected
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QCOMPARE(window().netCheck().rowCount(), 0);
     }

@@ -11,6 +11,7 @@
 
 #include "model/board/single_element.h"
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 
 /// When a widget was last painted, to the end.
@@ -40,8 +41,6 @@ private:
 
 class LatencyTest : public QObject {
     Q_OBJECT
-
-    static constexpr int kPatienceMs = 20'000;
 
 private slots:
     void initTestCase() {
@@ -187,14 +186,14 @@ private slots:
         QElapsedTimer clock;
         clock.start();
         distances.setOn(true);
-        QTRY_VERIFY_WITH_TIMEOUT(hasAll(), 60000);
+        QTRY_VERIFY(hasAll());
         tell("distance map of both views", {static_cast<double>(clock.nsecsElapsed()) / 1e6});
         settle();
         measure("distance map, another range",
                 [&](int i) { window().panel("clearances").findChild<QSlider*>("mapReach")->setValue(8 + 2 * i); });
         window().selection().setNets({{0, largestNet()}});
         clock.start();
-        QTRY_VERIFY_WITH_TIMEOUT(hasAll(), 60000);
+        QTRY_VERIFY(hasAll());
         tell("distance map to the largest net", {static_cast<double>(clock.nsecsElapsed()) / 1e6});
         distances.setOn(false);
     }

@@ -8,6 +8,7 @@
 #include <QSpinBox>
 #include <QtTest>
 
+#include "tests/patience.h"
 #include "tests/unit/ui/sample_document.h"
 #include "ui/common/table_view.h"
 #include "ui/layers/layers_panel.h"

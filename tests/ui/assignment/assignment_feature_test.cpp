@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "model/formats/gerber/layer_map.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/assignment/assignment_dialog.h"
 #include "ui/common/paths.h"
@@ -53,7 +54,7 @@ private slots:
 
     void filesThatNothingTellsOfAreAskedForAndTheAnswerIsRemembered() {
         openUnknown();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, 30000);
+        QTRY_VERIFY(dialog() != nullptr);
         ui::TableView& table = files();
         QVERIFY(table.hasFocus());
         QCOMPARE(textAt(0, AssignmentModel::File), "plot1.gbr");
@@ -79,7 +80,7 @@ private slots:
         window().layers().showOnly({layerOf("board.gtl")->name, layerOf("plot2.gbr")->name});
         const model::Document* before = window().document();
         QTest::keyClick(&table, Qt::Key_Return, Qt::ControlModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(window().document() != before && !window().loader().isLoading(), 30000);
+        QTRY_VERIFY(window().document() != before && !window().loader().isLoading());
         QTRY_VERIFY(dialog() == nullptr);
 
         const model::Layer* copper = layerOf("plot1.gbr");
@@ -106,13 +107,13 @@ private slots:
 
     void whatWasToldIsToldOtherwiseAndTakenBack() {
         openUnknown();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, 30000);
+        QTRY_VERIFY(dialog() != nullptr);
         choose("Cop");
         accept();
         QVERIFY(layerOf("plot1.gbr")->isCopper());
 
         window().actions()[ActionId::AssignLayers].trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, 30000);
+        QTRY_VERIFY(dialog() != nullptr);
         const int row = rowOf("plot1.gbr");
         QCOMPARE(textAt(row, AssignmentModel::Draws), "Copper");
         QCOMPARE(textAt(row, AssignmentModel::KnownBy), "the layer map");
@@ -124,7 +125,7 @@ private slots:
 
     void cancelledItChangesNothingAndAsksNoMore() {
         openUnknown();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, 30000);
+        QTRY_VERIFY(dialog() != nullptr);
         choose("Cop");
         const model::Document* before = window().document();
         QTest::keyClick(dialog(), Qt::Key_Escape);
@@ -132,7 +133,7 @@ private slots:
         QCOMPARE(window().document(), before);
         QVERIFY(!fs::exists(m_map));
         window().workspace().reload();
-        QTRY_VERIFY_WITH_TIMEOUT(window().document() != before && !window().loader().isLoading(), 30000);
+        QTRY_VERIFY(window().document() != before && !window().loader().isLoading());
         QTest::qWait(500);
         QVERIFY(dialog() == nullptr);
     }
@@ -144,7 +145,7 @@ private slots:
         QTest::qWait(500);
         QVERIFY(dialog() == nullptr);
         window().actions()[ActionId::AssignLayers].trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, 30000);
+        QTRY_VERIFY(dialog() != nullptr);
         QCOMPARE(files().model()->rowCount(), 2);
     }
 
@@ -159,7 +160,7 @@ private slots:
         write(m_job / "board.gtl", image("1"));
         QVERIFY(m_fixture->openAndWait(ui::fromPath(m_job)));
         window().actions()[ActionId::AssignLayers].trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, 30000);
+        QTRY_VERIFY(dialog() != nullptr);
         choose("Left");
         QCOMPARE(textAt(0, AssignmentModel::Draws), "Left out");
         QVERIFY(!button("OK")->isEnabled());
@@ -167,7 +168,7 @@ private slots:
 
     void whereNothingCanBeWrittenItHoldsForTheWindow() {
         openUnknown();
-        QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr, 30000);
+        QTRY_VERIFY(dialog() != nullptr);
         choose("Cop");
         fs::create_directory(m_map);  // a folder of that name cannot be written over, whoever runs this
         accept();
@@ -209,7 +210,7 @@ private:
     void accept() {
         const model::Document* before = window().document();
         QTest::mouseClick(button("OK"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(window().document() != before && !window().loader().isLoading(), 30000);
+        QTRY_VERIFY(window().document() != before && !window().loader().isLoading());
         QTRY_VERIFY(dialog() == nullptr);
     }
     /// A job of three files, of which one is named as CAD systems do.

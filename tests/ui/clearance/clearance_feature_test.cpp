@@ -11,6 +11,7 @@
 
 #include "model/design_rules/design_rule_check.h"
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clearance/rule_dialog.h"
 #include "ui/common/table_view.h"

@@ -9,6 +9,7 @@
 
 #include "render/scene/colour_ramp.h"
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clearance/clearance_feature.h"
 #include "ui/layers/layers_panel.h"
@@ -69,7 +70,7 @@ private slots:
         window().actions()[ActionId::ShowViewCube].trigger();  // it is on the screen and not in pictures
         for (BoardView* view : views().both()) {               // refined, also by a slow device
             const QImage whole = grab(*view);
-            QTRY_VERIFY_WITH_TIMEOUT(differingPixels(whole, shown(*view)) < whole.width() * 4, 20000);
+            QTRY_VERIFY(differingPixels(whole, shown(*view)) < whole.width() * 4);
         }
         const QImage without[2] = {shown(views().flat()), shown(views().solid())};
         m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
@@ -77,8 +78,8 @@ private slots:
         QTRY_VERIFY(differingPixels(without[0], shown(views().flat())) > 500);
         QTRY_VERIFY(differingPixels(without[1], shown(views().solid())) > 500);
         m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
-        QTRY_COMPARE_WITH_TIMEOUT(differingPixels(without[0], shown(views().flat())), 0, 20000);
-        QTRY_COMPARE_WITH_TIMEOUT(differingPixels(without[1], shown(views().solid())), 0, 20000);
+        QTRY_COMPARE(differingPixels(without[0], shown(views().flat())), 0);
+        QTRY_COMPARE(differingPixels(without[1], shown(views().solid())), 0);
         window().actions()[ActionId::ShowViewCube].trigger();
     }
 
@@ -299,7 +300,7 @@ private slots:
         m_fixture->key(Qt::Key_G, Qt::ShiftModifier);  // off, and on again while the board is read
         window().open(locations::kSample);
         m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
-        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 30000);
+        QTRY_VERIFY(!window().loader().isLoading());
         waitForMaps();
     }
 
@@ -329,9 +330,8 @@ private:
             const ui::ClearanceMapPicture& picture = distances().picture(kind);
             return picture.map() != nullptr && picture.shownFrame() == picture.map()->frame;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(distances().field() != nullptr && !distances().isPending() &&
-                                     isDone(BoardView::Kind::Flat) && isDone(BoardView::Kind::Solid),
-                                 20000);
+        QTRY_VERIFY(distances().field() != nullptr && !distances().isPending() && isDone(BoardView::Kind::Flat) &&
+                    isDone(BoardView::Kind::Solid));
     }
 
     std::vector<LayerId> copperLayers() {

@@ -7,6 +7,7 @@
 
 #include "model/clearance/design_rules.h"
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clearance/clearance_feature.h"
 #include "ui/clearance/rule_dialog.h"
@@ -130,9 +131,8 @@ private:
         what->setCurrentIndex(static_cast<int>(ui::ClearancePanel::What::Rules));
         window().actions()[ActionId::SearchClearances].trigger();
         const ui::RuleModel& model = window().find<ui::RuleModel>();
-        QTRY_VERIFY_WITH_TIMEOUT(
-            !model.index(0, ui::RuleModel::Result).data().toString().isEmpty() && !window().workspace().isWorking(),
-            30000);
+        QTRY_VERIFY(!model.index(0, ui::RuleModel::Result).data().toString().isEmpty() &&
+                    !window().workspace().isWorking());
     }
     /// Where a message of the list is about; null if there is none.
     [[nodiscard]] QString messageAt(const QString& text) {
@@ -145,7 +145,7 @@ private:
     void reload() {
         const model::Document* before = window().document();
         window().workspace().reload();
-        QTRY_VERIFY_WITH_TIMEOUT(window().document() != before && !window().loader().isLoading(), 30000);
+        QTRY_VERIFY(window().document() != before && !window().loader().isLoading());
     }
 
     std::unique_ptr<WindowFixture> m_fixture;

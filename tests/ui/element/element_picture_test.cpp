@@ -5,6 +5,7 @@
 
 #include "model/statistics/element_sizes.h"
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/element/element_panel.h"
 #include "ui/workspace/actions.h"

@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/shell/message_bar.h"
@@ -137,12 +138,12 @@ private:
 
     void waitForBoard() {
         QVERIFY(window().loader().isLoading());
-        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+        QTRY_VERIFY(!window().loader().isLoading());
     }
 
     void check() {
         m_fixture->key(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);  // such a small check may be done by now
-        QTRY_VERIFY_WITH_TIMEOUT(!window().workspace().isWorking(), 60000);
+        QTRY_VERIFY(!window().workspace().isWorking());
     }
 
     void click(int row) {

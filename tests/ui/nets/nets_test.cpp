@@ -14,6 +14,7 @@
 #include <QtTest>
 
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/nets/nets_panel.h"

@@ -5,6 +5,7 @@
 
 #include "model/session/session.h"
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/shell/message_bar.h"
@@ -76,7 +77,7 @@ private slots:
         QCOMPARE(validationErrorsOnClosing(other), 0U);
         QVERIFY(activate(window()));
         m_fixture->key(Qt::Key_F5);
-        QTRY_COMPARE_WITH_TIMEOUT(names(), (QStringList{"View 1", "View 1"}), 60000);
+        QTRY_COMPARE(names(), (QStringList{"View 1", "View 1"}));
     }
 
     void whatIsForgottenComesBackByUndo() {

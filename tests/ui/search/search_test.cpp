@@ -11,6 +11,7 @@
 #include <QtTest>
 
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/search/location_mark.h"

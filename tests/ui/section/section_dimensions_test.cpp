@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/section/section_feature.h"
 

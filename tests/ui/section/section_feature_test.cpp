@@ -13,6 +13,7 @@
 #include "model/export/section_export.h"
 #include "model/section/intervals.h"
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/section/section_fixture.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/thickness_text.h"

@@ -1,5 +1,6 @@
 #include "ui/section/section_line.h"
 
+#include "tests/patience.h"
 #include "tests/ui/section/section_fixture.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/shell/message_bar.h"

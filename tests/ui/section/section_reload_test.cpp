@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/paths.h"
 #include "ui/section/section_feature.h"
@@ -161,7 +162,7 @@ private:
         awaitNext();
     }
     void awaitNext() {
-        QTRY_VERIFY_WITH_TIMEOUT(window().document() != m_before && !window().loader().isLoading(), 30000);
+        QTRY_VERIFY(window().document() != m_before && !window().loader().isLoading());
         QVERIFY(window().awaitWork());
     }
 

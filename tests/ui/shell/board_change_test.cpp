@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/export/export_dialog.h"
 

@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "render/gpu/instance.h"
+#include "tests/patience.h"
 
 using namespace ui;
 using render::MeasuredBackendsFile;

@@ -5,6 +5,7 @@
 #include <QStatusBar>
 #include <QtTest>
 
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 
 namespace {

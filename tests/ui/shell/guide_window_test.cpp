@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 
 using ui::ActionId;

@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clearance/rule_dialog.h"
 #include "ui/common/table_view.h"

@@ -19,6 +19,7 @@
 
 #include "model/board/document_builder.h"
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/canvas/image_canvas.h"
 #include "ui/layers/layers_panel.h"
@@ -33,7 +34,6 @@ using ui::LoadedBoard;
 namespace {
 
 const QString kSample = locations::kSample;
-constexpr int kPatienceMs = 60'000;  // a large picture by a software device
 
 /// Real work, except that boards called "slow" never end until cancelled.
 base::Result<LoadedBoard> workWithSlowBoards(const OpenRequest& request, base::Progress& progress) {
@@ -108,14 +108,14 @@ private slots:
             QSignalSpy opened(&window().workspace(), &ui::Workspace::boardOpened);
             QCOMPARE(field->text(), board);
             QTest::keyClick(field, Qt::Key_Return);
-            QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
+            QTRY_COMPARE(opened.count(), 1);
             QTRY_VERIFY(window().findChild<QFileDialog*>() == nullptr);
         }
         QFileDialog& dialog = openDialog();
         dialog.findChild<QLineEdit*>("fileNameEdit")->setText(board);
         QSignalSpy opened(&window().workspace(), &ui::Workspace::boardOpened);
         QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open), Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
+        QTRY_COMPARE(opened.count(), 1);
     }
 
     void theFirstWindowFitsOnTheScreenWithItsFrame() {
@@ -308,7 +308,7 @@ private slots:
     void droppedFileIsOpened() {
         drop(window(), {QUrl::fromLocalFile(kSample)});
         QVERIFY(window().loader().isLoading());
-        QTRY_VERIFY_WITH_TIMEOUT(window().document() != nullptr, 60000);
+        QTRY_VERIFY(window().document() != nullptr);
         QCOMPARE(window().document()->job.steps.empty(), false);
     }
 
@@ -339,7 +339,7 @@ private slots:
         connect(&window().loader(), &ui::Loader::started, [&] { meanwhile = window().document(); });
         m_fixture->key(Qt::Key_F5);
         QCOMPARE(meanwhile, before);
-        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+        QTRY_VERIFY(!window().loader().isLoading());
         QCOMPARE(m_fixture->settings().recentBoards().size(), 1);
     }
 

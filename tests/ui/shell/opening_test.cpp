@@ -9,6 +9,7 @@
 
 #include "model/session/session.h"
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/paths.h"
 #include "ui/shell/change_bar.h"
@@ -72,7 +73,7 @@ private slots:
     void enterTakesTheRichestForm() {
         fillWithForms();
         window().open(m_folder);
-        QTRY_VERIFY_WITH_TIMEOUT(chooser() != nullptr, 30000);
+        QTRY_VERIFY(chooser() != nullptr);
         const auto& list = *chooser()->findChild<QTreeWidget*>();
         QCOMPARE(list.topLevelItemCount(), 3);
         QCOMPARE(list.topLevelItem(0)->text(0), "ODB++ job");
@@ -81,7 +82,7 @@ private slots:
         QCOMPARE(list.topLevelItem(2)->text(2), "1 image");
         QVERIFY(window().document() == nullptr);
         QTest::keyClick(chooser()->findChild<QTreeWidget*>(), Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(window().document() != nullptr, 30000);
+        QTRY_VERIFY(window().document() != nullptr);
         QCOMPARE(window().workspace().board()->format, std::string("odb"));
         QCOMPARE(window().windowTitle(), "sync.tgz – Copperscope");
     }
@@ -89,14 +90,14 @@ private slots:
     void anotherFormIsChosenByTheKeyboard() {
         fillWithForms();
         window().open(m_folder);
-        QTRY_VERIFY_WITH_TIMEOUT(chooser() != nullptr, 30000);
+        QTRY_VERIFY(chooser() != nullptr);
         QTest::keyClick(chooser()->findChild<QTreeWidget*>(), Qt::Key_Down);
         QTest::keyClick(chooser()->findChild<QTreeWidget*>(), Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(window().document() != nullptr, 30000);
+        QTRY_VERIFY(window().document() != nullptr);
         QCOMPARE(window().workspace().board()->format, std::string("kicad"));
         QCOMPARE(window().windowTitle(), "small.kicad_pcb – Copperscope");
         window().workspace().reload();
-        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 30000);
+        QTRY_VERIFY(!window().loader().isLoading());
         QVERIFY(chooser() == nullptr);
         QCOMPARE(window().workspace().board()->format, std::string("kicad"));
     }
@@ -104,7 +105,7 @@ private slots:
     void aChoiceThatIsNotMadeOpensNothing() {
         fillWithForms();
         window().open(m_folder);
-        QTRY_VERIFY_WITH_TIMEOUT(chooser() != nullptr, 30000);
+        QTRY_VERIFY(chooser() != nullptr);
         QTest::keyClick(chooser(), Qt::Key_Escape);
         QTRY_VERIFY(chooser() == nullptr);
         QVERIFY(!window().loader().isLoading());
@@ -117,7 +118,7 @@ private slots:
         write(m_folder / "job" / "a.gbl", replaced(kImage, "L1,Top", "L2,Bot"));
         drop(window(), {QUrl::fromLocalFile(ui::fromPath(m_folder / "job" / "a.gtl")),
                         QUrl::fromLocalFile(ui::fromPath(m_folder / "job" / "a.gbl"))});
-        QTRY_VERIFY_WITH_TIMEOUT(window().document() != nullptr, 30000);
+        QTRY_VERIFY(window().document() != nullptr);
         QCOMPARE(window().windowTitle(), "job – Copperscope");
         const auto& layers = window().document()->layers;
         QCOMPARE(std::ranges::count_if(layers, &model::Layer::isCopper), 2);
@@ -145,7 +146,7 @@ private slots:
         write(board, replaced(replaced(kicadBoard(), "A{slash}B", "CLOCK"), "(start 0 0) (end 30 20)",
                               "(start -4 0) (end 30 20)"));
         const model::Document* before = window().document();
-        QTRY_VERIFY_WITH_TIMEOUT(window().document() != before && !window().loader().isLoading(), 30000);
+        QTRY_VERIFY(window().document() != before && !window().loader().isLoading());
         QVERIFY(!window().find<ui::ChangeBar>().isVisible());
         QVERIFY(
             std::ranges::any_of(window().document()->nets, [](const model::Net& net) { return net.name == "CLOCK"; }));
@@ -173,7 +174,7 @@ private slots:
         write(image, replaced(kImage, "M02*", "X9000000Y0D03*\nX9000000Y5000000D03*\nM02*"));
         QTRY_VERIFY(bar.isVisible());
         QTest::mouseClick(buttonOf(bar, "&Reload"), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(window().document()->elements.size() == elements + 2, 30000);
+        QTRY_VERIFY(window().document()->elements.size() == elements + 2);
         QVERIFY(!bar.isVisible());
     }
 
@@ -183,10 +184,10 @@ private slots:
         QVERIFY(m_fixture->openAndWait(ui::fromPath(board)));
         const model::Document* before = window().document();
         write(board, "this is no board any more");
-        QTRY_VERIFY_WITH_TIMEOUT(window().messageBar().isVisible(), 30000);
+        QTRY_VERIFY(window().messageBar().isVisible());
         QCOMPARE(window().document(), before);
         write(board, kicadBoard());
-        QTRY_VERIFY_WITH_TIMEOUT(window().document() != before, 30000);
+        QTRY_VERIFY(window().document() != before);
         QVERIFY(!window().messageBar().isVisible());
     }
 

@@ -7,6 +7,7 @@
 
 #include "model/board/stackup.h"
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/common/table_view.h"
 #include "ui/shell/message_bar.h"
@@ -171,7 +172,7 @@ private slots:
     void reloadKeepsThicknessesOfTheCommandLine() {
         openWith({.path = m_job, .thicknesses = {"CORE1=0.3mm"}});
         m_fixture->key(Qt::Key_F5);
-        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+        QTRY_VERIFY(!window().loader().isLoading());
         QCOMPARE(rowOf("CORE1").thickness, 300'000);
     }
 
@@ -190,7 +191,7 @@ private slots:
         type("CORE1", "0.5 mm");
         QVERIFY(contents(m_fixture->folder().toStdString()) == before);
         m_fixture->key(Qt::Key_F5);
-        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+        QTRY_VERIFY(!window().loader().isLoading());
         QCOMPARE(rowOf("CORE1").thickness, 500'000);
     }
 
@@ -201,7 +202,7 @@ private slots:
         QVERIFY(window().messageBar().isVisible());
         QVERIFY(window().error().contains(QString::fromStdString(m_session.string())));
         m_fixture->key(Qt::Key_F5);
-        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+        QTRY_VERIFY(!window().loader().isLoading());
         QCOMPARE(rowOf("CORE1").thickness, 400'000);
     }
 
@@ -225,7 +226,7 @@ private slots:
         m_fixture->key(Qt::Key_Z, Qt::ControlModifier);  // takes back what was set here, and nothing else
         m_fixture->key(Qt::Key_Y, Qt::ControlModifier);
         m_fixture->key(Qt::Key_F5);
-        QTRY_VERIFY_WITH_TIMEOUT(!window().loader().isLoading(), 60000);
+        QTRY_VERIFY(!window().loader().isLoading());
         QCOMPARE(rowOf("CORE1").thickness, 250'000);
         QCOMPARE(rowOf("CORE1").source, model::Source::Session);
         QCOMPARE(rowOf("CORE2").thickness, 300'000);

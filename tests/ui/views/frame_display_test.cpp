@@ -7,6 +7,7 @@
 
 #include "model/base/progress.h"
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 
 using ui::ActionId;

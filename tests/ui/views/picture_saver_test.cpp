@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/shell/message_bar.h"
 
@@ -17,7 +18,6 @@ using ui::ActionId;
 namespace {
 
 const QString kSample = locations::kSample;
-constexpr int kPatienceMs = 60'000;  // a large picture by a software device
 
 }  // namespace
 
@@ -70,7 +70,7 @@ private slots:
         QVERIFY(turns > 10);
         QCOMPARE(QImage(paths[0]).width(), 1'500);
         QCOMPARE(differingPixels(QImage(paths[1]).convertToFormat(QImage::Format_RGB32), before), 0);
-        QTRY_VERIFY_WITH_TIMEOUT(m_fixture->context().turns().isFree(), kPatienceMs);
+        QTRY_VERIFY(m_fixture->context().turns().isFree());
         QVERIFY(differingPixels(m_fixture->picture(), before) > 1000);
     }
 
@@ -92,8 +92,8 @@ private slots:
             return;  // a fast machine
         }
         QVERIFY(window().statusBar()->currentMessage().contains("picture.png"));
-        QTRY_VERIFY_WITH_TIMEOUT(folder.isEmpty(), kPatienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(m_fixture->context().turns().isFree(), kPatienceMs);
+        QTRY_VERIFY(folder.isEmpty());
+        QTRY_VERIFY(m_fixture->context().turns().isFree());
         QVERIFY(!window().messageBar().isVisible());
     }
 
@@ -109,17 +109,17 @@ private slots:
         };
         begin();
         QVERIFY(m_fixture->openAndWait(kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(folder.isEmpty(), kPatienceMs);
+        QTRY_VERIFY(folder.isEmpty());
         begin();
         m_fixture->context().device().markLost();
         window().views().requestFrame();
-        QTRY_VERIFY_WITH_TIMEOUT(!m_fixture->context().device().isLost(), kPatienceMs);
+        QTRY_VERIFY(!m_fixture->context().device().isLost());
         QVERIFY(window().awaitWork());
-        QTRY_VERIFY_WITH_TIMEOUT(folder.isEmpty(), kPatienceMs);
-        QTRY_VERIFY_WITH_TIMEOUT(window().views().solid().hasScene(), kPatienceMs);
+        QTRY_VERIFY(folder.isEmpty());
+        QTRY_VERIFY(window().views().solid().hasScene());
         begin();
         m_fixture->restart();
-        QTRY_VERIFY_WITH_TIMEOUT(folder.isEmpty(), kPatienceMs);
+        QTRY_VERIFY(folder.isEmpty());
         QVERIFY(m_fixture->openAndWait(kSample));
     }
 

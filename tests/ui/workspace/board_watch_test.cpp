@@ -5,6 +5,8 @@
 #include <QtTest>
 #include <fstream>
 
+#include "tests/patience.h"
+
 using ui::BoardWatch;
 
 namespace fs = std::filesystem;

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "model/board/document_builder.h"
+#include "tests/patience.h"
 
 using base::ErrorCode;
 using model::OpenRequest;

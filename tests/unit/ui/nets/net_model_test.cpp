@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "model/board/document_builder.h"
+#include "tests/patience.h"
 #include "ui/nets/net_text.h"
 
 using namespace ui;
@@ -300,7 +301,7 @@ private slots:
     }
 
 private:
-    static void wait(const NetModel& nets) { QTRY_VERIFY_WITH_TIMEOUT(nets.isArranged(), 20000); }
+    static void wait(const NetModel& nets) { QTRY_VERIFY(nets.isArranged()); }
 };
 
 QTEST_GUILESS_MAIN(NetModelTest)
