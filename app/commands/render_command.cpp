@@ -5,6 +5,7 @@
 #include <future>
 #include <memory>
 
+#include "app/commands/flat_render.h"
 #include "app/commands/render_checks.h"
 #include "app/common/board_styles.h"
 #include "app/common/console_progress.h"
@@ -206,11 +207,37 @@ Result<Painter> openPainter(const RenderArguments& arguments) {
     return Painter{std::move(opened), std::move(presenter)};
 }
 
+/// May processors draw it? What they turn out not to draw the device does.
+bool mayBeFlat(const RenderArguments& arguments) {
+    constexpr std::uint32_t kMostPixels = 16'384;  // along a side; beyond, the device says what is the most
+    const RenderArguments usual;
+    return arguments.mode == "2d" && arguments.backend == usual.backend && arguments.pipeline == usual.pipeline &&
+           arguments.levels == usual.levels && !arguments.isMono && !arguments.isOutlined &&
+           std::max(arguments.width, arguments.height) <= kMostPixels;
+}
+
 /// Opening a device and compiling its pipelines takes a driver about as long as a board takes to read, so both are done
-/// at once; but one after the other where memory is limited, which a driver does not survive running out of.
+/// at once; but one after the other where memory is limited, which a driver does not survive running out of, and not
+/// before it is asked for where that is not likely.
 std::future<Result<Painter>> beginOpening(const RenderArguments& arguments) {
-    const std::launch how = isMemoryLimited() ? std::launch::deferred : std::launch::async | std::launch::deferred;
+    const bool isLater = isMemoryLimited() || mayBeFlat(arguments);
+    const std::launch how = isLater ? std::launch::deferred : std::launch::async | std::launch::deferred;
     return std::async(how, [&arguments] { return openPainter(arguments); });
+}
+
+/// The picture as it is asked for, of frames with these settings: `drawFrame(settings)`.
+template <class DrawFrame>
+Result<render::Image> drawFrames(const RenderArguments& arguments, const Scenery& scenery, const DrawFrame& drawFrame) {
+    render::ViewSettings settings = settingsFor(arguments);
+    settings.section = scenery.cut;
+    if (!arguments.isTransparent) {
+        return drawFrame(settings);
+    }
+    settings.background = glm::vec3(0.0F);
+    ASSIGN_OR_RETURN(const render::Image onBlack, drawFrame(settings));
+    settings.background = glm::vec3(1.0F);
+    ASSIGN_OR_RETURN(const render::Image onWhite, drawFrame(settings));
+    return render::withoutBackground(onBlack, onWhite);
 }
 
 template <class Model>
@@ -218,25 +245,26 @@ Result<render::Image> draw(const RenderArguments& arguments, const Model& board,
                            std::future<Result<Painter>>& opening) {
     RETURN_IF_ERROR(checkRoomForDevice());  // beside the board
     ASSIGN_OR_RETURN(const Painter painter, opening.get());
-    render::OffscreenPresenter& presenter = *painter.presenter;
     ASSIGN_OR_RETURN(render::BoardScene made, render::BoardScene::make(*painter.opened.device, board));
     render::BoardScene& scene = made;
     scene.setStyles(scenery.styles);
     for (std::uint32_t step = 0; step < scenery.highlights.size(); ++step) {
         scene.setStates(scenery.highlights[step].bytes(), step);
     }
-    render::ViewSettings settings = settingsFor(arguments);
-    settings.section = scenery.cut;
     const render::Camera camera = cameraFor(arguments, board, scenery.view);
-    const auto render = [&] { return presenter.render(scene, camera, settings, arguments.width, arguments.height); };
-    if (!arguments.isTransparent) {
-        return render();
-    }
-    settings.background = glm::vec3(0.0F);
-    ASSIGN_OR_RETURN(const render::Image onBlack, render());
-    settings.background = glm::vec3(1.0F);
-    ASSIGN_OR_RETURN(const render::Image onWhite, render());
-    return render::withoutBackground(onBlack, onWhite);
+    return drawFrames(arguments, scenery, [&](const render::ViewSettings& settings) {
+        return painter.presenter->render(scene, camera, settings, arguments.width, arguments.height);
+    });
+}
+
+/// Without a device where that is possible.
+Result<render::Image> drawFlat(const RenderArguments& arguments, const std::shared_ptr<const render::BoardModel>& board,
+                               const Scenery& scenery, std::future<Result<Painter>>& opening) {
+    FlatRender flat(board, scenery.styles, scenery.highlights, arguments.width, arguments.height);
+    const render::Camera camera = cameraFor(arguments, *board, scenery.view);
+    Result<render::Image> picture = drawFrames(
+        arguments, scenery, [&](const render::ViewSettings& settings) { return flat.draw(camera, settings); });
+    return picture ? std::move(picture) : draw(arguments, *board, scenery, opening);
 }
 
 Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Document& document, const Scenery& scenery,
@@ -247,8 +275,10 @@ Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Docum
         ASSIGN_OR_RETURN(const auto board, render::buildStandardModel(document, how, console.progress()));
         return draw(arguments, board, scenery, opening);
     }
-    ASSIGN_OR_RETURN(const auto board, modelBoard(document, arguments.board, console.progress()));
-    return draw(arguments, board, scenery, opening);
+    ASSIGN_OR_RETURN(render::BoardModel made, modelBoard(document, arguments.board, console.progress()));
+    const auto board = std::make_shared<const render::BoardModel>(std::move(made));
+    return mayBeFlat(arguments) ? drawFlat(arguments, board, scenery, opening)
+                                : draw(arguments, *board, scenery, opening);
 }
 
 Result<std::shared_ptr<const Document>> readDocument(const RenderArguments& arguments) {

@@ -289,15 +289,6 @@ private slots:
         QVERIFY(run.err.contains("/nowhere/out.png"));
     }
 
-    void missingDriverAnswersThreeInWords() {
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert("VK_DRIVER_FILES", "/nowhere/driver.json");
-        environment.insert("VK_ICD_FILENAMES", "/nowhere/driver.json");
-        const Outcome run = copperscope({"render", "-o", "/nowhere/out.png", "--size", "64x64"}, {}, environment);
-        QCOMPARE(run.exitCode, 3);
-        QVERIFY2(run.err.contains("Vulkan"), run.err.constData());
-    }
-
     // ---- thicknesses ----
 
     static QJsonObject stackupRow(const QByteArray& json, const QString& name) {
