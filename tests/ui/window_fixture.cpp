@@ -1,14 +1,17 @@
 #include "tests/ui/window_fixture.h"
 
 #include <QCursor>
+#include <QElapsedTimer>
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QScreen>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QWindow>
 #include <QtTest>
 
 #include "tests/locations.h"
+#include "tests/patience.h"
 
 namespace {
 
@@ -102,6 +105,21 @@ bool WindowFixture::openAndWait(const QString& path) {
         QTest::qWait(50);  // lets the layout settle and the first frames come
     } while (!m_context->turns().isFree());
     return isDone && isShown;
+}
+
+bool WindowFixture::awaitRest() {
+    constexpr int kQuietMs = 500;
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < kPatienceMs) {
+        const QSignalSpy flat(&m_window->views().flat(), &ui::BoardView::drawn);
+        const QSignalSpy solid(&m_window->views().solid(), &ui::BoardView::drawn);
+        QTest::qWait(kQuietMs);
+        if (flat.isEmpty() && solid.isEmpty() && m_context->turns().isFree()) {
+            return true;
+        }
+    }
+    return false;
 }
 
 std::filesystem::path WindowFixture::copyOfJob(const char* name) const {

@@ -98,6 +98,9 @@ public:
 
     /// Loads and waits until the board is shown; false if that fails or takes too long.
     [[nodiscard]] bool openAndWait(const QString& path);
+    /// Waits until both views are at rest: no frame for half a second, and the device has nothing to do. False if they
+    /// go on drawing.
+    [[nodiscard]] bool awaitRest();
     /// A copy of tests/data/odb/<name> that the test may write to, in a folder of the fixture's own. Made once.
     [[nodiscard]] std::filesystem::path copyOfJob(const char* name) const;
     /// The same of the bundled sample: what a window saves lies beside the board, which others open at the same time.

@@ -274,7 +274,7 @@ private slots:
         QVERIFY(!window().workspace().isWorking());
         QVERIFY2(status().startsWith("Stopped: ") && status().endsWith("was not written"), qPrintable(status()));
         QTest::qWait(2000);  // the thread winds down
-        QCOMPARE(QDir(folder()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot), QStringList());
+        QTRY_COMPARE(QDir(folder()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot), QStringList());
     }
 
     void whatIsNotInTheFileIsListed() {

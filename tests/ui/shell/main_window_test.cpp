@@ -247,7 +247,7 @@ private slots:
 
     void nothingIsDrawnWhileNothingChanges() {
         QVERIFY(m_fixture->openAndWait(kSample));
-        QTest::qWait(300);
+        QVERIFY(m_fixture->awaitRest());
         QSignalSpy drawn(&window().views().solid(), &ui::BoardView::drawn);
         QTest::qWait(400);
         QCOMPARE(drawn.count(), 0);
@@ -255,7 +255,7 @@ private slots:
             window().views().solid().controller().zoomAtCentre(1.01F);
         }
         QTRY_VERIFY(drawn.count() > 0);
-        QTest::qWait(600);
+        QVERIFY(m_fixture->awaitRest());
         // Ten changes, one frame; and where frames are slow a smoothed one when the view has come to rest.
         QVERIFY2(drawn.count() <= 2, qPrintable(QString::number(drawn.count())));
     }

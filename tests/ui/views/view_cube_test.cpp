@@ -145,10 +145,7 @@ private:
     }
 
     /// The corner of the canvas as it is on the screen.
-    QImage painted() {
-        QTest::qWait(300);
-        return m_fixture->shown().copy(cube().place().toRect());
-    }
+    QImage painted() { return !m_fixture->awaitRest() ? QImage() : m_fixture->shown().copy(cube().place().toRect()); }
 
     std::unique_ptr<WindowFixture> m_fixture;
 };
