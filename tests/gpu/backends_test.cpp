@@ -382,5 +382,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(BackendsTest)
+GPU_TEST_MAIN(BackendsTest)
 #include "backends_test.moc"

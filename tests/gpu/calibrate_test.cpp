@@ -32,7 +32,6 @@ class CalibrateTest : public QObject {
     QTemporaryDir m_folder;
 
 private slots:
-    void cleanupTestCase() { test::Gpu::close(); }
     void cleanup() { QDir(m_folder.path()).removeRecursively(), QDir().mkpath(m_folder.path()); }
 
     void theFastestIsTakenWhereItIsWorthIt() {
@@ -137,5 +136,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CalibrateTest)
+GPU_TEST_MAIN(CalibrateTest)
 #include "calibrate_test.moc"

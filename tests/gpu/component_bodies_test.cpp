@@ -277,5 +277,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ComponentBodiesTest)
+GPU_TEST_MAIN(ComponentBodiesTest)
 #include "component_bodies_test.moc"

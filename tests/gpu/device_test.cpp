@@ -183,5 +183,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DeviceTest)
+GPU_TEST_MAIN(DeviceTest)
 #include "device_test.moc"

@@ -192,5 +192,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ElementStateTest)
+GPU_TEST_MAIN(ElementStateTest)
 #include "element_state_test.moc"

@@ -169,5 +169,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(FaultsTest)
+GPU_TEST_MAIN(FaultsTest)
 #include "faults_test.moc"

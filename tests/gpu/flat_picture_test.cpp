@@ -1,6 +1,6 @@
 #include "render/tiles/flat_picture.h"
 
-#include <QTest>
+#include <QtTest>
 
 #include "render/scene/scene_buffers.h"
 #include "tests/gpu/gpu_fixture.h"
@@ -248,5 +248,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FlatPictureTest)
+GPU_TEST_MAIN(FlatPictureTest)
 #include "flat_picture_test.moc"

@@ -14,8 +14,8 @@ namespace render::test {
 class Gpu {
 public:
     static Gpu& get();
-    /// Before the program ends, in tests that make devices of their own: layers keep things of those that are gone
-    /// before the one of the program is (Debian 13's validation layer).
+    /// Before the program ends: Debian 13's validation layer gives back what it needs of a device before objects with
+    /// static duration go.
     static void close();
 
     gpu::Instance instance;
@@ -55,3 +55,13 @@ struct Rgb {
 [[nodiscard]] int distance(const Rgb& a, const Rgb& b);
 
 }  // namespace render::test
+
+/// As QTEST_GUILESS_MAIN (with <QtTest>), and the device is closed before the end.
+#define GPU_TEST_MAIN(TestObject)                           \
+    int main(int argc, char** argv) {                       \
+        const QCoreApplication application(argc, argv);     \
+        TestObject test;                                    \
+        const int status = QTest::qExec(&test, argc, argv); \
+        render::test::Gpu::close();                         \
+        return status;                                      \
+    }

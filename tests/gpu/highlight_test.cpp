@@ -122,5 +122,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HighlightTest)
+GPU_TEST_MAIN(HighlightTest)
 #include "highlight_test.moc"

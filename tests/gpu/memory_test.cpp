@@ -139,5 +139,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(MemoryTest)
+GPU_TEST_MAIN(MemoryTest)
 #include "memory_test.moc"

@@ -108,5 +108,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(MillingViewTest)
+GPU_TEST_MAIN(MillingViewTest)
 #include "milling_view_test.moc"

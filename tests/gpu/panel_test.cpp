@@ -328,5 +328,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PanelTest)
+GPU_TEST_MAIN(PanelTest)
 #include "panel_test.moc"

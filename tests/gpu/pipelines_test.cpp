@@ -123,5 +123,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(PipelinesTest)
+GPU_TEST_MAIN(PipelinesTest)
 #include "pipelines_test.moc"

@@ -184,5 +184,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(RasterTest)
+GPU_TEST_MAIN(RasterTest)
 #include "raster_test.moc"

@@ -89,5 +89,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SampleBoardTest)
+GPU_TEST_MAIN(SampleBoardTest)
 #include "sample_board_test.moc"

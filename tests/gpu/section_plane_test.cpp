@@ -519,5 +519,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SectionPlaneTest)
+GPU_TEST_MAIN(SectionPlaneTest)
 #include "section_plane_test.moc"

@@ -111,5 +111,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(SwapchainTest)
+GPU_TEST_MAIN(SwapchainTest)
 #include "swapchain_test.moc"

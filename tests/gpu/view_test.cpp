@@ -535,5 +535,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(ViewTest)
+GPU_TEST_MAIN(ViewTest)
 #include "view_test.moc"
