@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
+#include <utility>
 
 #include "ui/element/element_facts.h"
 
@@ -82,11 +83,7 @@ void Probing::watch(BoardView& view) {
     });
     connect(&controller, &CameraController::clicked, this,
             [this, &view](QPointF position, Qt::KeyboardModifiers modifiers) { click(view, position, modifiers); });
-    connect(&controller, &CameraController::doubleClicked, this, [this] {
-        if (m_isSelecting) {
-            showInBoth(m_selection.selected());
-        }
-    });
+    connect(&controller, &CameraController::doubleClicked, this, &Probing::doubleClick);
 }
 
 bool Probing::eventFilter(QObject* object, QEvent* event) {
@@ -281,7 +278,7 @@ void Probing::click(BoardView& view, QPointF position, Qt::KeyboardModifiers mod
     if (!isRepeated) {
         selectFirst(view, position, std::move(found));
     } else if (m_last.since.restart() >= QApplication::doubleClickInterval()) {
-        selectBeneath(1);
+        m_last.isBeneath = selectBeneath(1);
     }
     BoardView& other = view.kind() == BoardView::Kind::Flat ? m_views.solid() : m_views.flat();
     if (modifiers.testFlag(Qt::AltModifier)) {
@@ -291,9 +288,19 @@ void Probing::click(BoardView& view, QPointF position, Qt::KeyboardModifiers mod
     }
 }
 
+void Probing::doubleClick() {
+    if (!m_isSelecting) {
+        return;
+    }
+    if (std::exchange(m_last.isBeneath, false)) {
+        selectBeneath(-1);
+    }
+    showInBoth(m_selection.selected());
+}
+
 void Probing::selectFirst(const BoardView& view, QPointF position, std::vector<model::BoardElement> found) {
     m_selection.select(found.empty() ? found : std::vector{found.front()});
-    m_last = {&view, position, std::move(found), 0, {}};
+    m_last = {&view, position, std::move(found), 0, false, {}};
     m_last.since.start();
 }
 

@@ -18,10 +18,10 @@ namespace ui {
 
 /// Between the pointer in the two views and the selection (ui/workspace/selection_model.h): hovering shows what an
 /// element is, a click selects it, Ctrl adds, a box in 2D selects many. A click on what is selected, once a double
-/// click is over, takes what lies beneath; so does Tab, and Shift+Tab what lies above. A double click keeps what the
-/// first of the two selected and brings it to the middle of both views; Alt and a click brings it to the middle of the
-/// other view (or of this one if it is alone). What stands out is seen in both views, always; cameras move only when
-/// asked.
+/// click is over, takes what lies beneath; so does Tab, and Shift+Tab what lies above. A double click keeps what was
+/// selected there, or what its first click selected, and brings it to the middle of both views; Alt and a click brings
+/// it to the middle of the other view (or of this one if it is alone). What stands out is seen in both views, always;
+/// cameras move only when asked.
 class Probing : public QObject {
     Q_OBJECT
 
@@ -74,6 +74,7 @@ private:
     void endHiddenHover();
     void hoverAgain(const BoardView& view);
     void click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
+    void doubleClick();
     void selectFirst(const BoardView& view, QPointF position, std::vector<model::BoardElement> found);
     /// By 1 beneath, by -1 above what the last click took; false if that is not what is selected.
     bool selectBeneath(int by);
@@ -104,6 +105,7 @@ private:
         QPointF position;
         std::vector<model::BoardElement> found;
         std::size_t taken = 0;
+        bool isBeneath = false;  ///< it took what lies beneath, which a double click takes back
         QElapsedTimer since;
     } m_last;
 };

@@ -123,6 +123,27 @@ private slots:
         QApplication::setDoubleClickInterval(400);
     }
 
+    /// Its first click would take what lies beneath, if it stayed alone.
+    void aDoubleClickAfterAPauseKeepsWhatIsSelected() {
+        const model::ElementId pad = aPad();
+        BoardView& view = views().flat();
+        view.controller().show(boxMin(pad), boxMax(pad));
+        const QPointF location = centreOf(view, pad);
+        click(view, location);
+        const auto first = window().selection().current();
+        QVERIFY(first.has_value());
+        QApplication::setDoubleClickInterval(1);
+        QTest::qWait(10);
+        click(view, location);
+        QVERIFY(window().selection().current() != first);
+        QApplication::setDoubleClickInterval(400);
+        const float scale = view.controller().mmPerPixel();
+        mouse(view, QEvent::MouseButtonDblClick, Qt::LeftButton, location);
+        mouse(view, QEvent::MouseButtonRelease, Qt::LeftButton, location);
+        QCOMPARE(window().selection().current(), first);
+        QVERIFY(view.controller().mmPerPixel() != scale);
+    }
+
     void aDoubleClickKeepsWhatItHitFirstAndZoomsBothViews() {
         const model::ElementId pad = aPad();
         BoardView& view = views().flat();
