@@ -127,6 +127,11 @@ bool MeasuringCursor::isNetCopper(model::BoardElement at) const {
            (step.layer(step.elements.layer[row]).isCopper() || model::isPlatedHole(step.elements.flags[row]));
 }
 
+bool MeasuringCursor::isArea(model::BoardElement at) const {
+    const model::Document& step = *m_index->tree.steps[m_index->tree.copies[at.copy].step];
+    return step.elements.kind[at.element.row()] == model::ElementKind::Area;
+}
+
 std::vector<model::PickLayer> MeasuringCursor::layersFor(const BoardView& view, const Pointed& pointed,
                                                          Catch what) const {
     std::vector<model::PickLayer> layers = m_probing.layersOf(view);
@@ -201,7 +206,20 @@ std::optional<model::BoardElement> MeasuringCursor::emptyAt(const BoardView& vie
 
 std::optional<model::LocalSpacing> MeasuringCursor::spacingAt(const BoardView& view, QPointF position) {
     const std::optional<Pointed> pointed = m_index ? pointedAt(view, position, Catch::Points) : std::nullopt;
-    return pointed ? model::spacingAt(*m_picker, pointed->location, m_probing.layersOf(view)) : std::nullopt;
+    if (!pointed) {
+        return std::nullopt;
+    }
+    std::vector<model::PickLayer> layers = m_probing.layersOf(view);
+    const std::vector<model::Hit> hits = m_probing.hitsAt(view, position);
+    const auto copper = std::ranges::find_if(hits, [&](const model::Hit& hit) {
+        return hit.missedBy == 0.0 && m_index->board->layer(hit.layer).isCopper();
+    });
+    if (copper != hits.end() && !isArea(copper->at)) {
+        for (std::size_t row = 0; row < layers.size(); ++row) {
+            layers[row].isVisible = model::LayerId{row} == copper->layer;
+        }
+    }
+    return model::spacingAt(*m_picker, pointed->location, layers);
 }
 
 double MeasuringCursor::reachIn(const BoardView& view) const {

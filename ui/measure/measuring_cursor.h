@@ -52,7 +52,8 @@ public:
     [[nodiscard]] bool isOnBoard(const BoardView& view, QPointF position) {
         return pointedAt(view, position, Catch::Points).has_value();
     }
-    /// See model::spacingAt. In 3D what is seen may be solder mask or dielectric: all visible layers count.
+    /// See model::spacingAt: on the layer of the pad or track under the cursor. Elsewhere, also over a plane, which may
+    /// be what is seen through a gap, all visible layers count, and so they do where solder mask or dielectric is seen.
     [[nodiscard]] std::optional<model::LocalSpacing> spacingAt(const BoardView& view, QPointF position);
 
 private:
@@ -66,6 +67,7 @@ private:
     [[nodiscard]] std::optional<Pointed> pointedAt(const BoardView& view, QPointF position, Catch what);
     [[nodiscard]] bool isWanted(const model::Hit& hit, base::PointD location, double reach, Catch what);
     [[nodiscard]] bool isNetCopper(model::BoardElement at) const;
+    [[nodiscard]] bool isArea(model::BoardElement at) const;
     [[nodiscard]] std::optional<Caught> pointAt(const BoardView& view, const Pointed& pointed, Catch what,
                                                 bool isSnapping);
     /// The copper that is seen at a location without a point, in 2D.

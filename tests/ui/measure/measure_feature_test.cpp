@@ -212,6 +212,23 @@ private slots:
         QVERIFY(list()[0].from.net != list()[0].to.net);
     }
 
+    /// A via has a pad on every layer: that of the layer on top is what is seen and meant.
+    void theGapIsOnTheLayerOfThePadAtTheCursor() {
+        const std::string top = board().layer(board().elements.layer[m_a.row()]).name;
+        window().actions()[ActionId::ShowAllLayers].trigger();
+        const ui::BoardPosition location = window().probing().position();
+        QVERIFY(m_roundPads.size() >= 10);
+        for (std::size_t i = 0; i < 10; ++i) {
+            const model::Box box = board().boxOf(m_roundPads[i]);
+            flat().controller().show(location.toModel(base::toDouble(box.min)),
+                                     location.toModel(base::toDouble(box.max)));
+            move(flat(), screenOf(flat(), m_roundPads[i]));
+            m_fixture->key(Qt::Key_R);
+            QCOMPARE(list().size(), i + 1);
+            QCOMPARE(list().back().from.layer, top);
+        }
+    }
+
     void escapeGoesBackStepByStep() {
         window().selection().select({{0, m_a}});
         m_fixture->key(Qt::Key_M);
@@ -332,18 +349,18 @@ private:
 
     /// Two round pads of different nets on the uppermost copper layer, the nearest to each other.
     void findPads() {
-        std::vector<model::ElementId> pads;
+        m_roundPads.clear();
         const auto& elements = board().elements;
         for (std::size_t row = 0; row < elements.size(); ++row) {
             const model::Layer& layer = board().layer(elements.layer[row]);
             if (layer.isCopper() && layer.side == model::LayerSide::Top && (elements.flags[row] & model::kPad) != 0 &&
                 elements.kind[row] == model::ElementKind::Circle && elements.net[row].isValid()) {
-                pads.emplace_back(row);
+                m_roundPads.emplace_back(row);
             }
         }
         double least = 1e18;
-        for (const model::ElementId a : pads) {
-            for (const model::ElementId b : pads) {
+        for (const model::ElementId a : m_roundPads) {
+            for (const model::ElementId b : m_roundPads) {
                 m_a = a;
                 m_b = b;
                 const double distance = netOf(a) == netOf(b) ? 1e18 : centreDistance();
@@ -393,6 +410,7 @@ private:
     model::ElementId m_a;
     model::ElementId m_b;
     std::pair<model::ElementId, model::ElementId> m_pair;
+    std::vector<model::ElementId> m_roundPads;  ///< with a net, on the uppermost copper layer
 };
 
 QTEST_MAIN(MeasureFeatureTest)
