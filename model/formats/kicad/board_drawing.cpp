@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/board/stackup.h"
 #include "model/formats/kicad/barcodes.h"
 #include "model/formats/kicad/canvas.h"
 #include "model/formats/kicad/dimensions.h"
@@ -298,9 +299,9 @@ private:
         }
         double masks = 0.0;
         for (const formats::DrawnLayer& layer : job.layers) {
-            masks += layer.type == LayerType::SolderMask ? layer.facts.thicknessNm.value_or(0.0) : 0.0;
+            masks += layer.type == LayerType::SolderMask ? layer.facts.thicknessNm.value_or(kDefaultMask) : 0.0;
         }
-        // KiCad's thickness counts the masks.
+        // KiCad's thickness counts the masks, also those that will be assumed for want of a stackup.
         job.boardNm = m_thickness - masks;
     }
 

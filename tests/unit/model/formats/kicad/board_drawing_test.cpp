@@ -52,6 +52,11 @@ private slots:
         QCOMPARE(job.boardNm, std::optional(1.58e6));
     }
 
+    /// Without a stackup the masks are assumed; they are in the thickness all the same.
+    void theThicknessOfTheBoardHasItsMasks() {
+        QCOMPARE(boardWith("(general (thickness 1.6))").boardNm, std::optional(1.6e6 - 2.0 * model::kDefaultMask));
+    }
+
     void padsLieWhereTheirFootprintPutsThem() {
         const DrawnJob job = drawn(fileText("small.kicad_pcb"));
         const auto& copper = on(job, "Top copper");
