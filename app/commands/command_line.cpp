@@ -360,6 +360,7 @@ void addExport(CLI::App& parent, Command& chosen) {
     command.add_flag("--compress", arguments.isCompressed,
                      "GLB: compressed meshes (EXT_meshopt_compression), which not all viewers read");
     command.add_flag("--one-page", arguments.isOnePage, "PDF: all layers on one page instead of a page each");
+    command.add_flag("--mirror-bottom", arguments.isMirrored, "PDF: layers of the bottom as they are seen from below");
     command.add_flag("--written-out", arguments.isWrittenOut,
                      "equal tracks, pads and barrels one by one, for programs that do not know placed shapes");
     command.add_flag("--polylines", arguments.hasPolylines, kPolylines);

@@ -97,6 +97,7 @@ Result<model::ExportRequest> requestFor(const Document& board, const ExportArgum
     request.isWrittenOut = arguments.isWrittenOut;
     request.hasPolylines = arguments.hasPolylines;
     request.isOnePage = arguments.isOnePage;
+    request.isMirrored = arguments.isMirrored;
     request.isCompressed = arguments.isCompressed;
     request.isInstanced = arguments.isInstanced;
     request.how = discretisationOf(arguments.board);

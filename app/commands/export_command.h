@@ -23,6 +23,7 @@ struct ExportArguments {
     bool isWrittenOut = false;
     bool hasPolylines = false;
     bool isOnePage = false;
+    bool isMirrored = false;
     bool isInstanced = false;
     bool isCompressed = false;
 };

@@ -99,6 +99,8 @@ private slots:
         QTest::addColumn<QString>("option");
         QTest::newRow("pages of a drawing") << "svg"
                                             << "--one-page";
+        QTest::newRow("mirrored outlines") << "dxf"
+                                           << "--mirror-bottom";
         QTest::newRow("polylines of triangles") << "glb"
                                                 << "--polylines";
         QTest::newRow("triangles written out") << "stl"

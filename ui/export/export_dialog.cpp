@@ -79,6 +79,9 @@ constexpr Option kOptions[] = {
     {"onePage", QT_TRANSLATE_NOOP("ui::ExportDialog", "All on one pa&ge"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "All layers on one page, which viewers switch, instead of a page per layer"),
      &ExportFormat::isPdf, [](ExportRequest& request) -> bool& { return request.isOnePage; }},
+    {"mirrored", QT_TRANSLATE_NOOP("ui::ExportDialog", "Bottom mirrored"),
+     QT_TRANSLATE_NOOP("ui::ExportDialog", "Pages of layers on the bottom of the board as it is seen from below"),
+     &ExportFormat::isPdf, [](ExportRequest& request) -> bool& { return request.isMirrored; }},
 };
 
 enum Area { Board, Shown };

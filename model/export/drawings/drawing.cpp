@@ -170,11 +170,11 @@ std::vector<DrawnLayer> chosenLayers(const Document& board, const DrawingOptions
             options.layers.empty() ? !layer.isSynthetic : row < options.layers.size() && options.layers[row];
         if (isChosen) {
             const std::uint32_t colour = row < options.colours.size() ? options.colours[row] : 0;
-            chosen.push_back({LayerId{row}, layer.name, colour, isFilled(layer)});
+            chosen.push_back({LayerId{row}, layer.name, colour, isFilled(layer), layer.side == LayerSide::Bottom});
         }
     }
     if (options.hasOutline) {
-        chosen.push_back({{}, kOutlineName, options.outlineColour, false});
+        chosen.push_back({{}, kOutlineName, options.outlineColour, false, false});
     }
     return chosen;
 }

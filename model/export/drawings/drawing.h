@@ -28,6 +28,7 @@ struct DrawnLayer {
     std::string name;
     std::uint32_t colour = 0;  ///< 0xRRGGBB
     bool isFilled = true;      ///< false: what would hide the board under it, as the substrate, is a thin line
+    bool isOfBottom = false;   ///< it lies on the bottom of the board
 };
 
 /// An element of which nothing is drawn, and why. In panels once, however often its step is placed.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/export/drawings/drawing_paths.h"
+#include "model/export/drawings/paper_colour.h"
 #include "model/export/drawings/pdf_file.h"
 #include "model/text/number_text.h"
 
@@ -12,7 +13,10 @@ namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr double kNmPerMm = 1e6;
-constexpr int kDigits = 5;  // of a millimetre: 10 nm
+constexpr int kDigits = 5;          // of a millimetre: 10 nm
+constexpr double kCaptionMm = 6.0;  // below a layer
+constexpr double kLetterMm = 2.8;
+constexpr double kLetterWidth = 0.6;  // of its height; most are narrower
 
 std::string reference(int object) {
     return std::to_string(object) + " 0 R";
@@ -36,18 +40,28 @@ public:
         m_height = static_cast<double>(page.height()) / kNmPerMm * kPointsPerMm;
         if (m_pages == PdfPages::AllOnOne) {
             beginPage();
+            return;
         }
+        m_origin.y -= kCaptionMm * kNmPerMm;
+        m_height += kCaptionMm * kPointsPerMm;
+        m_hasOutline = !drawing.layers.empty() && !drawing.layers.back().layer.isValid();
     }
 
     void beginLayer(const DrawnLayer& layer) override {
-        if (m_pages == PdfPages::OnePerLayer) {
+        if (m_pages != PdfPages::AllOnOne) {
             beginPage();
         }
         m_layers.push_back({layer.name, m_pdf.reserve(), m_pageObjects.back()});
         m_isFilled = layer.isFilled;
-        const double red = static_cast<double>(layer.colour >> 16U & 0xFFU) / 255.0;
-        const double green = static_cast<double>(layer.colour >> 8U & 0xFFU) / 255.0;
-        const double blue = static_cast<double>(layer.colour & 0xFFU) / 255.0;
+        m_isOutline = !layer.layer.isValid();
+        m_isMirrored = layer.isOfBottom && m_pages == PdfPages::BottomMirrored;
+        if (m_isMirrored) {
+            m_pdf.addToStream("q -1 0 0 1 " + textOf(m_width / kPointsPerMm, kDigits) + " 0 cm\n");
+        }
+        const std::uint32_t paint = onPaper(layer.colour);
+        const double red = static_cast<double>(paint >> 16U & 0xFFU) / 255.0;
+        const double green = static_cast<double>(paint >> 8U & 0xFFU) / 255.0;
+        const double blue = static_cast<double>(paint & 0xFFU) / 255.0;
         const std::string colour = textOf(red, 4) + ' ' + textOf(green, 4) + ' ' + textOf(blue, 4);
         m_pdf.addToStream("/OC /L" + std::to_string(m_layers.size()) + " BDC\n" + colour +
                           (m_isFilled ? " rg\n" : " RG\n"));
@@ -60,11 +74,21 @@ public:
         }
         m_path += m_isFilled ? "f*\n" : "S\n";
         m_pdf.addToStream(m_path);
+        if (m_isOutline && m_hasOutline) {
+            m_outline += m_path;
+        }
     }
 
     void endLayer() override {
         m_pdf.addToStream("EMC\n");
-        if (m_pages == PdfPages::OnePerLayer) {
+        if (m_pages != PdfPages::AllOnOne) {
+            if (m_hasOutline && !m_isOutline) {
+                m_pdf.addToStream("0.5 G /Outline Do\n");
+            }
+            if (m_isMirrored) {
+                m_pdf.addToStream("Q\n");
+            }
+            addCaption(m_layers.back().name);
             m_pdf.endStream();
         }
     }
@@ -76,6 +100,7 @@ public:
         for (const LayerObject& layer : m_layers) {
             m_pdf.addObject(layer.group, "<< /Type /OCG /Name " + pdfText(layer.name) + " >>");
         }
+        writeShared();
         writePages();
         const int catalog = writeCatalog();
         const int info = m_pdf.reserve();
@@ -97,6 +122,33 @@ private:
         m_pdf.beginStream(m_contents.back());
         const std::string scale = textOf(kPointsPerMm, 12);
         m_pdf.addToStream(scale + " 0 0 " + scale + " 0 0 cm\n0.1 w 1 j\n");
+    }
+
+    /// In the strip below the layer, as small as it takes to fit.
+    void addCaption(const std::string& layer) {
+        const std::string text =
+            layer + ", " + m_title + (m_isMirrored ? ", seen from the bottom, 1:1" : ", seen from the top, 1:1");
+        const double room = m_width / kPointsPerMm - 2.0;
+        const double letters = std::min(kLetterMm, room / (kLetterWidth * static_cast<double>(text.size())));
+        m_pdf.addToStream("BT 0 g /Caption " + textOf(letters, 3) + " Tf 1 2 Td " + pdfLatin(text) + " Tj ET\n");
+    }
+
+    /// What pages of layers share: the outline, and the font.
+    void writeShared() {
+        if (m_pages == PdfPages::AllOnOne) {
+            return;
+        }
+        m_shared =
+            " /Font << /Caption << /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >> >>";
+        if (m_hasOutline) {
+            const int outline = m_pdf.reserve();
+            const std::string box =
+                textOf(m_width / kPointsPerMm, kDigits) + ' ' + textOf(m_height / kPointsPerMm, kDigits);
+            m_pdf.beginStream(outline, "/Type /XObject /Subtype /Form /BBox [0 0 " + box + "] /Resources << >> ");
+            m_pdf.addToStream(m_outline);
+            m_pdf.endStream();
+            m_shared += " /XObject << /Outline " + reference(outline) + " >>";
+        }
     }
 
     void addPoint(PointD p) {
@@ -147,7 +199,7 @@ private:
             const int page = m_pageObjects[i];
             m_pdf.addObject(page, "<< /Type /Page /Parent " + reference(m_pageTree) + " /MediaBox " + box +
                                       " /Contents " + reference(m_contents[i]) + " /Resources << /Properties << " +
-                                      layersOf(page) + ">> >> >>");
+                                      layersOf(page) + ">>" + m_shared + " >> >>");
             kids += reference(page) + ' ';
         }
         m_pdf.addObject(m_pageTree,
@@ -177,7 +229,7 @@ private:
         for (const LayerObject& layer : m_layers) {
             groups += reference(layer.group) + ' ';
         }
-        const bool hasBookmarks = m_pages == PdfPages::OnePerLayer;
+        const bool hasBookmarks = m_pages != PdfPages::AllOnOne;
         const std::string shown =
             hasBookmarks ? " /Outlines " + reference(writeOutlines()) + " /PageMode /UseOutlines" : " /PageMode /UseOC";
         const int catalog = m_pdf.reserve();
@@ -199,6 +251,11 @@ private:
     std::vector<int> m_contents;  ///< of the pages
     int m_pageTree = 0;
     bool m_isFilled = true;
+    bool m_isOutline = false;   ///< what is drawn now
+    bool m_isMirrored = false;  ///< likewise
+    bool m_hasOutline = false;
+    std::string m_outline;  ///< its paths
+    std::string m_shared;   ///< resources of every page
     std::string m_path;
 };
 

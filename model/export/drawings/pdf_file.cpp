@@ -20,10 +20,11 @@ void PdfFile::addObject(int number, std::string_view body) {
     m_file.write("\nendobj\n");
 }
 
-void PdfFile::beginStream(int number) {
+void PdfFile::beginStream(int number, std::string_view entries) {
     m_length = reserve();
     start(number);
-    m_file.write("<< /Filter /FlateDecode /Length " + std::to_string(m_length) + " 0 R >>\nstream\n");
+    m_file.write("<< " + std::string(entries) + "/Filter /FlateDecode /Length " + std::to_string(m_length) +
+                 " 0 R >>\nstream\n");
     m_streamStart = m_file.size();
     m_stream.emplace([this](std::string_view bytes) { m_file.write(bytes); });
 }
@@ -50,6 +51,18 @@ void PdfFile::end(int catalog, int info) {
 void PdfFile::start(int number) {
     m_starts[static_cast<std::size_t>(number) - 1] = m_file.size();
     m_file.write(std::to_string(number) + " 0 obj\n");
+}
+
+std::string pdfLatin(std::string_view utf8) {
+    std::string out = "<";
+    while (!utf8.empty()) {
+        const Character first = firstCharacter(utf8);
+        const bool isLatin =
+            (first.code >= 0x20U && first.code < 0x7FU) || (first.code >= 0xA0U && first.code <= 0xFFU);
+        out += formatted("%02X", isLatin ? first.code : std::uint32_t{'?'});
+        utf8.remove_prefix(first.bytes);
+    }
+    return out + '>';
 }
 
 std::string pdfText(std::string_view utf8) {

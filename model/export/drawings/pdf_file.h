@@ -22,8 +22,8 @@ public:
     [[nodiscard]] int reserve();
     void addObject(int number, std::string_view body);
 
-    /// A stream of any length; no other object until endStream().
-    void beginStream(int number);
+    /// A stream of any length; no other object until endStream(). `entries` go into its dictionary.
+    void beginStream(int number, std::string_view entries = {});
     void addToStream(std::string_view text) { m_stream->add(text); }
     void endStream();
 
@@ -39,6 +39,10 @@ private:
     std::uint64_t m_streamStart = 0;
     int m_length = 0;  ///< the object that holds the length of the stream
 };
+
+/// A string of a font with WinAnsiEncoding, in hexadecimal digits: of other characters than those of Latin a question
+/// mark.
+[[nodiscard]] std::string pdfLatin(std::string_view utf8);
 
 /// A text string: UTF-16 in hexadecimal digits.
 [[nodiscard]] std::string pdfText(std::string_view utf8);

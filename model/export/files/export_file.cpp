@@ -126,7 +126,9 @@ Result<ExportSummary> draw(const Document& board, const ExportRequest& request, 
 
 Result<ExportSummary> drawPdf(const Document& board, const ExportRequest& request, const fs::path& path,
                               Progress& progress) {
-    const PdfPages pages = request.isOnePage ? PdfPages::AllOnOne : PdfPages::OnePerLayer;
+    const PdfPages pages = request.isOnePage    ? PdfPages::AllOnOne
+                           : request.isMirrored ? PdfPages::BottomMirrored
+                                                : PdfPages::OnePerLayer;
     return draw<writePdf>(board, request, path, progress, pages);
 }
 
@@ -171,10 +173,14 @@ base::Status checkKnown(const ExportFormat& format, const ExportRequest& request
         {"--written-out", request.isWrittenOut, format.isStep, "STEP"},
         {"--polylines", request.hasPolylines, format.isStep, "STEP"},
         {"--one-page", request.isOnePage, format.isPdf, "PDF"},
+        {"--mirror-bottom", request.isMirrored, format.isPdf, "PDF"},
         {"--compress", request.isCompressed, format.isGlb, "GLB"},
         {"--instancing", request.isInstanced, format.isGlb, "GLB"},
         {"--one-part", choice.isOnePart, format.isTree, "STEP and GLB"},
     };
+    if (request.isOnePage && request.isMirrored) {
+        return base::Error{ErrorCode::BadUsage, "layers are mirrored on pages of their own, not all on one page"};
+    }
     for (const auto& option : options) {
         if (option.isOn && !option.isKnown) {
             return base::Error{ErrorCode::BadUsage, std::string(format.name) + " does not know " + option.name +

@@ -21,6 +21,7 @@ struct ExportRequest {
     bool isWrittenOut = false;     ///< StepOptions::isWrittenOut
     bool hasPolylines = false;     ///< StepOptions::hasPolylines
     bool isOnePage = false;        ///< PDF: all layers on one page
+    bool isMirrored = false;       ///< PDF with a page per layer: those of the bottom as they are seen from below
     bool isCompressed = false;     ///< GLB: GlbPacking::Compressed
     bool isInstanced = false;      ///< GLB: GlbOptions::isInstanced
     Discretisation how;            ///< of curves in meshes
@@ -49,7 +50,7 @@ struct ExportFormat {
     std::string_view purpose;  ///< "exact solids for mechanical CAD"
     bool isSolid = false;      ///< it knows all of SolidChoice but isOnePart; otherwise layers only
     bool isStep = false;       ///< it knows ExportRequest::isWrittenOut and hasPolylines
-    bool isPdf = false;        ///< it knows ExportRequest::isOnePage
+    bool isPdf = false;        ///< it knows ExportRequest::isOnePage and isMirrored
     bool isGlb = false;        ///< it knows ExportRequest::isCompressed and isInstanced
     bool isTree = false;       ///< it knows SolidChoice::isOnePart
     base::Result<ExportSummary> (*write)(const Document& board, const ExportRequest& request,

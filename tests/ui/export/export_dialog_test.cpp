@@ -47,6 +47,7 @@ private slots:
             QCOMPARE(box("writtenOut").isEnabled(), format.isStep);
             QCOMPARE(box("polylines").isEnabled(), format.isStep);
             QCOMPARE(box("onePage").isEnabled(), format.isPdf);
+            QCOMPARE(box("mirrored").isEnabled(), format.isPdf);
             QVERIFY(part<QWidget>("exportLayers").isEnabled());
             QCOMPARE(model::exportFormatOf(path().toStdString()), &format);
         }

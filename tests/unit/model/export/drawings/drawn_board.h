@@ -32,6 +32,7 @@ inline std::shared_ptr<const model::Document> board() {
     const model::LayerId bottom = hand_made::addLayer(builder, "bottom");
     builder.layer(top).opposite = bottom;
     builder.layer(bottom).opposite = top;
+    builder.layer(bottom).side = model::LayerSide::Bottom;
     builder.layer(top).file = "layers/top/features";
     const model::LayerId drill = hand_made::addDrill(builder, top, bottom);
     builder.beginLayer(top);

@@ -129,17 +129,53 @@ private slots:
     void aPagePerLayerInItsOrder() {
         const Pdf pdf = pdfOf(*drawn_board::board(), {}, PdfPages::OnePerLayer);
         QCOMPARE(pdf.count("/Type /Page "), std::size_t{4});
-        QCOMPARE(pdf.count("/MediaBox [0 0 175.748031 119.055118]"), std::size_t{4});  // 62 by 42 mm
+        // 62 by 42 mm, and 6 for the caption.
+        QCOMPARE(pdf.count("/MediaBox [0 0 175.748031 136.062992]"), std::size_t{4});
         const std::vector<std::string> streams = pdf.streams();
-        QCOMPARE(streams.size(), std::size_t{4});
+        QCOMPARE(streams.size(), std::size_t{5});
         QVERIFY(isNear(areaOf(streams[0]), drawn_board::kTop));
         QVERIFY(isNear(areaOf(streams[1]), drawn_board::kBottom));
         QVERIFY(isNear(areaOf(streams[2]), 1.25 * std::numbers::pi));
         QVERIFY(streams[3].find("S\n") != std::string::npos && streams[3].find("f*") == std::string::npos);
         QVERIFY(streams[0].find("2.834645669291 0 0 2.834645669291 0 0 cm") == 0);
-        QVERIFY(streams[0].find("\n5 5 m\n") != std::string::npos);  // the disc at (3, 4) mm, from its right end
+        QVERIFY(streams[0].find("\n5 11 m\n") != std::string::npos);  // the disc at (3, 4) mm, from its right end
         QCOMPARE(pdf.count("/Dest ["), std::size_t{4});
         QVERIFY(pdf.object("/Type /Outlines").find("/Count 4") != std::string::npos);
+    }
+
+    void pagesSayWhatTheyAreAndHaveTheOutline() {
+        const Pdf pdf = pdfOf(*drawn_board::board(), {}, PdfPages::OnePerLayer);
+        const std::vector<std::string> streams = pdf.streams();
+        QVERIFY(streams[0].find(model::pdfLatin("top <1>, job & co, seen from the top, 1:1") + " Tj") !=
+                std::string::npos);
+        QCOMPARE(pdf.count("/Font << /Caption "), std::size_t{4});
+        QCOMPARE(pdf.count("/XObject << /Outline "), std::size_t{4});
+        for (const std::size_t layer : {0, 1, 2}) {
+            QVERIFY(streams[layer].find("/Outline Do") != std::string::npos);
+        }
+        QVERIFY(streams[3].find("/Outline Do") == std::string::npos);
+        QVERIFY(streams[4].ends_with("S\n") && streams[3].find(streams[4]) != std::string::npos);
+        model::DrawingOptions alone;
+        alone.hasOutline = false;
+        const Pdf without = pdfOf(*drawn_board::board(), alone, PdfPages::OnePerLayer);
+        QCOMPARE(without.count("/XObject <<"), std::size_t{0});
+        QVERIFY(without.streams()[0].find("/Outline Do") == std::string::npos);
+    }
+
+    void layersOfTheBottomAreMirroredWhereThatIsWanted() {
+        const Pdf pdf = pdfOf(*drawn_board::board(), {}, PdfPages::BottomMirrored);
+        const std::vector<std::string> streams = pdf.streams();
+        for (const std::size_t layer : {0, 1, 2, 3}) {
+            const bool isOfBottom = layer == 1;
+            QCOMPARE(streams[layer].find("q -1 0 0 1 62 0 cm\n") != std::string::npos, isOfBottom);
+            QCOMPARE(streams[layer].find("/Outline Do\nQ\nBT") != std::string::npos, isOfBottom);
+        }
+        QVERIFY(streams[1].find(model::pdfLatin("bottom, job & co, seen from the bottom, 1:1")) != std::string::npos);
+    }
+
+    void captionsAreOfLatinLetters() {
+        QCOMPARE(model::pdfLatin("A\xC3\xA4(\\"), std::string("<41E4285C>"));
+        QCOMPARE(model::pdfLatin("\xE2\x84\xA6\xFF"), std::string("<3F3F>"));
     }
 
     void allLayersOnOnePage() {
