@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "model/text/formatting.h"
 
@@ -57,8 +58,16 @@ void addHoles(const DrillRow& row, StackupBarrel& bore) {
     }
 }
 
+/// A line for a router that says where and not how wide, as outlines of boards are drawn, is no hole in the stack.
+bool isLineAlone(const DrillRow& row) {
+    return row.shape == std::string_view("path") && row.diameter == 0;
+}
+
 void placeBores(const Document& document, StackupDrawing& out) {
     for (const DrillRow& row : drillTableWithCopies(document)) {
+        if (isLineAlone(row)) {
+            continue;
+        }
         const bool isPlated = row.kind != HoleKind::NonPlated;
         const auto same = std::ranges::find_if(out.bores, [&](const StackupBarrel& bore) {
             return bore.layer == row.layer && bore.span == row.span && bore.isPlated == isPlated;

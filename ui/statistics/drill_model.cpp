@@ -9,7 +9,7 @@ DrillModel::DrillModel(QObject* parent)
     : TableModel({{tr("Layer"), tr("Drill or routing layer of the job")},
                   {tr("Span"), tr("Which copper layers the holes join or pass")},
                   {tr("Kind"), tr("What the holes are for")},
-                  {tr("Shape"), tr("Round hole, slot (one straight cut), routed slot or area")},
+                  {tr("Shape"), tr("Round hole, slot (one straight cut), routed path or area")},
                   {tr("Diameter"), tr("As drilled; the width of a slot"), kNumber},
                   {tr("Length"), tr("Of slots as drilled, over their ends; of areas the longer side"), kNumber},
                   {tr("Finished"), tr("Finished hole: inside the plating; as drilled where there is none"), kNumber},
@@ -38,7 +38,7 @@ Cell DrillModel::cell(int at, int column) const {
         case Layer: return text(m_document->layer(row.layer).name);
         case Span: return {QString::fromLatin1(model::toString(row.span))};
         case Kind: return {kinds[static_cast<std::size_t>(row.kind)]};
-        case Shape: return {row.shape == std::string_view("path") ? tr("routed slot") : QString::fromLatin1(row.shape)};
+        case Shape: return {row.shape == std::string_view("path") ? tr("routed path") : QString::fromLatin1(row.shape)};
         case Diameter: return row.diameter > 0 ? length(row.diameter) : Cell{};
         case Length: return row.length > 0 ? length(row.length) : Cell{};
         case Finished: return row.open > 0 ? inside(row) : Cell{};
