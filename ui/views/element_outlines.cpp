@@ -19,11 +19,17 @@ constexpr double kWidth = 1.6;
 /// Track chains of more points than this, and those beyond so many in all, are outlined track by track: uniting them
 /// would take too long.
 constexpr std::size_t kMostToUnite = 4000;
+/// Of an element that is outlined finely (kMostFine).
+constexpr std::size_t kMostFineNodes = 5000;
 constexpr int kRestMs = 150;
 constexpr int kSmall = 256 * 256;  // pixels of the box of strokes that are painted every time
 
-model::PolygonSet loopsOf(const model::Document& step, model::ElementId element, std::size_t& pointsToUnite) {
-    model::PolygonSet parts = model::discretise(step, element, {});
+model::PolygonSet loopsOf(const model::Document& step, model::ElementId element, std::size_t& pointsToUnite,
+                          bool isFine) {
+    const bool isSmall = model::nodeCountOf(step, element) <= kMostFineNodes;
+    model::PolygonSet parts = model::discretise(
+        step, element,
+        isFine && isSmall ? model::Discretisation{model::Discretisation::kMinChordNm, false} : model::Discretisation{});
     const bool isTracks = step.elements.kind[element.row()] != model::ElementKind::Area && parts.polygons.size() > 1;
     if (!isTracks || parts.points.size() > pointsToUnite) {
         return parts;
@@ -81,17 +87,18 @@ void ElementOutlines::watch(BoardView& view, std::optional<QPointF>& pointer) {
     connect(&view.controller(), &CameraController::left, this, [setPointer] { setPointer(std::nullopt); });
 }
 
-ElementOutlines::Outline ElementOutlines::outlineOf(const model::BoardElement& at, std::size_t& pointsToUnite) const {
+ElementOutlines::Outline ElementOutlines::outlineOf(const model::BoardElement& at, std::size_t& pointsToUnite,
+                                                    bool isFine) const {
     const model::Document& step = m_selection.stepOf(at);
     const model::StepCopy& copy = m_selection.tree().copies[at.copy];
-    return {OutlineRuns(model::placed(loopsOf(step, at.element, pointsToUnite), copy.placement)),
+    return {OutlineRuns(model::placed(loopsOf(step, at.element, pointsToUnite, isFine), copy.placement)),
             m_selection.layerOf(at), bodyHeights(step, at.element, copy.isFlipped), false};
 }
 
 void ElementOutlines::updateHovered() {
     const auto at = m_selection.hovered();
     std::size_t pointsToUnite = kMostToUnite;
-    m_hovered = at ? outlineOf(*at, pointsToUnite) : Outline();
+    m_hovered = at ? outlineOf(*at, pointsToUnite, true) : Outline();
     ++m_change;
     m_views.requestOverlay();
 }
@@ -108,7 +115,7 @@ void ElementOutlines::updateSelected() {
             if (nodes > kMostNodes) {
                 break;
             }
-            m_selected.push_back(outlineOf(at, pointsToUnite));
+            m_selected.push_back(outlineOf(at, pointsToUnite, elements->size() <= kMostFine));
             m_selected.back().isNear = elements == &m_selection.nearby();
         }
     }

@@ -25,6 +25,8 @@ public:
     static constexpr std::size_t kMostOutlined = 500;
     /// Nodes of all that is selected. Elements beyond this go without an outline, those before them have theirs.
     static constexpr std::size_t kMostNodes = 400'000;
+    /// So few have chords as short as can be: who looks at a narrow gap sees by how much usual ones miss their curves.
+    static constexpr std::size_t kMostFine = 8;
     /// Points of all that is selected. Where there are more, their outlines come right after the frame in which it
     /// stands out: they take half as long as that frame.
     static constexpr std::size_t kMostAtOnce = 256;
@@ -63,7 +65,7 @@ private:
     void updateHovered();
     void updateSelected();
     void showSelected();
-    [[nodiscard]] Outline outlineOf(const model::BoardElement& at, std::size_t& pointsToUnite) const;
+    [[nodiscard]] Outline outlineOf(const model::BoardElement& at, std::size_t& pointsToUnite, bool isFine) const;
     [[nodiscard]] std::size_t rowOf(const BoardView& view) const { return &view == m_views.both()[0] ? 0 : 1; }
     [[nodiscard]] Looks looksOf(const BoardView& view) const;
     void paint(QPainter& painter, const BoardView& view);
