@@ -217,7 +217,7 @@ void MainWindow::createMenus() {
 
 void MainWindow::connectFiles() {
     const auto choose = [this](const QString& title, const QString& filters) {
-        m_nextBoard = &m_features.openFile(title, filters, QDir::homePath(), [this](const QString& path) {
+        m_nextBoard = &m_features.openFile(title, filters, m_workspace.boardFolder(), [this](const QString& path) {
             m_settings.setLastFolder(QFileInfo(path).absolutePath());
             openPath(path);
         });
@@ -353,7 +353,7 @@ void MainWindow::connectHelp() {
 }
 
 void MainWindow::connectStatus() {
-    connect(&m_workspace, &Workspace::reported, this, [this](const QString& text) { statusBar()->showMessage(text); });
+    connect(&m_workspace, &Workspace::reported, m_statusLine, &StatusLine::say);
     connect(&m_workspace, &Workspace::errorReported, m_messageBar, &MessageBar::showError);
     connect(&m_workspace.history(), &QUndoStack::indexChanged, this, [this](int index) {
         if (index > 0) {  // 0: emptied, with another board

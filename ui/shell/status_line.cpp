@@ -1,6 +1,8 @@
 #include "ui/shell/status_line.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
@@ -14,6 +16,7 @@ namespace ui {
 
 StatusLine::StatusLine(QStatusBar& bar)
     : QObject(&bar),
+      m_bar(bar),
       m_work(new QWidget),
       m_workText(new QLabel),
       m_progress(new QProgressBar),
@@ -50,6 +53,22 @@ StatusLine::StatusLine(QStatusBar& bar)
     m_steps->hide();
     connect(m_steps, &QComboBox::textActivated, this, &StatusLine::stepChosen);
     connect(&bar, &QStatusBar::messageChanged, &bar, &QStatusBar::setToolTip);  // whole, where it is cut
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+void StatusLine::say(const QString& text, bool isStanding) {
+    m_bar.showMessage(text);
+    isStanding ? m_sinceSaid.invalidate() : m_sinceSaid.start();
+}
+
+bool StatusLine::eventFilter(QObject* object, QEvent* event) {
+    const QEvent::Type type = event->type();
+    const bool isAct = type == QEvent::KeyPress || type == QEvent::MouseButtonPress || type == QEvent::Wheel;
+    if (isAct && m_sinceSaid.isValid() && m_sinceSaid.hasExpired(m_readingMs)) {
+        m_sinceSaid.invalidate();
+        m_bar.clearMessage();
+    }
+    return QObject::eventFilter(object, event);
 }
 
 void StatusLine::beginWork(const QString& name) {

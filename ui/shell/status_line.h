@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 #include "model/board/document.h"
@@ -21,6 +22,10 @@ class StatusLine : public QObject {
 public:
     explicit StatusLine(QStatusBar& bar);
 
+    /// What was just done goes with the first key, click or turn of the wheel once there was time to read it, lest it
+    /// speaks of what is no longer so. What is `isStanding` stays.
+    void say(const QString& text, bool isStanding);
+    void setReadingMs(int ms) { m_readingMs = ms; }
     void beginWork(const QString& name);
     /// `fraction` of the phase, 0 to 1.
     void showProgress(const QString& phase, double fraction);
@@ -39,6 +44,11 @@ signals:
     void stepChosen(const QString& step);
 
 private:
+    bool eventFilter(QObject* object, QEvent* event) override;
+
+    QStatusBar& m_bar;
+    int m_readingMs = 5'000;
+    QElapsedTimer m_sinceSaid;  ///< invalid while nothing is said that may go
     QString m_workName;
     QWidget* m_work;
     QLabel* m_workText;

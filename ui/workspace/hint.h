@@ -16,7 +16,7 @@ public:
 
     void show(const QString& text) {
         m_text = text;
-        m_workspace.report(text);
+        m_workspace.prompt(text);
     }
     /// Whatever else was reported since stays.
     void end() {

@@ -48,8 +48,9 @@ public:
     void setCurrentLayer(model::LayerId layer);
 
     /// For the status line.
-    void report(const QString& text) { emit reported(text); }
+    void report(const QString& text) { emit reported(text, false); }
     void report(const std::string& text) { report(QString::fromStdString(text)); }
+    void prompt(const QString& text) { emit reported(text, true); }
     /// For the message bar, where it stays.
     void reportError(const QString& text) { emit errorReported(text); }
     /// For the list of messages, after those that the board came with: what is not in the file that was exported last.
@@ -91,7 +92,8 @@ signals:
     void unitChanged(ui::LengthUnit unit);
     void currentLayerChanged(model::LayerId layer);
 
-    void reported(const QString& text);
+    /// `isStanding`: it holds until something else is said (Hint); else it is of what was just done.
+    void reported(const QString& text, bool isStanding);
     void errorReported(const QString& text);
     void exportListed(const model::Diagnostics& messages);
 

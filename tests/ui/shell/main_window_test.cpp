@@ -25,6 +25,7 @@
 #include "ui/layers/layers_panel.h"
 #include "ui/shell/first_size.h"
 #include "ui/shell/message_bar.h"
+#include "ui/shell/status_line.h"
 
 using base::ErrorCode;
 using model::OpenRequest;
@@ -116,6 +117,14 @@ private slots:
         QSignalSpy opened(&window().workspace(), &ui::Workspace::boardOpened);
         QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open), Qt::LeftButton);
         QTRY_COMPARE(opened.count(), 1);
+    }
+
+    /// As long as no dialog was anywhere else.
+    void theDialogBeginsBesideTheBoard() {
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
+        QFileDialog& dialog = openDialog();
+        QCOMPARE(dialog.directory().absolutePath(), m_fixture->folder());
+        dialog.reject();
     }
 
     void theFirstWindowFitsOnTheScreenWithItsFrame() {
@@ -243,6 +252,24 @@ private slots:
         QVERIFY(std::abs(thickness() / before - 10.0F) < 0.01F);
         m_fixture->key(Qt::Key_C);
         QVERIFY(std::abs(thickness() / before - 1.0F) < 0.001F);
+    }
+
+    void whatWasDoneIsSaidUntilSomethingElseIs() {
+        constexpr int kReadingMs = 200;
+        auto& line = window().find<ui::StatusLine>();
+        line.setReadingMs(60'000);
+        window().workspace().report(QString("Undone: hiding one net"));
+        m_fixture->key(Qt::Key_Shift);
+        QCOMPARE(window().statusBar()->currentMessage(), "Undone: hiding one net");
+        line.setReadingMs(kReadingMs);
+        QTest::qWait(2 * kReadingMs);
+        QCOMPARE(window().statusBar()->currentMessage(), "Undone: hiding one net");
+        m_fixture->key(Qt::Key_Shift);
+        QVERIFY(window().statusBar()->currentMessage().isEmpty());
+        window().workspace().prompt("Click the first corner");
+        QTest::qWait(2 * kReadingMs);
+        m_fixture->key(Qt::Key_Shift);
+        QCOMPARE(window().statusBar()->currentMessage(), "Click the first corner");
     }
 
     void nothingIsDrawnWhileNothingChanges() {
