@@ -77,6 +77,12 @@ void CameraController::look(render::NamedView view) {
     emit moved();
 }
 
+void CameraController::lookAtSide(render::NamedView side) {
+    const bool isFromTop = m_camera.direction().z < 0.0F;
+    const bool isOther = isFromTop != (side == render::NamedView::Top);
+    m_isPlan && !m_isFitted && isOther ? flip() : look(side);
+}
+
 void CameraController::setPlan() {
     m_isPlan = true;
     m_camera.setOrthographic(true);

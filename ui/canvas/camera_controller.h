@@ -58,6 +58,8 @@ public:
 
     void fit();
     void look(render::NamedView view);
+    /// The same, but in a plan that shows a part of the board from the other side, that part stays: flip.
+    void lookAtSide(render::NamedView side);
     /// Looks at the other side of the board, at what is in the middle of the canvas now.
     void flip();
     /// Brings a part of the board to the middle, and as large as fills 80 % of the canvas, but no smaller parts than

@@ -69,8 +69,8 @@ void connectCameras(FeatureContext& context) {
     on(ActionId::ZoomIn, [](Camera& camera, bool) { camera.zoomAtCentre(Camera::kZoomPerNotch); });
     on(ActionId::ZoomOut, [](Camera& camera, bool) { camera.zoomAtCentre(1.0F / Camera::kZoomPerNotch); });
     on(ActionId::Flip, [](Camera& camera, bool) { camera.flip(); });
-    on(ActionId::ViewTop, [](Camera& camera, bool) { camera.look(render::NamedView::Top); });
-    on(ActionId::ViewBottom, [](Camera& camera, bool) { camera.look(render::NamedView::Bottom); });
+    on(ActionId::ViewTop, [](Camera& camera, bool) { camera.lookAtSide(render::NamedView::Top); });
+    on(ActionId::ViewBottom, [](Camera& camera, bool) { camera.lookAtSide(render::NamedView::Bottom); });
     Camera& solid = views.solid().controller();
     context.on(ActionId::ViewIso, &solid, [&solid] { solid.look(render::NamedView::Iso); });
     context.on(ActionId::Orthographic, &solid, [&solid](bool isOn) { solid.setOrthographic(isOn); });

@@ -27,6 +27,7 @@ private slots:
         window().actions()[ActionId::RestoreLayers].trigger();
         views().setActive(views().flat());
         window().actions()[ActionId::ViewTop].trigger();
+        window().actions()[ActionId::Fit].trigger();
         views().setActive(views().solid());
     }
     void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
@@ -55,6 +56,30 @@ private slots:
         key(views().solid(), Qt::Key_Plus);
         QCOMPARE(&views().active(), &views().solid());
         QVERIFY(solid().mmPerPixel() < solidScale * 0.99F);
+    }
+
+    void aPlanKeepsItsPartOfTheBoardOnTheOtherSide() {
+        views().setActive(views().flat());
+        const float fitted = flat().mmPerPixel();
+        flat().zoomAtCentre(5.0F);
+        const float near = flat().mmPerPixel();
+        const glm::vec3 target = flat().camera().pose().target;
+        window().actions()[ActionId::ViewBottom].trigger();
+        QVERIFY(flat().camera().direction().z > 0.0F);
+        QCOMPARE(flat().mmPerPixel(), near);
+        QVERIFY(glm::distance(flat().camera().pose().target, target) < 1e-3F);
+        window().actions()[ActionId::ViewBottom].trigger();
+        QVERIFY(std::abs(flat().mmPerPixel() / fitted - 1.0F) < 0.01F);
+        flat().zoomAtCentre(5.0F);
+        window().actions()[ActionId::ViewTop].trigger();
+        QVERIFY(flat().camera().direction().z < 0.0F);
+        QVERIFY(flat().mmPerPixel() < fitted / 2.0F);
+        views().setActive(views().solid());
+        solid().zoomAtCentre(5.0F);
+        window().actions()[ActionId::ViewBottom].trigger();
+        const float whole = solid().mmPerPixel();
+        window().actions()[ActionId::Fit].trigger();
+        QVERIFY(std::abs(solid().mmPerPixel() / whole - 1.0F) < 0.01F);
     }
 
     void keysActOnTheViewUnderThePointer() {
