@@ -24,6 +24,10 @@ const std::string& nameOf(const Document& document, model::NetId net) {
     return document.nets[net.row()].name;
 }
 
+const std::string& refdesOf(const Document& document, model::ComponentId component) {
+    return document.components[component.row()].refdes;
+}
+
 ordered_json openJson(const StepCheck& check, const model::OpenNet& open) {
     ordered_json islands = ordered_json::array();
     for (const model::NetIsland& island : check.report.islandsOf(open)) {
@@ -43,13 +47,16 @@ ordered_json shortJson(const StepCheck& check, const model::ShortedNets& entry) 
     json["elements"] = {entry.elementA.value, entry.elementB.value};
     json["through_element"] = entry.through.isValid() ? ordered_json(entry.through.value) : ordered_json();
     json["contacts"] = entry.contactCount;
+    json["component"] =
+        entry.component.isValid() ? ordered_json(refdesOf(*check.step, entry.component)) : ordered_json();
     return json;
 }
 
 ordered_json tieJson(const StepCheck& check, const model::NetTie& tie) {
     ordered_json json = locationJson(*check.step, tie.layer, tie.location);
     json["step"] = check.step->job.step;
-    json["component"] = check.step->components[tie.component.row()].refdes;
+    json["component"] = refdesOf(*check.step, tie.component);
+    json["assumed"] = tie.isAssumed;
     json["nets"] = {nameOf(*check.step, tie.netA), nameOf(*check.step, tie.netB)};
     json["element"] = tie.element.value;
     return json;
@@ -69,10 +76,10 @@ void printOpen(const StepCheck& check, const model::OpenNet& open) {
 }
 
 void printShort(const StepCheck& check, const model::ShortedNets& entry) {
-    std::printf(
-        "  short  %s and %s %s on %s at %.4f, %.4f mm\n", nameOf(*check.step, entry.a).c_str(),
-        nameOf(*check.step, entry.b).c_str(), entry.through.isValid() ? "are joined by copper without a net" : "touch",
-        check.step->layer(entry.layer).name.c_str(), base::toMm(entry.location.x), base::toMm(entry.location.y));
+    std::printf("  short  %s and %s %s on %s at %.4f, %.4f mm\n", nameOf(*check.step, entry.a).c_str(),
+                nameOf(*check.step, entry.b).c_str(), model::textOf(*check.step, entry).c_str(),
+                check.step->layer(entry.layer).name.c_str(), base::toMm(entry.location.x),
+                base::toMm(entry.location.y));
 }
 
 }  // namespace

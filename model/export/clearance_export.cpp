@@ -252,7 +252,8 @@ ordered_json tiesJson(const StepRules& found) {
         const Document& step = *found.step;
         list.push_back({{"component", step.components[tie.component.row()].refdes},
                         {"nets", {step.nets[tie.netA.row()].name, step.nets[tie.netB.row()].name}},
-                        {"layer", step.layer(tie.layer).name}});
+                        {"layer", step.layer(tie.layer).name},
+                        {"assumed", tie.isAssumed}});
     }
     return list;
 }

@@ -6,6 +6,7 @@
 
 #include "model/base/disjoint_sets.h"
 #include "model/board/copies.h"
+#include "model/index/pin_names.h"
 
 namespace model {
 
@@ -14,13 +15,15 @@ namespace {
 class NetChecker {
 public:
     NetChecker(const Document& document, const Connectivity& connectivity)
-        : m_document(document), m_connectivity(connectivity), m_ties(document, connectivity) {}
+        : m_document(document), m_connectivity(connectivity), m_pins(document), m_ties(document, connectivity) {}
 
     NetReport run() {
         findOpens();
         findShorts();
         findShortsThroughOtherCopper();
-        for (const auto& [key, entry] : m_shorts) {
+        for (auto& [key, entry] : m_shorts) {
+            const ComponentId component = componentOf(entry.elementA);
+            entry.component = component == componentOf(entry.elementB) ? component : ComponentId{};
             m_report.shorts.push_back(entry);
         }
         m_report.ties = m_ties.ties();
@@ -30,6 +33,12 @@ public:
 private:
     [[nodiscard]] NetId netOf(std::uint32_t piece) const {
         return m_document.elements.net[m_connectivity.element(piece).row()];
+    }
+
+    /// Of a pad.
+    [[nodiscard]] ComponentId componentOf(ElementId element) const {
+        const PinId pin = pinOf(m_document, m_pins, element);
+        return pin.isValid() ? m_document.pins[pin.row()].component : ComponentId{};
     }
 
     void findOpens() {
@@ -79,7 +88,7 @@ private:
             const ElementId elementA = m_connectivity.element(contact.a);
             const ElementId elementB = m_connectivity.element(contact.b);
             if (a.isValid() && b.isValid() && a != b && !m_ties.joins(elementA, a, elementB, b)) {
-                addShort({a, b, contact.layer, elementA, elementB, contact.location, ElementId{}, 0});
+                addShort({a, b, contact.layer, elementA, elementB, contact.location, ElementId{}, 0, {}});
             }
         }
     }
@@ -103,8 +112,15 @@ private:
             const std::uint32_t first = firstPiece.try_emplace(unassigned.find(other), piece).first->second;
             const ElementId through = m_connectivity.element(other);
             if (netOf(first) != netOf(piece) && !m_ties.joins(through, netOf(first), through, netOf(piece))) {
-                addShort({netOf(first), netOf(piece), contact.layer, m_connectivity.element(first),
-                          m_connectivity.element(piece), contact.location, through, 0});
+                addShort({netOf(first),
+                          netOf(piece),
+                          contact.layer,
+                          m_connectivity.element(first),
+                          m_connectivity.element(piece),
+                          contact.location,
+                          through,
+                          0,
+                          {}});
             }
         }
     }
@@ -119,12 +135,20 @@ private:
 
     const Document& m_document;
     const Connectivity& m_connectivity;
+    PinFinder m_pins;
     NetTies m_ties;
     NetReport m_report;
     std::map<std::tuple<NetId, NetId, LayerId>, ShortedNets> m_shorts;
 };
 
 }  // namespace
+
+std::string textOf(const Document& step, const ShortedNets& entry) {
+    const std::string text = entry.through.isValid() ? "are joined by copper without a net" : "touch";
+    return entry.component.isValid() ? text + (entry.through.isValid() ? " between pads of " : " at pads of ") +
+                                           step.components[entry.component.row()].refdes
+                                     : text;
+}
 
 NetReport checkNets(const Document& document, const Connectivity& connectivity) {
     return NetChecker(document, connectivity).run();

@@ -30,7 +30,10 @@ struct ShortedNets {
     PointD location;    ///< a point both cover
     ElementId through;  ///< copper without a net that joins them; none when they touch each other
     std::uint32_t contactCount = 0;
+    ComponentId component;  ///< whose pads the two elements are, if one has both; nothing says that it is a net tie
 };
+/// How they come together: "touch at pads of C1", "are joined by copper without a net between pads of U7"
+[[nodiscard]] std::string textOf(const Document& step, const ShortedNets& entry);
 
 /// How the copper of a board differs from its nets. Only copper and plated holes count; copper without a net belongs to
 /// no net, but may join two. Where a net tie joins them (NetTies) it is listed, and no short.

@@ -4,35 +4,18 @@
 #include <functional>
 #include <set>
 #include <span>
-#include <string_view>
+#include <utility>
 
 #include "model/base/disjoint_sets.h"
-#include "model/index/attributes.h"
 #include "model/index/pin_names.h"
+#include "model/nets/tie_claims.h"
 
 namespace model {
 
 namespace {
 
-/// "NetTie-2_SMD_Pad0.5mm", "NET_TIE", "Net Tie"
-bool saysNetTie(std::string_view text) {
-    std::string letters;
-    for (const char c : text) {
-        if (c != ' ' && c != '_' && c != '-') {
-            letters += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-        }
-    }
-    return letters.find("nettie") != std::string::npos;
-}
-
-bool saysNetTie(const Document& document, const Component& component) {
-    bool says = saysNetTie(component.part) || saysNetTie(component.refdes) ||
-                (component.package.isValid() && saysNetTie(document.packages[component.package.row()].name));
-    forEachAttribute(document, component, [&](const std::string& name, const std::string& value) {
-        says = says || saysNetTie(name) || saysNetTie(value);
-    });
-    return says;
-}
+/// Copper that is a component's own reaches no farther beyond its pads.
+constexpr Nm kBeyondPads = 100'000;
 
 /// Two parts that touch: pads, or copper without a net, which counts as one part with all such copper that it touches.
 struct Joint {
@@ -45,6 +28,7 @@ struct Joint {
 struct Joints {
     std::vector<Joint> own;      ///< of its pads, and of copper without a net
     std::vector<Joint> foreign;  ///< of a pad (first) and copper of another net of the component
+    Box pads;                    ///< around those of its own
 };
 
 /// Parts of a component that joints join.
@@ -112,9 +96,10 @@ public:
         for (const Contact& contact : m_connectivity.contacts()) {
             addJoints(contact);
         }
-        for (const auto& [component, joints] : m_joints) {
-            addOwn(component, joints);
+        for (auto& [component, joints] : m_joints) {
+            addTiesOf(component, joints);
         }
+        std::ranges::stable_sort(ties, {}, [](const NetTie& tie) { return std::pair(tie.component, tie.layer); });
     }
 
     std::vector<NetTie> ties;
@@ -148,6 +133,13 @@ private:
                 m_free.join(a.value, b.value);
             }
         }
+        for (const Contact& contact : m_connectivity.contacts()) {
+            for (const ElementId element : {m_connectivity.element(contact.a), m_connectivity.element(contact.b)}) {
+                if (isFree(element)) {
+                    m_freeBoxes[partOf(element)].include(m_document.boxOf(element));
+                }
+            }
+        }
     }
 
     void addJoints(const Contact& contact) {
@@ -159,7 +151,10 @@ private:
         const ComponentId ofA = componentOf(a);
         const ComponentId ofB = componentOf(b);
         if (ofA.isValid() && ofA == ofB) {
-            m_joints[ofA].own.push_back({a, b, &contact});
+            Joints& joints = m_joints[ofA];
+            joints.own.push_back({a, b, &contact});
+            joints.pads.include(m_document.boxOf(a));
+            joints.pads.include(m_document.boxOf(b));
             return;
         }
         addJoint(a, ofA, b, contact);
@@ -173,23 +168,54 @@ private:
         }
         if (isFree(other)) {
             m_joints[component].own.push_back({pad, partOf(other), &contact});
+            m_joints[component].pads.include(m_document.boxOf(pad));
         } else if (netOf(pad).isValid() && netOf(other).isValid()) {
             m_joints[component].foreign.push_back({pad, other, &contact});
         }
     }
 
-    void addOwn(ComponentId component, const Joints& joints) {
+    void addTiesOf(ComponentId component, Joints& joints) {
+        const TiedNets tied = tiedNetsOf(m_document, component);
+        if (tied.groups.empty()) {
+            return;
+        }
+        m_isAssumed = tied.claim != TieClaim::Declared;
+        if (m_isAssumed) {
+            std::erase_if(joints.own, [&](const Joint& joint) { return !isWithin(joint, joints.pads); });
+        }
+        for (const std::vector<NetId>& nets : tied.groups) {
+            const bool isJoined = addOwn(component, joints.own, nets);
+            if (!isJoined && nets.size() == 2 && tied.claim != TieClaim::Jumper) {
+                addForeign(component, nets, joints.foreign);
+            }
+        }
+    }
+
+    /// Is the copper without a net, if it joins any, all of it beside the pads?
+    [[nodiscard]] bool isWithin(const Joint& joint, const Box& pads) const {
+        const auto found = m_freeBoxes.find(joint.b);
+        const Box room = pads.grownBy(kBeyondPads);
+        return found == m_freeBoxes.end() || (room.holds(found->second.min) && room.holds(found->second.max));
+    }
+
+    /// Is any of these nets joined with another of them?
+    bool addOwn(ComponentId component, std::span<const Joint> joints, const std::vector<NetId>& nets) {
+        const auto isOfNets = [&](ElementId part) {
+            return !netOf(part).isValid() || std::ranges::binary_search(nets, netOf(part));
+        };
+        const auto isWanted = [&](const Joint& joint) { return isOfNets(joint.a) && isOfNets(joint.b); };
         std::set<LayerId> layers;
-        for (const Joint& joint : joints.own) {
+        for (const Joint& joint : joints) {
             layers.insert(joint.contact->layer);
         }
         for (const LayerId layer : layers) {
-            Islands islands(m_document, joints.own, [&](const Joint& j) { return j.contact->layer == layer; });
+            Islands islands(m_document, joints,
+                            [&](const Joint& j) { return j.contact->layer == layer && isWanted(j); });
             for (const Islands::Island& island : islands.ofSeveralNets()) {
-                addTies(component, layer, island, joints.own);
+                addTies(component, layer, island, joints);
             }
         }
-        Islands islands(m_document, joints.own, [](const Joint&) { return true; });
+        Islands islands(m_document, joints, isWanted);
         islands.joinPins([&](ElementId part) { return pinAt(part); });
         const std::vector<Islands::Island> joined = islands.ofSeveralNets();
         for (const Islands::Island& island : joined) {
@@ -197,9 +223,7 @@ private:
                 parts.emplace(part, std::vector<NetId>(island.nets.begin(), island.nets.end()));
             }
         }
-        if (joined.empty()) {
-            addForeign(component, joints.foreign);
-        }
+        return !joined.empty();
     }
 
     void addTies(ComponentId component, LayerId layer, const Islands::Island& island, std::span<const Joint> joints) {
@@ -213,24 +237,20 @@ private:
             };
             if (const auto joint = std::ranges::find_if(joints, isAt); net != lowest && joint != joints.end()) {
                 const ElementId element = netOf(joint->b).isValid() ? joint->a : joint->b;
-                ties.push_back({component, layer, lowest, net, element, joint->contact->location});
+                ties.push_back({component, layer, lowest, net, element, joint->contact->location, m_isAssumed});
             }
         }
     }
 
-    /// Of a component that says that it is a tie, and leaves the joining to a track.
-    void addForeign(ComponentId id, std::span<const Joint> joints) {
-        const Component& component = m_document.components[id.row()];
-        const std::vector<NetId> nets = netsOf(m_document, component);
-        if (nets.size() != 2 || !saysNetTie(m_document, component)) {
-            return;
-        }
+    /// Of a component that is a tie and leaves the joining to a track.
+    void addForeign(ComponentId component, const std::vector<NetId>& nets, std::span<const Joint> joints) {
         std::set<LayerId> seen;
         for (const Joint& joint : joints) {
-            if (std::ranges::count(nets, netOf(joint.b)) > 0) {
+            if (std::ranges::count(nets, netOf(joint.a)) > 0 && std::ranges::count(nets, netOf(joint.b)) > 0) {
+                const LayerId layer = joint.contact->layer;
                 parts.emplace(joint.a, nets);
-                if (seen.insert(joint.contact->layer).second) {
-                    ties.push_back({id, joint.contact->layer, nets[0], nets[1], joint.a, joint.contact->location});
+                if (seen.insert(layer).second) {
+                    ties.push_back({component, layer, nets[0], nets[1], joint.a, joint.contact->location, m_isAssumed});
                 }
             }
         }
@@ -239,15 +259,18 @@ private:
     const Document& m_document;
     PinFinder m_pins;
     const Connectivity& m_connectivity;
-    DisjointSets m_free;  ///< by element: copper without a net that touches
+    DisjointSets m_free;                   ///< by element: copper without a net that touches
+    std::map<ElementId, Box> m_freeBoxes;  ///< by the first: around copper without a net that touches
     std::map<ComponentId, Joints> m_joints;
+    bool m_isAssumed = false;  ///< of the component at hand
 };
 
 }  // namespace
 
 std::string textOf(const Document& step, const NetTie& tie) {
     return step.components[tie.component.row()].refdes + " ties " + step.nets[tie.netA.row()].name + " and " +
-           step.nets[tie.netB.row()].name + " on " + step.layer(tie.layer).name;
+           step.nets[tie.netB.row()].name + " on " + step.layer(tie.layer).name +
+           (tie.isAssumed ? ", assumed from its name and its copper" : "");
 }
 
 NetTies::NetTies(const Document& document, const Connectivity& connectivity) {

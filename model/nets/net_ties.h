@@ -14,18 +14,21 @@ struct NetTie {
     LayerId layer;
     NetId netA;  ///< the lower row
     NetId netB;
-    ElementId element;  ///< a pad or a piece of copper that joins them
-    PointD location;    ///< where it touches
+    ElementId element;       ///< a pad or a piece of copper that joins them
+    PointD location;         ///< where it touches
+    bool isAssumed = false;  ///< the job cannot declare ties; taken for one as the component is called so
 };
-/// "NT1 ties GND and AGND on TOP"
+/// "NT1 ties GND and AGND on TOP", and that it is assumed
 [[nodiscard]] std::string textOf(const Document& step, const NetTie& tie);
 
-/// Where components join nets on purpose: pads of one component and of different nets that overlap, or that copper
-/// without a net joins, on one layer; a component of two nets that says so by its name, package, part or an attribute
-/// ("net tie") may also be joined by copper of one of them, if it has no copper of its own that does. What a component
-/// does not join is no tie, whatever it says. Pads and joining copper of a tie may touch and come close to all copper
-/// of the nets that are joined there, over several bridges too; two tracks beside it may not, nor may a pad of the
-/// component that no bridge reaches.
+/// Where components join nets on purpose: those that the job declares to do so, or that are called a net tie or a
+/// jumper where its format cannot (tiedNetsOf), and only nets that they may join. Pads of one component and of
+/// different nets tie them if they overlap or if copper without a net joins them, on one layer; where the tie is
+/// assumed, that copper has to lie beside its pads. A net tie of two nets may also be joined by copper of one of them,
+/// if it has no copper of its own that does. What a component does not join is no tie, whatever it says, and what
+/// nothing calls a tie is a short. Pads and joining copper of a tie may touch and come close to all copper of the nets
+/// that are joined there, over several bridges too; two tracks beside it may not, nor may a pad of the component that
+/// no bridge reaches.
 class NetTies {
 public:
     NetTies() = default;

@@ -118,17 +118,26 @@ QString NetlistCheckModel::netsText(const Finding& finding) const {
                                               : first;
 }
 
+QString NetlistCheckModel::designator(const Finding& finding, model::ComponentId component) const {
+    return QString::fromStdString(stepCheck(finding).step->components[component.row()].refdes);
+}
+
 QString NetlistCheckModel::whatText(const Finding& finding) const {
     if (finding.kind == FindingKind::Short) {
         const model::ShortedNets& entry = shorted(finding);
+        if (entry.component.isValid()) {
+            const QString refdes = designator(finding, entry.component);
+            return entry.through.isValid() ? tr("Joined by copper without a net between pads of %1").arg(refdes)
+                                           : tr("Touch at pads of %1").arg(refdes);
+        }
         return entry.through.isValid() ? tr("Joined by copper without a net")
                                        : counted(entry.contactCount, tr("Touch nowhere"), tr("Touch in 1 location"),
                                                  tr("Touch in %L1 locations"));
     }
     if (finding.kind == FindingKind::Tie) {
-        const model::Document& step = *stepCheck(finding).step;
-        return tr("Joined by %1 on purpose")
-            .arg(QString::fromStdString(step.components[tie(finding).component.row()].refdes));
+        const QString refdes = designator(finding, tie(finding).component);
+        return tie(finding).isAssumed ? tr("Joined by %1; assumed from its name and its copper").arg(refdes)
+                                      : tr("Joined by %1 on purpose").arg(refdes);
     }
     const model::NetIsland& part = island(finding);
     const QString pieces = counted(part.pieceCount, tr("no pieces"), tr("1 piece"), tr("%L1 pieces"));

@@ -58,6 +58,7 @@ private:
     }
     [[nodiscard]] QString netsText(const Finding& finding) const;
     [[nodiscard]] QString whatText(const Finding& finding) const;
+    [[nodiscard]] QString designator(const Finding& finding, model::ComponentId component) const;
 
     std::shared_ptr<const model::Document> m_board;
     std::vector<model::StepCheck> m_checks;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/board/pad_group_names.h"
 #include "model/formats/kicad/barcodes.h"
 #include "model/formats/kicad/dimensions.h"
 #include "model/formats/kicad/pads.h"
@@ -235,12 +236,59 @@ private:
                 component().properties.emplace_back(mark, "yes");
             }
         }
+        readPadGroups();
         for (const char* head : {"descr", "tags", "sheetname", "sheetfile", "uuid", "tstamp"}) {
             const std::string value = m_item.find(head).text(1);
             if (!value.empty()) {
                 component().properties.emplace_back(std::string(head) == "tstamp" ? "uuid" : head, value);
             }
         }
+    }
+
+    /// As model/nets/pad_groups.h says.
+    void readPadGroups() {
+        for (const std::string& group : tieGroups()) {
+            component().properties.emplace_back(kNetTieGroup, group);
+        }
+        for (const Item group : m_item.find(kJumperGroup)) {
+            if (group.isList()) {
+                component().properties.emplace_back(kJumperGroup, listOf(group));
+            }
+        }
+        if (m_item.isSet(kDuplicatesAreJumpers)) {
+            component().properties.emplace_back(kDuplicatesAreJumpers, "yes");
+        }
+    }
+
+    /// Up to KiCad 6 the keywords made a footprint a net tie of all its pads.
+    [[nodiscard]] std::vector<std::string> tieGroups() const {
+        constexpr int kFirstWithGroups = 20'220'818;
+        std::vector<std::string> groups;
+        const Item declared = m_item.find(kNetTieGroup);
+        for (const Item group : declared) {
+            if (group.isQuoted()) {
+                groups.push_back(unescaped(group.source()));
+            }
+        }
+        if (m_canvas.settings().version < kFirstWithGroups && m_item.find("tags").text(1).starts_with("net tie")) {
+            std::string all;
+            for (const Item item : m_item) {
+                if (item.head() == "pad" && !item.word(1).empty()) {
+                    all += (all.empty() ? "" : ", ") + item.text(1);
+                }
+            }
+            groups.push_back(all);
+        }
+        return groups;
+    }
+
+    /// ("1" "2") as "1, 2".
+    static std::string listOf(const Item& list) {
+        std::string text;
+        for (const Item word : list) {
+            text += (text.empty() ? "" : ", ") + unescaped(word.source());
+        }
+        return text;
     }
 
     void readProperty(const std::string& name, const std::string& value) {

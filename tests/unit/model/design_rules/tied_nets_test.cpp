@@ -1,6 +1,7 @@
 // Nets that a component ties together: no fault of the rule of copper, and the same ties wherever they are looked for.
 #include <QtTest>
 
+#include "model/board/pad_group_names.h"
 #include "model/clearance/clearance.h"
 #include "model/nets/net_check.h"
 #include "tests/unit/model/design_rules/rule_board.h"
@@ -20,11 +21,17 @@ private slots:
         QTest::addColumn<QString>("what");
         QTest::addColumn<int>("shorts");
         QTest::addColumn<int>("ties");
-        QTest::newRow("pads of one component") << "one component" << 0 << 1;
+        QTest::newRow("pads of a tie") << "pads" << 0 << 1;
+        QTest::newRow("pads of a part that nothing calls a tie") << "resistor pads" << 1 << 0;
         QTest::newRow("pads of two components") << "two components" << 1 << 0;
-        QTest::newRow("joined by copper without a net") << "bridge" << 0 << 1;
+        QTest::newRow("a tie joined by copper without a net") << "bridge" << 0 << 1;
+        QTest::newRow("a part that nothing calls a tie, joined so") << "resistor bridge" << 1 << 0;
+        QTest::newRow("a tie joined by copper that leads away from it") << "long bridge" << 1 << 0;
         QTest::newRow("tracks beside it") << "tracks" << 1 << 1;
-        QTest::newRow("a component that says so") << "declared" << 0 << 1;
+        QTest::newRow("a tie joined by a track") << "joined by a track" << 0 << 1;
+        QTest::newRow("a jumper joined by copper without a net") << "jumper bridge" << 0 << 1;
+        QTest::newRow("a jumper joined by a track") << "jumper joined by a track" << 1 << 0;
+        QTest::newRow("an open jumper joined by copper without a net") << "open jumper bridge" << 1 << 0;
     }
     void netTies() {
         QFETCH(QString, what);
@@ -33,8 +40,13 @@ private slots:
         Board board;
         model::Component part;
         part.refdes = "X1";
-        part.part = what == "declared" ? "Net-Tie 2" : "R0";
-        const Nm second = what == "bridge" || what == "declared" ? 500 * kUm : 90 * kUm;
+        part.part = what.startsWith("resistor")      ? "R0"
+                    : what.startsWith("open jumper") ? "SolderJumper-2_Open"
+                    : what.startsWith("jumper")      ? "SolderJumper-2_Bridged"
+                                                     : "Net-Tie 2";
+        const bool isBridge = what.endsWith("bridge");
+        const bool isTrack = what.endsWith("track");
+        const Nm second = isBridge || isTrack ? 500 * kUm : 90 * kUm;
         board.builder.beginLayer(board.top);
         if (what == "two components") {
             addPart(board, part, {{board.a, {0, 0}}});
@@ -42,10 +54,11 @@ private slots:
         } else {
             addPart(board, part, {{board.a, {0, 0}}, {board.b, {second, 0}}});
         }
-        if (what == "bridge") {
-            board.builder.addLine({{0, 0}, {second, 0}, 50 * kUm, 0}, of({}));
-        } else if (what == "declared") {
-            board.builder.addLine({{0, 0}, {second, 0}, 50 * kUm, 0}, of(board.a));
+        if (isBridge || isTrack) {
+            board.builder.addLine({{0, 0}, {second, 0}, 50 * kUm, 0}, of(isTrack ? board.a : NetId{}));
+        }
+        if (what == "long bridge") {
+            board.builder.addLine({{second, 0}, {second, 900 * kUm}, 50 * kUm, 0}, of({}));
         } else if (what == "tracks") {
             board.builder.addLine({{0, 5000 * kUm}, {0, 6000 * kUm}, 50 * kUm, 0}, of(board.a));
             board.builder.addLine({{0, 6000 * kUm}, {0, 7000 * kUm}, 50 * kUm, 0}, of(board.b));
@@ -55,7 +68,8 @@ private slots:
         QCOMPARE(report.findings.size(), static_cast<std::size_t>(shorts));
         QCOMPARE(report.netTies.size(), static_cast<std::size_t>(ties));
         if (ties > 0) {
-            QCOMPARE(model::textOf(*document, report.netTies[0]), std::string("X1 ties A and B1 on top"));
+            QCOMPARE(model::textOf(*document, report.netTies[0]),
+                     std::string("X1 ties A and B1 on top, assumed from its name and its copper"));
         }
     }
 
@@ -99,6 +113,9 @@ private slots:
             board.builder.addLine({{x, 0}, {x, 900 * kUm}, 40 * kUm, 0}, of(board.a));
         }
         const auto document = board.builder.finish();
+        for (QString& tie : ties) {
+            tie += ", assumed from its name and its copper";
+        }
 
         const auto namesOf = [&](const std::vector<model::NetTie>& found) {
             QStringList names;
@@ -117,6 +134,47 @@ private slots:
         model::ClearanceRequest closest;
         closest.below = 50.0 * kUm;
         QCOMPARE(model::smallestClearances(*document, closest, progress)->size(), static_cast<std::size_t>(shorts));
+    }
+
+    void whatABoardOfKiCadDeclaresIsATieAndNothingElse_data() {
+        QTest::addColumn<QString>("group");
+        QTest::addColumn<QStringList>("ties");
+        QTest::newRow("all pads") << "1, 2" << QStringList{"NT1 ties A and B1 on top"};
+        QTest::newRow("pads of one net") << "1" << QStringList{};
+        QTest::newRow("nothing") << "" << QStringList{};
+    }
+    /// The copper may lead far away: coils are declared so.
+    void whatABoardOfKiCadDeclaresIsATieAndNothingElse() {
+        QFETCH(QString, group);
+        QFETCH(QStringList, ties);
+        Board board;
+        board.builder.job().version = "KiCad 9 (20241229)";
+        model::Component part;
+        part.refdes = "NT1";
+        part.part = "net tie";
+        if (!group.isEmpty()) {
+            const model::Property property{board.builder.string(std::string(model::kNetTieGroup)),
+                                           board.builder.string(group.toStdString())};
+            part.properties = board.builder.addProperties(std::span(&property, 1));
+        }
+        board.builder.beginLayer(board.top);
+        addPart(board, part, {{board.a, {0, 0}}, {board.b, {500 * kUm, 0}}});
+        board.builder.addLine({{0, 0}, {500 * kUm, 0}, 50 * kUm, 0}, of({}));
+        board.builder.addLine({{0, 0}, {0, 9000 * kUm}, 50 * kUm, 0}, of({}));
+        const auto document = board.builder.finish();
+        base::Progress progress;
+        const model::NetReport nets = model::checkAllNets(*document, progress)->front().report;
+        QStringList found;
+        for (const model::NetTie& tie : nets.ties) {
+            found << QString::fromStdString(model::textOf(*document, tie));
+        }
+        QCOMPARE(found, ties);
+        QCOMPARE(nets.shorts.size(), ties.isEmpty() ? std::size_t{1} : std::size_t{0});
+        if (ties.isEmpty()) {
+            QCOMPARE(model::textOf(*document, nets.shorts[0]),
+                     std::string("are joined by copper without a net between pads of NT1"));
+        }
+        QCOMPARE(check(*document, RuleKind::CopperToCopper, 50 * kUm).isPassed(), !ties.isEmpty());
     }
 };
 

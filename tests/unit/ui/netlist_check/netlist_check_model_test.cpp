@@ -42,7 +42,7 @@ private slots:
              {NetlistCheckModel::Kind, NetlistCheckModel::Nets, NetlistCheckModel::What, NetlistCheckModel::Layer}) {
             cells << findings.index(0, column).data().toString();
         }
-        QCOMPARE(cells.join("|"), "Net tie|A, B|Joined by JP1 on purpose|top");
+        QCOMPARE(cells.join("|"), "Net tie|A, B|Joined by JP1; assumed from its name and its copper|top");
         QVERIFY(findings.elementsOf(findings.finding(0)) == std::vector{bridge});
     }
 };

@@ -248,6 +248,39 @@ private slots:
         QCOMPARE(job.steps[0].nets[1].properties, (formats::Words{{"net_class", "Default"}}));
     }
 
+    void groupsOfPadsArePropertiesOfTheComponent_data() {
+        QTest::addColumn<QByteArray>("declared");
+        QTest::addColumn<QByteArray>("version");
+        QTest::addColumn<QStringList>("properties");
+        const auto row = [](const char* name, const char* declared, const char* version, const QStringList& expected) {
+            QTest::newRow(name) << QByteArray(declared) << QByteArray(version) << expected;
+        };
+        row("ties", "(net_tie_pad_groups \"1, 2\" \"3,4\")", "20241229",
+            {"net_tie_pad_groups=1, 2", "net_tie_pad_groups=3,4"});
+        row("a tie by keywords", "(tags \"net tie solder\")", "20211014",
+            {"net_tie_pad_groups=1, 2", "tags=net tie solder"});
+        row("keywords of new boards", "(tags \"net tie solder\")", "20241229", {"tags=net tie solder"});
+        row("jumpers", "(jumper_pad_groups (\"1\" \"2\") (\"3\" \"4\"))", "20260206",
+            {"jumper_pad_groups=1, 2", "jumper_pad_groups=3, 4"});
+        row("jumpers by number", "(duplicate_pad_numbers_are_jumpers yes)", "20260206",
+            {"duplicate_pad_numbers_are_jumpers=yes"});
+        row("no jumpers by number", "(duplicate_pad_numbers_are_jumpers no)", "20260206", {});
+    }
+    void groupsOfPadsArePropertiesOfTheComponent() {
+        QFETCH(QByteArray, declared);
+        QFETCH(QByteArray, version);
+        QFETCH(QStringList, properties);
+        const DrawnJob job = boardWith("(footprint \"x\" (layer \"F.Cu\") (at 0 0) " + declared.toStdString() +
+                                           " (pad \"1\" smd rect (at 0 0) (size 1 1) (layers \"F.Cu\"))"
+                                           " (pad \"2\" smd rect (at 2 0) (size 1 1) (layers \"F.Cu\")))",
+                                       "", version.toStdString());
+        QStringList found;
+        for (const auto& [name, value] : job.steps[0].components[0].properties) {
+            found << QString::fromStdString(name + '=' + value);
+        }
+        QCOMPARE(found, properties);
+    }
+
     void theOutlineHasItsCutOuts() {
         const DrawnJob job = drawn(fileText("small.kicad_pcb"));
         QVERIFY(std::abs(mm2(job.steps[0].profile) - (600.0 - 3.14159265)) < 5e-3);
