@@ -95,6 +95,7 @@ void printJson(const AgreeArguments& arguments, const Agreement& agreement) {
     ordered_json json = {{"a", arguments.a},
                          {"b", arguments.b},
                          {"agree", agreement.isAgreed()},
+                         {"compared", agreement.isCompared()},
                          {"shift_nm", {agreement.shift.x, agreement.shift.y}},
                          {"comparisons", ordered_json::array()},
                          {"never_compared", kNeverCompared}};
@@ -161,7 +162,9 @@ void printText(const AgreeArguments& arguments, const Agreement& agreement) {
     for (const char* what : kNeverCompared) {
         std::printf("%s%s", what == kNeverCompared.front() ? "" : "; ", what);
     }
-    std::printf(".\n%s\n", agreement.isAgreed() ? "The jobs agree." : "The jobs differ.");
+    std::printf(".\n%s\n", !agreement.isCompared() ? "Nothing was compared."
+                           : agreement.isAgreed()  ? "The jobs agree."
+                                                   : "The jobs differ.");
 }
 
 }  // namespace

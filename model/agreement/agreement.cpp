@@ -60,8 +60,13 @@ bool AgreementRequest::wants(Aspect aspect) const {
     return aspects.empty() || std::ranges::find(aspects, aspect) != aspects.end();
 }
 
+bool Agreement::isCompared() const {
+    return std::ranges::any_of(comparisons, [](const Comparison& c) { return c.accord != Accord::NotCompared; });
+}
+
 bool Agreement::isAgreed() const {
-    return std::ranges::none_of(comparisons, [](const Comparison& c) { return c.accord == Accord::Differ; });
+    return isCompared() &&
+           std::ranges::none_of(comparisons, [](const Comparison& c) { return c.accord == Accord::Differ; });
 }
 
 base::Result<Agreement> compareBoards(const Document& a, const Document& b, const AgreementRequest& request,

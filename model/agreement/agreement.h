@@ -73,7 +73,9 @@ struct Agreement {
     Point shift;  ///< added to coordinates of the second job: the two may count from different origins
     std::vector<Comparison> comparisons;
 
-    /// What could not be compared does not count.
+    /// Was anything compared?
+    [[nodiscard]] bool isCompared() const;
+    /// What could not be compared does not count; nothing compared is no agreement.
     [[nodiscard]] bool isAgreed() const;
 };
 

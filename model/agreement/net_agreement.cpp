@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "model/agreement/point_matcher.h"
 
@@ -13,7 +15,8 @@ namespace {
 /// A pin or pad of both boards and its nets there.
 struct Probe {
     std::array<std::int32_t, 2> nets{};
-    Point at;
+    std::array<Point, 2> at;                 ///< in either board
+    std::array<std::int32_t, 2> own = nets;  ///< as `nets`, before those of one pin are left out
 };
 
 /// Pads on one layer of both.
@@ -34,7 +37,8 @@ void addPads(const FlatBoard& a, const FlatBoard& b, std::int32_t layer, std::ve
             return hasNet == (pad.net != FlatBoard::kNoNet) ? 0 : 1;
         });
         if (found) {
-            probes.push_back({{pad.net, b.pads[rows[*found]].net}, pad.middle});
+            const FlatBoard::Pad& other = b.pads[rows[*found]];
+            probes.push_back({{pad.net, other.net}, {pad.middle, other.middle}});
         }
     }
 }
@@ -42,7 +46,7 @@ void addPads(const FlatBoard& a, const FlatBoard& b, std::int32_t layer, std::ve
 std::vector<Probe> probesOf(const FlatBoard& a, const FlatBoard& b, const MatchedParts& parts) {
     std::vector<Probe> probes;
     for (const auto& [ours, theirs] : parts.samePins) {
-        probes.push_back({{a.pins[ours].net, b.pins[theirs].net}, a.pins[ours].position});
+        probes.push_back({{a.pins[ours].net, b.pins[theirs].net}, {a.pins[ours].position, b.pins[theirs].position}});
     }
     std::int32_t layers = 0;
     for (const FlatBoard::Pad& pad : a.pads) {
@@ -53,6 +57,8 @@ std::vector<Probe> probesOf(const FlatBoard& a, const FlatBoard& b, const Matche
     }
     return probes;
 }
+
+using NetSet = std::set<std::int32_t>;
 
 /// The nets of the other board that a net of one meets, each with a location.
 using Partners = std::map<std::int32_t, std::map<std::int32_t, Point>>;
@@ -103,8 +109,8 @@ private:
             for (const Probe& probe : m_probes) {
                 auto& [count, at] = members[probe.nets[side]];
                 bool& isOne = isAtOnePlace.try_emplace(probe.nets[side], true).first->second;
-                isOne = isOne && (count == 0 || at == probe.at);
-                at = probe.at;
+                isOne = isOne && (count == 0 || at == probe.at[side]);
+                at = probe.at[side];
                 ++count;
             }
             for (Probe& probe : m_probes) {
@@ -120,7 +126,7 @@ private:
         for (const Probe& probe : m_probes) {
             const std::int32_t net = probe.nets[static_cast<std::size_t>(side)];
             if (net != FlatBoard::kNoNet) {
-                partners[net].try_emplace(probe.nets[static_cast<std::size_t>(1 - side)], probe.at);
+                partners[net].try_emplace(probe.nets[static_cast<std::size_t>(1 - side)], probe.at[0]);
             }
         }
         return partners;
@@ -139,12 +145,23 @@ private:
                 continue;
             }
             std::string list;
-            for (const auto& [other, at] : others) {
+            for (const std::int32_t other : comparison.differing < m_most ? netsThere(side, net) : NetSet()) {
                 list += (list.empty() ? "" : ", ") + nameOf(1 - side, other);
             }
             const char* const in = side == 0 ? " of A is in B: " : " of B is in A: ";
             comparison.add({nameOf(side, net) + in + list, std::prev(others.end())->second}, m_most);
         }
+    }
+
+    /// In which nets of the other side its pins are, those of one pin as they are called there.
+    [[nodiscard]] NetSet netsThere(int side, std::int32_t net) const {
+        NetSet nets;
+        for (const Probe& probe : m_probes) {
+            if (probe.nets[static_cast<std::size_t>(side)] == net) {
+                nets.insert(probe.own[static_cast<std::size_t>(1 - side)]);
+            }
+        }
+        return nets;
     }
 
     void compareNames(Comparison& comparison) const {
@@ -157,6 +174,26 @@ private:
                     {nameOf(0, net) + " of A is called " + nameOf(1, other) + " in B", others.begin()->second}, m_most);
             }
         }
+        compareNamesOfSingles(comparison);
+    }
+
+    /// Nets of one pin in both are called what the format likes, but not by a name that the other board has elsewhere:
+    /// then nets are exchanged.
+    void compareNamesOfSingles(Comparison& comparison) const {
+        std::set<std::pair<std::int32_t, std::int32_t>> seen;
+        for (const Probe& probe : m_probes) {
+            const auto [a, b] = probe.own;
+            const bool isSingle = probe.nets[0] == FlatBoard::kNoNet && probe.nets[1] == FlatBoard::kNoNet;
+            if (!isSingle || a == FlatBoard::kNoNet || b == FlatBoard::kNoNet || nameOf(0, a) == nameOf(1, b) ||
+                !(hasNet(1, nameOf(0, a)) || hasNet(0, nameOf(1, b))) || !seen.emplace(a, b).second) {
+                continue;
+            }
+            comparison.add({nameOf(0, a) + " of A is called " + nameOf(1, b) + " in B", probe.at[0]}, m_most);
+        }
+    }
+
+    [[nodiscard]] bool hasNet(int side, const std::string& name) const {
+        return std::ranges::count(m_boards[static_cast<std::size_t>(side)]->nets, name) > 0;
     }
 
     std::array<const FlatBoard*, 2> m_boards;

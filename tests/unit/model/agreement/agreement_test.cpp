@@ -280,6 +280,50 @@ private slots:
         QVERIFY(compared(job, other).isAgreed());
     }
 
+    void netsOfOnePinMayNotBeExchanged() {
+        const auto boardOf = [](std::int32_t first, std::int32_t second) {
+            DrawnJob job = board();
+            DrawnStep& step = job.steps[0];
+            step.components.pop_back();
+            for (auto& layer : step.features) {
+                layer.clear();
+            }
+            step.components[0].pins[0].net = first;
+            step.components[0].pins[1].net = second;
+            return job;
+        };
+        const Agreement agreement = compared(boardOf(0, 1), boardOf(1, 0));
+        QCOMPARE(differing(agreement), (Aspects{Aspect::NetNames}));
+        QCOMPARE(firstOf(agreement, Aspect::NetNames), std::string("GND of A is called SIG in B"));
+        DrawnJob other = boardOf(0, 1);
+        other.steps[0].nets[1].name = "N$7";
+        DrawnJob unconnected = boardOf(0, 1);
+        unconnected.steps[0].nets[1].name = "unconnected-(R1-Pad2)";
+        QVERIFY(differing(compared(unconnected, other)).empty());
+    }
+
+    /// R1.2 is in GND of B, and alone in a net of A.
+    void whatAPinIsInIsNamedAlsoWhereItIsAlone() {
+        DrawnJob alone = board();
+        alone.steps[0].nets.push_back({"VCC", {}});
+        alone.steps[0].components[1].pins[1].net = 2;
+        alone.steps[0].features[1][3].net = 2;
+        DrawnJob joined = alone;
+        joined.steps[0].components[1].pins[1].net = 0;
+        joined.steps[0].features[1][3].net = 0;
+        QCOMPARE(firstOf(compared(alone, joined), Aspect::Nets), std::string("GND of B is in A: GND, VCC"));
+    }
+
+    void nothingComparedIsNoAgreement() {
+        DrawnJob bare = board();
+        bare.steps[0].components.clear();
+        AgreementRequest request;
+        request.aspects = {Aspect::Parts};
+        const Agreement agreement = compared(board(), bare, request);
+        QVERIFY(!agreement.isCompared() && !agreement.isAgreed());
+        QVERIFY(compared(board(), board(), request).isCompared());
+    }
+
     void whatOneJobDoesNotSayIsNotCompared() {
         DrawnJob other = board();
         other.layers.erase(other.layers.begin());
