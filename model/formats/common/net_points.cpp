@@ -14,6 +14,8 @@ namespace {
 constexpr Nm kReach = 20'000;
 /// A shift is looked for with at most this many points, which is plenty.
 constexpr std::size_t kVoters = 500;
+/// Fewer points agree on a shift by chance.
+constexpr std::size_t kLeastPoints = 2;
 /// Names listed in a message.
 constexpr std::size_t kListed = 5;
 
@@ -35,13 +37,18 @@ public:
         for (std::vector<Point>& locations : m_locations) {
             std::ranges::sort(locations);
             locations.erase(std::unique(locations.begin(), locations.end()), locations.end());
+            m_all.insert(m_all.end(), locations.begin(), locations.end());
         }
+        std::ranges::sort(m_all);
     }
 
     [[nodiscard]] const std::vector<Point>& of(NetId net) const { return m_locations[net.row()]; }
 
-    [[nodiscard]] bool has(NetId net, Point p) const {
-        const std::vector<Point>& locations = of(net);
+    [[nodiscard]] bool has(NetId net, Point p) const { return holds(of(net), p); }
+    [[nodiscard]] bool hasAny(Point p) const { return holds(m_all, p); }
+
+private:
+    static bool holds(const std::vector<Point>& locations, Point p) {
         for (auto at = std::ranges::lower_bound(locations, Point{p.x - kReach, p.y - kReach});
              at != locations.end() && at->x <= p.x + kReach; ++at) {
             if (std::abs(at->y - p.y) <= kReach) {
@@ -51,7 +58,6 @@ public:
         return false;
     }
 
-private:
     static Point middleOf(const Document& document, std::size_t row) {
         const std::uint32_t geometry = document.elements.geometry[row];
         switch (document.elements.kind[row]) {
@@ -62,6 +68,7 @@ private:
     }
 
     std::vector<std::vector<Point>> m_locations;
+    std::vector<Point> m_all;  ///< of all nets, rising
 };
 
 /// Some jobs have several nets of one name; the netlist then lists it as often, in another order.
@@ -127,10 +134,12 @@ public:
             }
             m_builder.addNetPoint(point);
         }
-        if (2 * beside.size() <= m_netlist.points.size()) {  // else that is reported already
+        if (m_hasOrigin && beside.size() <= std::max(kVoters, m_netlist.points.size() / 2)) {
             const std::vector<Ground> grounds = groundsOf(m_builder.soFar(), beside);
             reportGround(grounds, Ground::NoNet, lines, "lie on copper without a net");
             reportGround(grounds, Ground::Nothing, lines, "lie on no copper of their net");
+        } else if (m_hasOrigin) {
+            report(Severity::Warning, lines.front(), countText(beside.size()) + "lie on no pad of their net");
         }
     }
 
@@ -144,10 +153,14 @@ private:
         const auto count = std::ranges::count(grounds, ground);
         if (count > 0) {
             const auto first = std::ranges::find(grounds, ground) - grounds.begin();
-            report(
-                Severity::Warning, lines[static_cast<std::size_t>(first)],
-                std::to_string(count) + " of " + std::to_string(m_netlist.points.size()) + " netlist points " + what);
+            report(Severity::Warning, lines[static_cast<std::size_t>(first)],
+                   countText(static_cast<std::size_t>(count)) + what);
         }
+    }
+
+    /// "2 of 4 netlist points "
+    [[nodiscard]] std::string countText(std::size_t count) const {
+        return std::to_string(count) + " of " + std::to_string(m_netlist.points.size()) + " netlist points ";
     }
 
     [[nodiscard]] std::span<const NetId> netsOf(const NetlistPoint& point) const {
@@ -206,7 +219,7 @@ private:
     [[nodiscard]] Point findShift() {
         const auto named = static_cast<std::size_t>(
             std::ranges::count_if(m_netlist.points, [&](const NetlistPoint& p) { return netOf(p).isValid(); }));
-        if (2 * landed({}) >= named) {
+        if (2 * landed({}) >= named || liesOnPads()) {
             return {};
         }
         // Every point votes for the shifts that put it on a landing of its net, on a grid coarser than the rounding.
@@ -224,12 +237,22 @@ private:
             }
         }
         const auto best = std::ranges::max_element(votes, {}, [](const auto& vote) { return vote.second.first; });
-        if (best == votes.end() || 2 * landed(best->second.second) < named) {
+        const std::size_t there = best == votes.end() ? 0 : landed(best->second.second);
+        if (there < kLeastPoints || 2 * there < named || there < 2 * landed({})) {
+            m_hasOrigin = false;
             report(Severity::Warning, 0, "most netlist points lie on no pad of their net, with any origin");
             return {};
         }
         report(Severity::Info, 0, "the netlist counts from another origin than the layers; its points were moved");
         return best->second.second;
+    }
+
+    /// Do most points lie on pads or pins as they are, of whatever net? Then they count from the same origin, and the
+    /// nets are wrong.
+    [[nodiscard]] bool liesOnPads() const {
+        const auto lying = std::ranges::count_if(
+            m_netlist.points, [&](const NetlistPoint& point) { return m_landings.hasAny(point.position); });
+        return 2 * static_cast<std::size_t>(lying) > m_netlist.points.size();
     }
 
     NetPoint pointFrom(const NetlistPoint& from, Point shift) {
@@ -246,6 +269,7 @@ private:
     const NetlistFile& m_file;
     const Netlist& m_netlist;
     const Landings& m_landings;
+    bool m_hasOrigin = true;                     ///< is it known where the netlist counts from?
     std::vector<std::span<const NetId>> m_nets;  ///< by number of the name
 };
 

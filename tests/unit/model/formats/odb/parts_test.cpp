@@ -276,6 +276,25 @@ private slots:
         QVERIFY(findDiagnostic(d->diagnostics, "another origin") != nullptr);
     }
 
+    /// All points lie on pads, so they count from the same origin.
+    void aNetlistWithExchangedNetsIsNotMoved() {
+        const Folder folder;
+        writeParts(folder, "", "", "UNITS=MM\n$0 A\n$1 B\n1 1 9 20 T e e\n0 1 50 50 T e e\n");
+        const auto d = read(folder.path());
+        QCOMPARE(d->netPoints[0].position, (Point{9'000'000, 20'000'000}));
+        QVERIFY(findDiagnostic(d->diagnostics, "another origin") == nullptr);
+        QVERIFY(findDiagnostic(d->diagnostics, "2 of 2 netlist points lie on no copper of their net") != nullptr);
+    }
+
+    void onePointTellsNoOrigin() {
+        const Folder folder;
+        writeParts(folder, "", "", "UNITS=MM\n$0 A\n$1 B\n0 1 109 -80 T e e\n");
+        const auto d = read(folder.path());
+        QCOMPARE(d->netPoints[0].position, (Point{109'000'000, -80'000'000}));
+        QVERIFY(findDiagnostic(d->diagnostics, "another origin") == nullptr);
+        QVERIFY(findDiagnostic(d->diagnostics, "most netlist points lie on no pad") != nullptr);
+    }
+
     void netlistsThatDisagreeAreReported() {
         const Folder folder;
         writeParts(
