@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/index/pin_names.h"
 #include "model/nets/net_statistics.h"
 
 namespace app {
@@ -60,6 +61,20 @@ ordered_json tieJson(const StepCheck& check, const model::NetTie& tie) {
     json["nets"] = {nameOf(*check.step, tie.netA), nameOf(*check.step, tie.netB)};
     json["element"] = tie.element.value;
     return json;
+}
+
+ordered_json pinOnNetJson(const StepCheck& check, const model::PinOnNet& entry) {
+    ordered_json json = locationJson(*check.step, entry.layer, entry.location);
+    json["step"] = check.step->job.step;
+    json["pin"] = model::fullPinName(*check.step, entry.pin);
+    json["net"] = nameOf(*check.step, entry.net);
+    json["elements"] = {entry.pad.value, entry.copper.value};
+    return json;
+}
+
+/// Nothing where there are none, which is usual.
+std::string pinsOnNetsText(std::size_t count) {
+    return count == 0 ? "" : ", " + std::to_string(count) + " pins without a net that touch one";
 }
 
 void printOpen(const StepCheck& check, const model::OpenNet& open) {
@@ -136,6 +151,7 @@ ordered_json connectivityJson(const std::vector<StepCheck>& checks) {
     ordered_json floating = ordered_json::array();
     ordered_json shorts = ordered_json::array();
     ordered_json ties = ordered_json::array();
+    ordered_json pinsOnNets = ordered_json::array();
     for (const StepCheck& check : checks) {
         islands += check.islandCount;
         for (const model::OpenNet& open : check.report.opens) {
@@ -147,9 +163,12 @@ ordered_json connectivityJson(const std::vector<StepCheck>& checks) {
         for (const model::NetTie& tie : check.report.ties) {
             ties.push_back(tieJson(check, tie));
         }
+        for (const model::PinOnNet& entry : check.report.pinsOnNets) {
+            pinsOnNets.push_back(pinOnNetJson(check, entry));
+        }
     }
-    return {{"islands", islands}, {"opens", opens},   {"floating", floating},
-            {"loose", floating},  {"shorts", shorts}, {"net_ties", ties}};
+    return {{"islands", islands}, {"opens", opens},   {"floating", floating},          {"loose", floating},
+            {"shorts", shorts},   {"net_ties", ties}, {"pins_without_net", pinsOnNets}};
 }
 
 void printConnectivity(const std::vector<StepCheck>& checks) {
@@ -165,9 +184,15 @@ void printConnectivity(const std::vector<StepCheck>& checks) {
             std::printf("  net tie  %s at %.4f, %.4f mm\n", model::textOf(*check.step, tie).c_str(),
                         base::toMm(tie.location.x), base::toMm(tie.location.y));
         }
-        std::printf("  %s: %zu islands of copper, %zu nets in several islands, %zu shorts, %zu net ties\n",
+        for (const model::PinOnNet& entry : check.report.pinsOnNets) {
+            std::printf("  no net   %s on %s at %.4f, %.4f mm\n", model::textOf(*check.step, entry).c_str(),
+                        check.step->layer(entry.layer).name.c_str(), base::toMm(entry.location.x),
+                        base::toMm(entry.location.y));
+        }
+        std::printf("  %s: %zu islands of copper, %zu nets in several islands, %zu shorts, %zu net ties%s\n",
                     check.step->job.step.c_str(), check.islandCount, check.report.opens.size(),
-                    check.report.shorts.size(), check.report.ties.size());
+                    check.report.shorts.size(), check.report.ties.size(),
+                    pinsOnNetsText(check.report.pinsOnNets.size()).c_str());
     }
 }
 

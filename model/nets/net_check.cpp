@@ -15,12 +15,18 @@ namespace {
 class NetChecker {
 public:
     NetChecker(const Document& document, const Connectivity& connectivity)
-        : m_document(document), m_connectivity(connectivity), m_pins(document), m_ties(document, connectivity) {}
+        : m_document(document),
+          m_connectivity(connectivity),
+          m_pins(document),
+          m_unassigned(connectivity.pieceCount()),
+          m_ties(document, connectivity) {}
 
     NetReport run() {
         findOpens();
         findShorts();
+        joinUnassigned();
         findShortsThroughOtherCopper();
+        findPinsOnNets();
         for (auto& [key, entry] : m_shorts) {
             const ComponentId component = componentOf(entry.elementA);
             entry.component = component == componentOf(entry.elementB) ? component : ComponentId{};
@@ -35,9 +41,11 @@ private:
         return m_document.elements.net[m_connectivity.element(piece).row()];
     }
 
-    /// Of a pad.
+    /// Of a pad or hole.
+    [[nodiscard]] PinId pinAt(ElementId element) const { return pinOf(m_document, m_pins, element); }
+
     [[nodiscard]] ComponentId componentOf(ElementId element) const {
-        const PinId pin = pinOf(m_document, m_pins, element);
+        const PinId pin = pinAt(element);
         return pin.isValid() ? m_document.pins[pin.row()].component : ComponentId{};
     }
 
@@ -45,7 +53,8 @@ private:
         std::map<std::pair<NetId, std::uint32_t>, NetIsland> islands;
         for (std::uint32_t piece = 0; piece < m_connectivity.pieceCount(); ++piece) {
             if (const NetId net = netOf(piece); net.isValid()) {
-                const auto [location, isNew] = islands.try_emplace({net, m_connectivity.island(piece)});
+                const std::uint32_t island = m_connectivity.island(piece);
+                const auto [location, isNew] = islands.try_emplace({net, island});
                 count(piece, isNew, location->second);
             }
         }
@@ -88,41 +97,69 @@ private:
             const ElementId elementA = m_connectivity.element(contact.a);
             const ElementId elementB = m_connectivity.element(contact.b);
             if (a.isValid() && b.isValid() && a != b && !m_ties.joins(elementA, a, elementB, b)) {
-                addShort({a, b, contact.layer, elementA, elementB, contact.location, ElementId{}, 0, {}});
+                addShort({a, b, contact.layer, elementA, elementB, contact.location, ElementId{}, 0});
+            }
+        }
+    }
+
+    void joinUnassigned() {
+        for (const Contact& contact : m_connectivity.contacts()) {
+            if (!netOf(contact.a).isValid() && !netOf(contact.b).isValid()) {
+                m_unassigned.join(contact.a, contact.b);
+            }
+        }
+    }
+
+    /// Calls `take` with the contact, the piece without a net and the one with a net where such two touch.
+    template <class Take>
+    void forEachTouch(const Take& take) const {
+        for (const Contact& contact : m_connectivity.contacts()) {
+            const bool isUnassignedA = !netOf(contact.a).isValid();
+            if (isUnassignedA != !netOf(contact.b).isValid()) {
+                take(contact, isUnassignedA ? contact.a : contact.b, isUnassignedA ? contact.b : contact.a);
             }
         }
     }
 
     /// Copper without a net that touches several nets joins them; each is reported against the first.
     void findShortsThroughOtherCopper() {
-        DisjointSets unassigned(m_connectivity.pieceCount());
-        for (const Contact& contact : m_connectivity.contacts()) {
-            if (!netOf(contact.a).isValid() && !netOf(contact.b).isValid()) {
-                unassigned.join(contact.a, contact.b);
-            }
-        }
         std::map<std::uint32_t, std::uint32_t> firstPiece;  // by set: the first piece with a net that touches it
-        for (const Contact& contact : m_connectivity.contacts()) {
-            const bool isUnassignedA = !netOf(contact.a).isValid();
-            if (isUnassignedA == !netOf(contact.b).isValid()) {
-                continue;
-            }
-            const std::uint32_t other = isUnassignedA ? contact.a : contact.b;
-            const std::uint32_t piece = isUnassignedA ? contact.b : contact.a;
-            const std::uint32_t first = firstPiece.try_emplace(unassigned.find(other), piece).first->second;
+        forEachTouch([&](const Contact& contact, std::uint32_t other, std::uint32_t piece) {
+            const std::uint32_t first = firstPiece.try_emplace(m_unassigned.find(other), piece).first->second;
             const ElementId through = m_connectivity.element(other);
             if (netOf(first) != netOf(piece) && !m_ties.joins(through, netOf(first), through, netOf(piece))) {
-                addShort({netOf(first),
-                          netOf(piece),
-                          contact.layer,
-                          m_connectivity.element(first),
-                          m_connectivity.element(piece),
-                          contact.location,
-                          through,
-                          0,
-                          {}});
+                addShort({netOf(first), netOf(piece), contact.layer, m_connectivity.element(first),
+                          m_connectivity.element(piece), contact.location, through, 0});
+            }
+        });
+    }
+
+    /// Pins that are to be connected to nothing. A pad without a number that touches its own part is a piece of it.
+    void findPinsOnNets() {
+        std::map<std::uint32_t, PinOnNet> touches;  // by set
+        forEachTouch([&](const Contact& contact, std::uint32_t other, std::uint32_t piece) {
+            touches.try_emplace(m_unassigned.find(other),
+                                PinOnNet{PinId{}, netOf(piece), ElementId{}, m_connectivity.element(piece),
+                                         contact.layer, contact.location});
+        });
+        std::map<PinId, PinOnNet> found;
+        for (std::uint32_t piece = 0; !touches.empty() && piece < m_connectivity.pieceCount(); ++piece) {
+            const auto touch = netOf(piece).isValid() ? touches.end() : touches.find(m_unassigned.find(piece));
+            const PinId pin = touch == touches.end() ? PinId{} : pinAt(m_connectivity.element(piece));
+            if (pin.isValid() && !m_document.pins[pin.row()].net.isValid() && !isPieceOf(pin, touch->second.copper)) {
+                PinOnNet entry = touch->second;
+                entry.pin = pin;
+                entry.pad = m_connectivity.element(piece);
+                found.try_emplace(pin, entry);
             }
         }
+        for (const auto& [pin, entry] : found) {
+            m_report.pinsOnNets.push_back(entry);
+        }
+    }
+
+    [[nodiscard]] bool isPieceOf(PinId pin, ElementId copper) const {
+        return pinName(m_document, pin).empty() && componentOf(copper) == m_document.pins[pin.row()].component;
     }
 
     void addShort(ShortedNets entry) {
@@ -136,6 +173,7 @@ private:
     const Document& m_document;
     const Connectivity& m_connectivity;
     PinFinder m_pins;
+    DisjointSets m_unassigned;              ///< pieces without a net that touch
     NetTies m_ties;
     NetReport m_report;
     std::map<std::tuple<NetId, NetId, LayerId>, ShortedNets> m_shorts;
@@ -148,6 +186,10 @@ std::string textOf(const Document& step, const ShortedNets& entry) {
     return entry.component.isValid() ? text + (entry.through.isValid() ? " between pads of " : " at pads of ") +
                                            step.components[entry.component.row()].refdes
                                      : text;
+}
+
+std::string textOf(const Document& step, const PinOnNet& entry) {
+    return fullPinName(step, entry.pin) + " has no net and touches " + step.nets[entry.net.row()].name;
 }
 
 NetReport checkNets(const Document& document, const Connectivity& connectivity) {

@@ -30,18 +30,33 @@ struct ShortedNets {
     PointD location;    ///< a point both cover
     ElementId through;  ///< copper without a net that joins them; none when they touch each other
     std::uint32_t contactCount = 0;
-    ComponentId component;  ///< whose pads the two elements are, if one has both; nothing says that it is a net tie
+    ComponentId component{};  ///< whose pads the two elements are, if one has both; nothing says that it is a net tie
 };
 /// How they come together: "touch at pads of C1", "are joined by copper without a net between pads of U7"
 [[nodiscard]] std::string textOf(const Document& step, const ShortedNets& entry);
 
+/// A pin of a component that has no net, and copper of a net that it touches: directly, or by more copper without a
+/// net.
+struct PinOnNet {
+    PinId pin;
+    NetId net;         ///< the first one found
+    ElementId pad;     ///< of the pin
+    ElementId copper;  ///< of the net
+    LayerId layer;     ///< where that copper is touched
+    PointD location;
+};
+/// "U1.3 has no net and touches VCC"
+[[nodiscard]] std::string textOf(const Document& step, const PinOnNet& entry);
+
 /// How the copper of a board differs from its nets. Only copper and plated holes count; copper without a net belongs to
-/// no net, but may join two. Where a net tie joins them (NetTies) it is listed, and no short.
+/// no net, but may join two. Where a net tie joins them (NetTies) it is listed, and no short. Pads that a part joins
+/// inside (jumperGroups) are connected, if they are of one net.
 struct NetReport {
     std::vector<OpenNet> opens;  ///< by net
     std::vector<NetIsland> islands;
-    std::vector<ShortedNets> shorts;  ///< by nets and layer
-    std::vector<NetTie> ties;         ///< by component and layer
+    std::vector<ShortedNets> shorts;   ///< by nets and layer
+    std::vector<NetTie> ties;          ///< by component and layer
+    std::vector<PinOnNet> pinsOnNets;  ///< by pin, each once
     [[nodiscard]] std::span<const NetIsland> islandsOf(const OpenNet& open) const {
         return std::span(islands).subspan(open.firstIsland, open.islandCount);
     }

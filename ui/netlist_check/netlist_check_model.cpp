@@ -10,7 +10,8 @@ namespace ui {
 namespace {
 
 /// In the order of FindingKind; mid tones, readable on a light and on a dark ground; the word says the same.
-constexpr QColor kKindColours[] = {{0xd9, 0x4a, 0x3d}, {0xe0, 0x9a, 0x1f}, {0x56, 0x8c, 0xc8}, {0x80, 0x80, 0x80}};
+constexpr QColor kKindColours[] = {
+    {0xd9, 0x4a, 0x3d}, {0xe0, 0x9a, 0x1f}, {0xe0, 0x9a, 0x1f}, {0x56, 0x8c, 0xc8}, {0x80, 0x80, 0x80}};
 
 /// "1 short", "2 shorts", "no shorts"
 QString counted(qsizetype count, const QString& none, const QString& one, const QString& many) {
@@ -20,16 +21,16 @@ QString counted(qsizetype count, const QString& none, const QString& one, const 
 }  // namespace
 
 NetlistCheckModel::NetlistCheckModel(QObject* parent)
-    : TableModel(
-          {{tr("Kind"), tr("Short: copper of two nets touches. Open: a net is in several parts. Floating: copper "
-                           "that leads nowhere. Tie: a component joins two nets on purpose")},
-           {tr("Net"), tr("The nets concerned")},
-           {tr("What"), tr("What was found there")},
-           {tr("Layer"), tr("Where it is")},
-           {tr("X"), tr("Where it is, in the coordinates of the step"), kNumber},
-           {tr("Y"), tr("Where it is, in the coordinates of the step"), kNumber},
-           {tr("Step"), tr("The step it is on; seen in all its copies")}},
-          parent) {}
+    : TableModel({{tr("Kind"), tr("Short: copper of two nets touches. Open: a net is in several parts. No net: a pin "
+                                  "without a net touches copper of one. Floating: copper that leads nowhere. Tie: a "
+                                  "component joins two nets on purpose")},
+                  {tr("Net"), tr("The nets concerned")},
+                  {tr("What"), tr("What was found there")},
+                  {tr("Layer"), tr("Where it is")},
+                  {tr("X"), tr("Where it is, in the coordinates of the step"), kNumber},
+                  {tr("Y"), tr("Where it is, in the coordinates of the step"), kNumber},
+                  {tr("Step"), tr("The step it is on; seen in all its copies")}},
+                 parent) {}
 
 void NetlistCheckModel::setChecks(std::shared_ptr<const model::Document> board, std::vector<model::StepCheck> checks) {
     beginResetModel();
@@ -48,6 +49,9 @@ void NetlistCheckModel::listStep(std::uint32_t step) {
     for (std::uint32_t row = 0; row < report.shorts.size(); ++row) {
         m_findings.push_back({FindingKind::Short, step, row, report.shorts[row].a});
     }
+    for (std::uint32_t row = 0; row < report.pinsOnNets.size(); ++row) {
+        m_findings.push_back({FindingKind::NoNet, step, row, report.pinsOnNets[row].net});
+    }
     for (std::uint32_t row = 0; row < report.ties.size(); ++row) {
         m_findings.push_back({FindingKind::Tie, step, row, report.ties[row].netA});
     }
@@ -64,6 +68,9 @@ void NetlistCheckModel::listStep(std::uint32_t step) {
 }
 
 std::vector<model::ElementId> NetlistCheckModel::elementsOf(const Finding& finding) const {
+    if (finding.kind == FindingKind::NoNet) {
+        return {pinOnNet(finding).pad, pinOnNet(finding).copper};
+    }
     if (finding.kind != FindingKind::Short) {
         return {finding.kind == FindingKind::Tie ? tie(finding).element : island(finding).element};
     }
@@ -76,15 +83,17 @@ std::vector<model::ElementId> NetlistCheckModel::elementsOf(const Finding& findi
 }
 
 model::PointD NetlistCheckModel::locationOf(const Finding& finding) const {
-    return finding.kind == FindingKind::Short ? shorted(finding).location
-           : finding.kind == FindingKind::Tie ? tie(finding).location
-                                              : island(finding).location;
+    return finding.kind == FindingKind::Short   ? shorted(finding).location
+           : finding.kind == FindingKind::NoNet ? pinOnNet(finding).location
+           : finding.kind == FindingKind::Tie   ? tie(finding).location
+                                                : island(finding).location;
 }
 
 model::LayerId NetlistCheckModel::layerOf(const Finding& finding) const {
-    return finding.kind == FindingKind::Short ? shorted(finding).layer
-           : finding.kind == FindingKind::Tie ? tie(finding).layer
-                                              : island(finding).layer;
+    return finding.kind == FindingKind::Short   ? shorted(finding).layer
+           : finding.kind == FindingKind::NoNet ? pinOnNet(finding).layer
+           : finding.kind == FindingKind::Tie   ? tie(finding).layer
+                                                : island(finding).layer;
 }
 
 QString NetlistCheckModel::summary() const {
@@ -100,12 +109,15 @@ QString NetlistCheckModel::summary() const {
         });
     }
     const qsizetype floating = std::ranges::count(m_findings, FindingKind::Floating, &Finding::kind);
+    const qsizetype pins = std::ranges::count(m_findings, FindingKind::NoNet, &Finding::kind);
     const qsizetype ties = std::ranges::count(m_findings, FindingKind::Tie, &Finding::kind);
-    return tr("%1, %2, %3%4")
+    return tr("%1, %2, %3%4%5")
         .arg(counted(shorts, tr("no shorts"), tr("1 short"), tr("%L1 shorts")),
              counted(opens, tr("no open nets"), tr("1 open net"), tr("%L1 open nets")),
              counted(floating, tr("no floating copper"), tr("1 piece of floating copper"),
                      tr("%L1 pieces of floating copper")),
+             counted(pins, QString(), tr(", 1 pin without a net that touches one"),
+                     tr(", %L1 pins without a net that touch one")),
              counted(ties, QString(), tr(", 1 net tie"), tr(", %L1 net ties")));
 }
 
@@ -134,6 +146,9 @@ QString NetlistCheckModel::whatText(const Finding& finding) const {
                                        : counted(entry.contactCount, tr("Touch nowhere"), tr("Touch in 1 location"),
                                                  tr("Touch in %L1 locations"));
     }
+    if (finding.kind == FindingKind::NoNet) {
+        return QString::fromStdString(model::textOf(*stepCheck(finding).step, pinOnNet(finding)));
+    }
     if (finding.kind == FindingKind::Tie) {
         const QString refdes = designator(finding, tie(finding).component);
         return tie(finding).isAssumed ? tr("Joined by %1; assumed from its name and its copper").arg(refdes)
@@ -150,7 +165,7 @@ QString NetlistCheckModel::whatText(const Finding& finding) const {
 
 Cell NetlistCheckModel::cell(int row, int column) const {
     const Finding& found = finding(row);
-    const QString kinds[] = {tr("Short"), tr("Open"), tr("Floating"), tr("Net tie")};
+    const QString kinds[] = {tr("Short"), tr("Open"), tr("No net"), tr("Floating"), tr("Net tie")};
     switch (column) {
         case Kind:
             return {.text = kinds[static_cast<std::size_t>(found.kind)],

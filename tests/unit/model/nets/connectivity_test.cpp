@@ -55,6 +55,26 @@ public:
         sketch.addCircle({p.x + 10 * kMm, p.y}, kMm, false);
         return m_builder.addArea({m_builder.addShape(sketch), {}}, of(net, 0));
     }
+    /// A component with pins 1, 2, …; pads belong to them by place and net.
+    void part(const std::string& refdes, const std::vector<std::pair<Point, NetId>>& places,
+              const std::vector<std::pair<std::string, std::string>>& properties = {}) {
+        std::vector<model::Pin> pins;
+        for (const auto& [at, net] : places) {
+            model::Pin pin;
+            pin.name = m_builder.string(std::to_string(pins.size() + 1));
+            pin.position = at;
+            pin.net = net;
+            pins.push_back(pin);
+        }
+        std::vector<model::Property> rows;
+        for (const auto& [name, value] : properties) {
+            rows.push_back({m_builder.string(name), m_builder.string(value)});
+        }
+        model::Component component;
+        component.refdes = refdes;
+        component.properties = m_builder.addProperties(rows);
+        m_builder.addComponent(component, pins);
+    }
     std::shared_ptr<const model::Document> finish() { return m_builder.finish(); }
     [[nodiscard]] LayerId copper(int i) const { return m_copper[static_cast<std::size_t>(i)]; }
 
@@ -69,6 +89,10 @@ Connectivity connectivityOf(const model::Document& document) {
     base::Progress progress;
     auto connectivity = Connectivity::of(document, progress);
     return std::move(*connectivity);
+}
+
+model::NetReport reportOf(const model::Document& document) {
+    return checkNets(document, connectivityOf(document));
 }
 
 /// Island of the first piece of an element.
@@ -283,6 +307,23 @@ private slots:
         const auto result = Connectivity::of(*document, progress);
         QVERIFY(!result);
         QCOMPARE(result.error().code, base::ErrorCode::Cancelled);
+    }
+
+    void aPinWithoutANetOnCopperOfOneIsListed() {
+        Board board;
+        const NetId a = board.net("A");
+        board.on(0);
+        board.pad({0, 0});
+        board.line({0, 0}, {5 * kMm, 0});
+        board.line({5 * kMm, 0}, {9 * kMm, 0}, a);
+        board.pad({20 * kMm, 0});
+        board.part("U1", {{{0, 0}, {}}, {{20 * kMm, 0}, {}}});
+        const auto document = board.finish();
+        const model::NetReport report = reportOf(*document);
+        QCOMPARE(report.pinsOnNets.size(), std::size_t{1});
+        QCOMPARE(textOf(*document, report.pinsOnNets[0]), std::string("U1.1 has no net and touches A"));
+        QCOMPARE(report.pinsOnNets[0].copper, ElementId{2});
+        QVERIFY(report.shorts.empty());
     }
 
     void anEmptyBoardHasNoIslands() {

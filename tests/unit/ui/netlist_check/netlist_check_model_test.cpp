@@ -1,4 +1,4 @@
-// What the netlist check lists of a jumper that joins two nets.
+// What the netlist check lists of a jumper that joins two nets, and of pins without one.
 #include "ui/netlist_check/netlist_check_model.h"
 
 #include <QAbstractItemModelTester>
@@ -44,6 +44,28 @@ private slots:
         }
         QCOMPARE(cells.join("|"), "Net tie|A, B|Joined by JP1; assumed from its name and its copper|top");
         QVERIFY(findings.elementsOf(findings.finding(0)) == std::vector{bridge});
+    }
+
+    void aPinWithoutANetOnCopperOfOneIsListed() {
+        model::DocumentBuilder builder;
+        const NetId net = builder.addNet("A");
+        builder.beginLayer(addLayer(builder, "top"));
+        model::Component part;
+        part.refdes = "U1";
+        std::vector<model::Pin> pins(1);
+        pins[0].name = builder.string("3");
+        builder.addComponent(part, pins);
+        const model::ElementId pad = builder.addCircle({{0, 0}, kMm, 0}, of({}, model::kPad));
+        const model::ElementId track = builder.addLine({{0, 0}, {2 * kMm, 0}, 100 * kUm, 0}, of(net));
+        const std::shared_ptr<const model::Document> board = builder.finish();
+        base::Progress progress;
+        NetlistCheckModel findings;
+        findings.setChecks(board, *model::checkAllNets(*board, progress));
+        QCOMPARE(findings.summary(),
+                 "no shorts, no open nets, no floating copper, 1 pin without a net that touches one");
+        QCOMPARE(findings.index(0, NetlistCheckModel::Kind).data().toString(), "No net");
+        QCOMPARE(findings.index(0, NetlistCheckModel::What).data().toString(), "U1.3 has no net and touches A");
+        QVERIFY(findings.elementsOf(findings.finding(0)) == (std::vector{pad, track}));
     }
 };
 
