@@ -7,10 +7,13 @@
 #include "model/base/disjoint_sets.h"
 #include "model/board/copies.h"
 #include "model/index/pin_names.h"
+#include "model/nets/pad_groups.h"
 
 namespace model {
 
 namespace {
+
+constexpr std::uint32_t kNoJumper = 0xffffffffu;
 
 class NetChecker {
 public:
@@ -18,6 +21,7 @@ public:
         : m_document(document),
           m_connectivity(connectivity),
           m_pins(document),
+          m_joined(connectivity.islandCount()),
           m_unassigned(connectivity.pieceCount()),
           m_ties(document, connectivity) {}
 
@@ -49,11 +53,34 @@ private:
         return pin.isValid() ? m_document.pins[pin.row()].component : ComponentId{};
     }
 
+    /// Islands that jumpers join within parts count as one.
+    void joinJumpers() {
+        for (std::size_t row = 0; row < m_document.components.size(); ++row) {
+            for (const PinGroup& group : jumperGroups(m_document, ComponentId{row})) {
+                m_jumperOf.resize(m_document.pins.size(), kNoJumper);
+                for (const PinId pin : group) {
+                    m_jumperOf[pin.row()] = m_jumperCount;
+                }
+                ++m_jumperCount;
+            }
+        }
+        std::map<std::pair<NetId, std::uint32_t>, std::uint32_t> first;
+        for (std::uint32_t piece = 0; !m_jumperOf.empty() && piece < m_connectivity.pieceCount(); ++piece) {
+            const NetId net = netOf(piece);
+            const PinId pin = net.isValid() ? pinAt(m_connectivity.element(piece)) : PinId{};
+            if (pin.isValid() && m_jumperOf[pin.row()] != kNoJumper) {
+                const std::uint32_t island = m_connectivity.island(piece);
+                m_joined.join(first.try_emplace({net, m_jumperOf[pin.row()]}, island).first->second, island);
+            }
+        }
+    }
+
     void findOpens() {
+        joinJumpers();
         std::map<std::pair<NetId, std::uint32_t>, NetIsland> islands;
         for (std::uint32_t piece = 0; piece < m_connectivity.pieceCount(); ++piece) {
             if (const NetId net = netOf(piece); net.isValid()) {
-                const std::uint32_t island = m_connectivity.island(piece);
+                const std::uint32_t island = m_joined.find(m_connectivity.island(piece));
                 const auto [location, isNew] = islands.try_emplace({net, island});
                 count(piece, isNew, location->second);
             }
@@ -173,7 +200,10 @@ private:
     const Document& m_document;
     const Connectivity& m_connectivity;
     PinFinder m_pins;
+    DisjointSets m_joined;                  ///< islands
     DisjointSets m_unassigned;              ///< pieces without a net that touch
+    std::vector<std::uint32_t> m_jumperOf;  ///< by pin; empty without jumpers
+    std::uint32_t m_jumperCount = 0;
     NetTies m_ties;
     NetReport m_report;
     std::map<std::tuple<NetId, NetId, LayerId>, ShortedNets> m_shorts;

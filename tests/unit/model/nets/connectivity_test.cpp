@@ -95,6 +95,14 @@ model::NetReport reportOf(const model::Document& document) {
     return checkNets(document, connectivityOf(document));
 }
 
+QStringList opensOf(const model::Document& document) {
+    QStringList opens;
+    for (const model::OpenNet& open : reportOf(document).opens) {
+        opens << QString::fromStdString(document.nets[open.net.row()].name);
+    }
+    return opens;
+}
+
 /// Island of the first piece of an element.
 std::uint32_t islandOf(const Connectivity& c, ElementId element) {
     for (std::uint32_t piece = 0; piece < c.pieceCount(); ++piece) {
@@ -324,6 +332,34 @@ private slots:
         QCOMPARE(textOf(*document, report.pinsOnNets[0]), std::string("U1.1 has no net and touches A"));
         QCOMPARE(report.pinsOnNets[0].copper, ElementId{2});
         QVERIFY(report.shorts.empty());
+    }
+
+    void padsThatAPartJoinsAreNotOpen_data() {
+        QTest::addColumn<QString>("property");
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<QStringList>("opens");
+        QTest::newRow("nothing declared") << ""
+                                          << "" << QStringList{"A"};
+        QTest::newRow("a group") << "jumper_pad_groups"
+                                 << "1, 2" << QStringList{};
+        QTest::newRow("a group of others") << "jumper_pad_groups"
+                                           << "1, 3" << QStringList{"A"};
+        QTest::newRow("pads of one number") << "duplicate_pad_numbers_are_jumpers"
+                                            << "yes" << QStringList{"A"};
+    }
+    void padsThatAPartJoinsAreNotOpen() {
+        QFETCH(QString, property);
+        QFETCH(QString, value);
+        QFETCH(QStringList, opens);
+        Board board;
+        const NetId a = board.net("A");
+        board.on(0);
+        board.pad({0, 0}, a);
+        board.pad({5 * kMm, 0}, a);
+        board.pad({9 * kMm, 0}, board.net("B"));
+        board.part("JP1", {{{0, 0}, a}, {{5 * kMm, 0}, a}, {{9 * kMm, 0}, board.net("C")}},
+                   {{property.toStdString(), value.toStdString()}});
+        QCOMPARE(opensOf(*board.finish()), opens);
     }
 
     void anEmptyBoardHasNoIslands() {
