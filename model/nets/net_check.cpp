@@ -30,6 +30,7 @@ public:
         findShorts();
         joinUnassigned();
         findShortsThroughOtherCopper();
+        findShortsByPoints();
         findPinsOnNets();
         for (auto& [key, entry] : m_shorts) {
             const ComponentId component = componentOf(entry.elementA);
@@ -159,6 +160,39 @@ private:
                           m_connectivity.element(piece), contact.location, through, 0});
             }
         });
+    }
+
+    /// Netlist points that lie on copper of other nets only, where nets follow from the copper and its points: one
+    /// piece may carry the points of several. Documents with nets of the job have subnets.
+    void findShortsByPoints() {
+        if (!m_document.subnets.empty()) {
+            return;
+        }
+        for (const NetPoint& point : m_document.netPoints) {
+            const LayerId layer = outerCopper(point.side);
+            if (!point.net.isValid() || !layer.isValid()) {
+                continue;
+            }
+            const std::vector<std::uint32_t> pieces = m_connectivity.piecesAt(layer, point.position, 0);
+            const auto isOther = [&](std::uint32_t piece) {
+                return netOf(piece).isValid() && netOf(piece) != point.net;
+            };
+            if (!pieces.empty() && std::ranges::all_of(pieces, isOther)) {
+                const ElementId element = m_connectivity.element(pieces.front());
+                addShort({point.net, netOf(pieces.front()), layer, element, element, toDouble(point.position),
+                          ElementId{}, 0});
+            }
+        }
+    }
+
+    [[nodiscard]] LayerId outerCopper(LayerSide side) const {
+        LayerId outer;
+        for (std::size_t row = 0; row < m_document.layers.size(); ++row) {
+            if (m_document.layers[row].isCopper() && (side == LayerSide::Bottom || !outer.isValid())) {
+                outer = LayerId{row};
+            }
+        }
+        return outer;
     }
 
     /// Pins that are to be connected to nothing. A pad without a number that touches its own part is a piece of it.

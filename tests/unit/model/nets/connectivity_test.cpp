@@ -7,6 +7,7 @@
 #include "model/base/parallel.h"
 #include "model/board/document_builder.h"
 #include "model/nets/net_check.h"
+#include "model/nets/net_inference.h"
 #include "tests/unit/model/hand_made.h"
 
 using namespace hand_made;
@@ -55,6 +56,13 @@ public:
         sketch.addCircle({p.x + 10 * kMm, p.y}, kMm, false);
         return m_builder.addArea({m_builder.addShape(sketch), {}}, of(net, 0));
     }
+    void point(const std::string& net, Point at) {
+        model::NetPoint point;
+        point.name = m_builder.string(net);
+        point.position = at;
+        point.side = model::LayerSide::Top;
+        m_builder.addNetPoint(point);
+    }
     /// A component with pins 1, 2, …; pads belong to them by place and net.
     void part(const std::string& refdes, const std::vector<std::pair<Point, NetId>>& places,
               const std::vector<std::pair<std::string, std::string>>& properties = {}) {
@@ -93,6 +101,15 @@ Connectivity connectivityOf(const model::Document& document) {
 
 model::NetReport reportOf(const model::Document& document) {
     return checkNets(document, connectivityOf(document));
+}
+
+/// "A B" for each short.
+QStringList shortsOf(const model::Document& document) {
+    QStringList shorts;
+    for (const model::ShortedNets& entry : reportOf(document).shorts) {
+        shorts << QString::fromStdString(document.nets[entry.a.row()].name + ' ' + document.nets[entry.b.row()].name);
+    }
+    return shorts;
 }
 
 QStringList opensOf(const model::Document& document) {
@@ -315,6 +332,48 @@ private slots:
         const auto result = Connectivity::of(*document, progress);
         QVERIFY(!result);
         QCOMPARE(result.error().code, base::ErrorCode::Cancelled);
+    }
+
+    /// Nets by the points of a netlist: what carries points of two is a short of both, and either may be open besides.
+    void copperWithPointsOfSeveralNetsIsAShort() {
+        Board board;
+        board.on(0);
+        for (const Nm x : {0, 10, 20, 30}) {
+            board.pad({x * kMm, 0});
+            board.point(x % 20 == 0 ? "A" : "B", {x * kMm, 0});
+        }
+        board.line({0, 0}, {5 * kMm, 0});
+        board.line({5 * kMm, 0}, {10 * kMm, 0});
+        base::Progress progress;
+        const auto document = *model::withInferredNets(*board.finish(), progress);
+        QCOMPARE(shortsOf(*document), QStringList{"A B"});
+        QCOMPARE(opensOf(*document), (QStringList{"A", "B"}));
+        QVERIFY(std::ranges::any_of(document->diagnostics.entries(), [](const model::Diagnostic& entry) {
+            return entry.text.find("points of A and B lie on one island") != std::string::npos;
+        }));
+    }
+
+    void aPieceWithPointsOfSeveralNetsIsAShort() {
+        Board board;
+        board.on(0);
+        board.line({0, 0}, {10 * kMm, 0});
+        board.point("A", {0, 0});
+        board.point("B", {10 * kMm, 0});
+        base::Progress progress;
+        const auto document = *model::withInferredNets(*board.finish(), progress);
+        QCOMPARE(shortsOf(*document), QStringList{"A B"});
+    }
+
+    void padsOfTwoNetsThatOverlapAreAShort() {
+        Board board;
+        board.on(0);
+        board.pad({0, 0});
+        board.pad({kMm / 2, 0});
+        board.point("A", {0, 0});
+        board.point("B", {kMm / 2, 0});
+        base::Progress progress;
+        const auto document = *model::withInferredNets(*board.finish(), progress);
+        QCOMPARE(shortsOf(*document), QStringList{"A B"});
     }
 
     void aPinWithoutANetOnCopperOfOneIsListed() {
