@@ -60,6 +60,8 @@ bool AttributeCollector::tableLine(std::string_view line) {
     store(m_into.names, number, text);
     if (text == ".drill") {
         m_drillAttribute = std::to_string(number);
+    } else if (text == ".rout_plated") {
+        m_routedAttribute = std::to_string(number);
     }
     return true;
 }
@@ -84,14 +86,19 @@ std::uint32_t AttributeCollector::set(std::string_view tail) {
 
 Plating AttributeCollector::findPlating(std::string_view set) const {
     static constexpr Plating kValues[] = {Plating::Plated, Plating::NonPlated, Plating::Via};
-    Plating plating = Plating::NotSaid;
+    Plating drilled = Plating::NotSaid;
+    Plating routed = Plating::NotSaid;
     forEachEntry(set, [&](std::string_view number, std::string_view raw) {
         const auto value = parseInteger(raw);
         if (!m_drillAttribute.empty() && number == m_drillAttribute && value && *value >= 0 && *value <= 2) {
-            plating = kValues[*value];
+            drilled = kValues[*value];
+        }
+        // A boolean is true by being there; some write its value all the same.
+        if (!m_routedAttribute.empty() && number == m_routedAttribute && value != 0) {
+            routed = Plating::Plated;
         }
     });
-    return plating;
+    return drilled != Plating::NotSaid ? drilled : routed;
 }
 
 }  // namespace model::odb

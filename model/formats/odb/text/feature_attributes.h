@@ -33,7 +33,7 @@ public:
     bool tableLine(std::string_view line);
     /// Row of the set in the tail of a record, `0=1,2=5;ID=7`; kNone when it is empty.
     std::uint32_t set(std::string_view tail);
-    /// What attribute .drill of a set says.
+    /// What attribute .drill of a set says; where it is silent, a set with .rout_plated is plated.
     [[nodiscard]] Plating plating(std::uint32_t set) const { return set == kNone ? Plating::NotSaid : m_platings[set]; }
 
 private:
@@ -44,8 +44,9 @@ private:
     FeatureAttributes& m_into;
     std::unordered_map<std::string_view, std::uint32_t> m_rows;
     std::vector<Plating> m_platings;
-    std::string m_drillAttribute;  ///< "3" when attribute 3 is .drill
-    std::string_view m_last;       ///< neighbours mostly carry the same
+    std::string m_drillAttribute;   ///< "3" when attribute 3 is .drill
+    std::string m_routedAttribute;  ///< the same of .rout_plated, a boolean
+    std::string_view m_last;        ///< neighbours mostly carry the same
     std::uint32_t m_lastRow = kNone;
 };
 

@@ -61,6 +61,18 @@ private slots:
         QVERIFY(diagnostics.entries().empty());
     }
 
+    void routedFeaturesSayThemselvesWhetherTheyArePlated() {
+        using model::Plating;
+        const FeatureFile file = parse(
+            "@0 .rout_plated\n@1 .drill\n$0 r1\nL 0 0 1 0 0 P 0;0\nL 0 1 1 1 0 P 0\nL 0 2 1 2 0 P 0;0=1\n"
+            "L 0 3 1 3 0 P 0;0=0\nL 0 4 1 4 0 P 0;0,1=2\nL 0 5 1 5 0 P 0;1=1,0\n");
+        const Plating expected[] = {Plating::Plated,  Plating::NotSaid, Plating::Plated,
+                                    Plating::NotSaid, Plating::Via,     Plating::NonPlated};
+        for (std::size_t i = 0; i < std::size(expected); ++i) {
+            QVERIFY2(file.features[i].plating == expected[i], std::to_string(i).c_str());
+        }
+    }
+
     void equalSetsAreKeptOnce() {
         std::string text = kHead;
         for (int i = 0; i < 100; ++i) {
