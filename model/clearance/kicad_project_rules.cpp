@@ -133,16 +133,6 @@ void addClasses(std::vector<ClassOfNets>& classes, RuleFile& file) {
     }
 }
 
-base::Result<RuleFile> used(RuleFile file) {
-    if (file.table.rules.empty()) {
-        return base::Error{base::ErrorCode::BadInput,
-                           "the rules cannot be used: no minimum in this file of KiCad's has a counterpart" +
-                               (file.leftOut.empty() ? "" : "; " + textOf(file.leftOut.front()))};
-    }
-    file.isOfKicad = true;
-    return file;
-}
-
 /// Of a project file.
 class ProjectImporter {
 public:
@@ -151,7 +141,7 @@ public:
           m_design(member(member(root, "board"), "design_settings")),
           m_nets(member(root, "net_settings")) {}
 
-    base::Result<RuleFile> run() {
+    RuleFile run() {
         readClasses();
         assignNets();
         addClasses(m_classes, m_file);
@@ -162,7 +152,8 @@ public:
         }
         addClearances(m_classes, clearance.value_or(0), !isIgnored("clearance"), m_file.table);
         addMinimums();
-        return used(std::move(m_file));
+        m_file.isOfKicad = true;
+        return std::move(m_file);
     }
 
 private:
@@ -277,7 +268,14 @@ std::optional<Nm> lengthIn(const SExpression& list, const char* head) {
     return length && *length >= 0 && *length <= kMostLeast ? std::optional(*length) : std::nullopt;
 }
 
-std::optional<RuleFile> readFile(const fs::path& path, base::Result<RuleFile> (*parse)(std::string_view)) {
+/// Of one of the files of a project.
+struct FileOfProject {
+    RuleFile rules;
+    std::optional<base::Error> damage;  ///< why there are none
+};
+
+/// None if it is not there.
+std::optional<FileOfProject> readFile(const fs::path& path, base::Result<RuleFile> (*parse)(std::string_view)) {
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
         return {};
@@ -285,12 +283,19 @@ std::optional<RuleFile> readFile(const fs::path& path, base::Result<RuleFile> (*
     const base::Result<std::string> text = readWholeFile(path);
     base::Result<RuleFile> file = text ? parse(*text) : base::Result<RuleFile>(text.error());
     if (!file) {
-        return {};
+        FileOfProject damaged;
+        damaged.damage = base::Error{file.error().code, path.string() + ": " + file.error().text};
+        damaged.rules.isOfKicad = true;
+        damaged.rules.leftOut.push_back({"it cannot be read and is left out: " + file.error().text, 0, path});
+        return damaged;
     }
     for (LeftOutRule& one : file->leftOut) {
         one.file = path;
     }
-    return std::move(*file);
+    for (std::string& one : file->unused) {
+        one = path.filename().string() + ", " + one;
+    }
+    return FileOfProject{std::move(*file), {}};
 }
 
 /// Is it of KiCad 4 or 5, by the first lines?
@@ -309,6 +314,7 @@ bool isOldBoard(const fs::path& board) {
 void append(RuleFile& file, RuleFile others) {
     std::ranges::move(others.table.rules, std::back_inserter(file.table.rules));
     std::ranges::move(others.leftOut, std::back_inserter(file.leftOut));
+    std::ranges::move(others.unused, std::back_inserter(file.unused));
     for (NetClass& one : others.table.classes) {
         const bool isNew = std::ranges::find(file.table.classes, one.name, &NetClass::name) == file.table.classes.end();
         if (isNew && file.table.classes.size() < kMostNetClasses) {
@@ -326,6 +332,30 @@ ClassOfNets classFrom(const SExpression& list) {
         }
     }
     return one;
+}
+
+/// What lies beside a board, or an older one holds itself, as one.
+std::optional<FileOfProject> projectOf(const fs::path& board) {
+    if (board.extension() != ".kicad_pcb") {
+        return {};
+    }
+    const auto beside = [&](const char* extension) { return fs::path(board).replace_extension(extension); };
+    std::optional<FileOfProject> project = readFile(beside(".kicad_pro"), parseKicadProjectRules);
+    if (!project && isOldBoard(board)) {
+        project = readFile(board, parseKicadBoardRules);
+    }
+    std::optional<FileOfProject> custom = readFile(beside(".kicad_dru"), parseKicadRules);
+    if (!custom) {
+        return project;
+    }
+    if (!project) {
+        project.emplace().rules.leftOut.push_back(
+            {"without a .kicad_pro beside it, the rules of the project are left out", 0, beside(".kicad_dru")});
+        project->rules.isOfKicad = true;
+    }
+    append(project->rules, std::move(custom->rules));
+    project->damage = project->damage ? project->damage : custom->damage;
+    return project;
 }
 
 }  // namespace
@@ -372,24 +402,25 @@ base::Result<RuleFile> parseKicadBoardRules(std::string_view board) {
             file.table.rules.push_back({RuleKind::TrackWidth, *least, {}});
         }
     }
-    return used(std::move(file));
+    file.isOfKicad = true;
+    return file;
 }
 
 std::optional<RuleFile> kicadRulesOf(const fs::path& board) {
-    if (board.extension() != ".kicad_pcb") {
-        return {};
+    std::optional<FileOfProject> all = projectOf(board);
+    return all ? std::optional(std::move(all->rules)) : std::nullopt;
+}
+
+base::Result<RuleFile> readKicadRulesOf(const fs::path& board) {
+    std::optional<FileOfProject> all = projectOf(board);
+    if (!all) {
+        return base::Error{base::ErrorCode::BadInput,
+                           "the rules cannot be used: this board has no project of KiCad with rules beside it"};
     }
-    const auto beside = [&](const char* extension) { return fs::path(board).replace_extension(extension); };
-    std::optional<RuleFile> file = readFile(beside(".kicad_pro"), parseKicadProjectRules);
-    if (!file && isOldBoard(board)) {
-        file = readFile(board, parseKicadBoardRules);
+    if (all->damage) {
+        return *all->damage;
     }
-    if (file) {
-        if (std::optional<RuleFile> custom = readFile(beside(".kicad_dru"), parseKicadRules)) {
-            append(*file, std::move(*custom));
-        }
-    }
-    return file;
+    return std::move(all->rules);
 }
 
 std::optional<RuleFile> kicadRulesFor(const fs::path& path, const Document& board) {

@@ -58,7 +58,7 @@ bool applyCondition(const std::string& condition, Rule& rule) {
 
 class Importer {
 public:
-    base::Result<RuleFile> run(const SExpression& all) {
+    RuleFile run(const SExpression& all) {
         for (const SExpression& item : all.items) {
             if (item.head() == "rule") {
                 addRule(item);
@@ -66,11 +66,7 @@ public:
                 leaveOut(item, item.isList ? '(' + item.head() + ')' : item.atom);
             }
         }
-        if (m_file.table.rules.empty()) {
-            return base::Error{base::ErrorCode::BadInput,
-                               "the rules cannot be used: no minimum in this file of KiCad's rules has a counterpart" +
-                                   (m_file.leftOut.empty() ? "" : "; " + textOf(m_file.leftOut.front()))};
-        }
+        m_file.isOfKicad = true;
         return std::move(m_file);
     }
 
@@ -83,9 +79,15 @@ private:
         const SExpression* condition = rule.find("condition");
         const SExpression* layer = rule.find("layer");
         const SExpression* severity = rule.find("severity");
+        const bool isIgnored = severity != nullptr && severity->at(1) == "ignore";
+        if (isIgnored) {
+            m_file.unused.push_back("line " + std::to_string(rule.line) + ": rule " + rule.at(1) +
+                                    " has severity ignore, so it is off; KiCad checks nothing of what it fits, "
+                                    "here the other rules do");
+        }
         for (const SExpression& item : rule.items) {
             if (item.head() == "constraint") {
-                addConstraint(rule, item, condition, layer, severity != nullptr && severity->at(1) == "ignore");
+                addConstraint(rule, item, condition, layer, isIgnored);
             }
         }
     }

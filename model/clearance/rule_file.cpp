@@ -25,6 +25,8 @@ namespace {
 
 constexpr const char* kVersionKey = "copperscope_rules";
 constexpr int kVersion = 1;
+constexpr std::size_t kMostNamed = 20;  ///< of what is left out, in one sentence
+
 base::Error bad(const std::string& what) {
     return {base::ErrorCode::BadInput, "the rules cannot be used: " + what};
 }
@@ -313,23 +315,44 @@ std::string textOf(const LeftOutRule& one) {
     return (one.line > 0 ? "line " + std::to_string(one.line) + ": " : "") + one.text;
 }
 
+namespace {
+
+/// What KiCad's files ask for may all have no counterpart: then nothing would be checked, and the answer would be a
+/// pass.
+base::Result<RuleFile> usable(RuleFile file) {
+    if (!file.table.rules.empty()) {
+        return file;
+    }
+    std::string text = "no minimum in KiCad's files has a counterpart";
+    for (std::size_t i = 0; i < std::min(file.leftOut.size(), kMostNamed); ++i) {
+        const std::string name = file.leftOut[i].file.filename().string();
+        text += "; " + (name.empty() ? "" : name + ", ") + textOf(file.leftOut[i]);
+    }
+    if (file.leftOut.size() > kMostNamed) {
+        text += "; and " + std::to_string(file.leftOut.size() - kMostNamed) + " more";
+    }
+    return bad(text);
+}
+
+}  // namespace
+
 base::Result<RuleFile> readRules(const std::filesystem::path& path) {
     if (const RulePreset* preset = findPreset(path.string()); preset != nullptr && !std::filesystem::exists(path)) {
         ASSIGN_OR_RETURN(RuleTable table, parseRules(preset->text));
         return RuleFile{std::move(table), {}};
     }
     if (path.extension() == ".kicad_pcb") {
-        std::optional<RuleFile> file = kicadRulesOf(path);
-        return file ? base::Result<RuleFile>(std::move(*file)) : bad("this board has no project of KiCad with rules");
+        ASSIGN_OR_RETURN(RuleFile file, readKicadRulesOf(path));
+        return usable(std::move(file));
     }
     ASSIGN_OR_RETURN(const std::string text, readWholeFile(path, base::kMostSettingBytes));
     if (path.extension() == ".kicad_pro") {
-        return parseKicadProjectRules(text);
+        ASSIGN_OR_RETURN(RuleFile file, parseKicadProjectRules(text));
+        return usable(std::move(file));
     }
     if (path.extension() == ".kicad_dru") {
         ASSIGN_OR_RETURN(RuleFile file, parseKicadRules(text));
-        file.isOfKicad = true;
-        return file;
+        return usable(std::move(file));
     }
     ASSIGN_OR_RETURN(RuleTable table, parseRules(text));
     return RuleFile{std::move(table), {}};

@@ -43,11 +43,12 @@ struct RuleFile {
     RuleTable table;
     std::vector<LeftOutRule> leftOut;
     std::vector<std::string>
-        unused{};            ///< which net classes and names no net fits, a sentence each: they ask for nothing
+        unused{};            ///< which rules are off, which net classes and names no net fits, a sentence each
     bool isOfKicad = false;  ///< a project, board or custom rules of KiCad: see leaveOutUnusedClasses()
 };
 /// From a file, also one of KiCad's custom rules (.kicad_dru, see kicad_rules.h), a project of KiCad or a board that
-/// has one (.kicad_pro, .kicad_pcb, see kicad_project_rules.h), or by the name of a preset. Errors: BadInput.
+/// has one (.kicad_pro, .kicad_pcb, see kicad_project_rules.h), or by the name of a preset. Errors:
+/// BadInput, also where none of what the file asks for can be checked: all of that is named.
 [[nodiscard]] base::Result<RuleFile> readRules(const std::filesystem::path& path);
 
 }  // namespace model

@@ -33,7 +33,8 @@ base::Result<OpenedBoard> withSession(const OpenRequest& request, ReadBoard read
         found = session::loadSession(request.path, *read.document);
         projectRules = kicadRulesFor(request.path, *read.document);
     }
-    if (projectRules && !found.session.designRules) {  // the user has set none
+    const bool hasRules = projectRules && !projectRules->table.rules.empty();
+    if (hasRules && !found.session.designRules) {  // the user has set none
         found.session.designRules = projectRules->table;
     }
     ASSIGN_OR_RETURN(Thicknesses once, parseThicknesses(request.thicknesses, read.document->stackup));

@@ -33,14 +33,14 @@ void rules(std::string_view input) {
 }
 
 void kicadRules(std::string_view input) {
-    if (const auto read = model::parseKicadRules(input)) {
+    if (const auto read = model::parseKicadRules(input); read && !read->table.rules.empty()) {
         checkRules(read->table);
     }
 }
 
 void kicadProjectRules(std::string_view input) {
     for (const auto parse : {model::parseKicadProjectRules, model::parseKicadBoardRules}) {
-        if (const auto read = parse(input)) {
+        if (const auto read = parse(input); read && !read->table.rules.empty()) {
             checkRules(read->table);
         }
     }

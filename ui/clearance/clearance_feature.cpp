@@ -32,7 +32,8 @@ base::Status saveRulesOf(const std::filesystem::path& board, const model::Docume
                          const model::RuleFile& rules, model::session::KnownPart* known) {
     using Saved = std::optional<model::RuleTable>;
     const std::optional<model::RuleFile> project = model::kicadRulesFor(board, document);
-    const model::RuleTable first = project ? project->table : model::defaultRules();
+    const bool hasRules = project && !project->table.rules.empty();
+    const model::RuleTable first = hasRules ? project->table : model::defaultRules();
     return model::session::saveDesignRules(board, document, rules.table == first ? Saved() : Saved(rules.table), known);
 }
 

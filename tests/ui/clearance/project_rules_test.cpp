@@ -80,6 +80,17 @@ private slots:
         QVERIFY(messageAt("Design rules: (sheet) is left out").isNull());
     }
 
+    void ofADamagedProjectTheCommonRulesAreLeft() {
+        std::ofstream(fs::path(m_board).replace_extension(".kicad_pro")) << std::string(kProject).substr(0, 90);
+        reload();
+        QVERIFY(rules() == model::defaultRules());
+        QCOMPARE(messageAt("Design rules: it cannot be read and is left out: ", Qt::MatchStartsWith),
+                 QString("small.kicad_pro"));
+        std::ofstream(fs::path(m_board).replace_extension(".kicad_pro")) << kProject;
+        reload();  // nothing of it was kept
+        QCOMPARE(rules().rules[1].least, model::Nm{430'000});
+    }
+
     void commonRulesThatWereChosenLastOverAReload() {
         const model::RuleTable ofProject = rules();
         window().actions()[ActionId::EditRules].trigger();
@@ -135,10 +146,10 @@ private:
                     !window().workspace().isWorking());
     }
     /// Where a message of the list is about; null if there is none.
-    [[nodiscard]] QString messageAt(const QString& text) {
+    [[nodiscard]] QString messageAt(const QString& text, Qt::MatchFlags how = Qt::MatchExactly) {
         const ui::MessageModel& messages = window().find<ui::MessageModel>();
         const QModelIndexList found =
-            messages.match(messages.index(0, ui::MessageModel::Text), Qt::DisplayRole, text, 1, Qt::MatchExactly);
+            messages.match(messages.index(0, ui::MessageModel::Text), Qt::DisplayRole, text, 1, how);
         return found.isEmpty() ? QString()
                                : found.front().siblingAtColumn(ui::MessageModel::Location).data().toString();
     }

@@ -122,8 +122,11 @@ private slots:
     }
 
     void whatIsNoProjectIsAnError() {
-        for (const char* text : {"", "{", "[]", "{}", R"({"board": 1, "net_settings": {"classes": 5}})"}) {
+        for (const char* text : {"", "{", "[]"}) {
             QVERIFY(!model::parseKicadProjectRules(text));
+        }
+        for (const char* text : {"{}", R"({"board": 1, "net_settings": {"classes": 5}})"}) {
+            QVERIFY(model::parseKicadProjectRules(text)->table.rules.empty());
         }
         const std::string text = kProject;
         for (std::size_t length = 0; length < text.size(); ++length) {
@@ -141,7 +144,7 @@ private slots:
         QVERIFY(file->table.classes == (std::vector<NetClass>{{"Motor", {"GND"}}, {"Odd", {}}}));
         QCOMPARE(textsOf(file->leftOut),
                  (std::vector<std::string>{"line 9: the clearance of net class Odd, which is no length, is left out"}));
-        QVERIFY(!model::parseKicadBoardRules("(kicad_pcb (version 4))"));
+        QVERIFY(model::parseKicadBoardRules("(kicad_pcb (version 4))")->table.rules.empty());
         const auto nameless = model::parseKicadBoardRules(
             "(kicad_pcb\n(net_class (clearance 1))\n(net_class M \"\" (clearance 0.3) (add_net A))\n"
             "(net_class M \"\" (clearance 0.4) (add_net B))\n(net_class N\xff \"\" (clearance 0.5) (add_net C)))");
@@ -178,8 +181,55 @@ private slots:
         QVERIFY(!model::kicadRulesOf(fs::path(board).replace_extension(".tgz")));
         write(board, "(kicad_pcb (version 20241229))");
         fs::remove(fs::path(board).replace_extension(".kicad_pro"));
+        fs::remove(fs::path(board).replace_extension(".kicad_dru"));
         QVERIFY(!model::kicadRulesOf(board));
         QVERIFY(!model::readRules(board));
+    }
+
+    void customRulesThatCannotBeUsedAreNamed() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "b.kicad_pcb";
+        const fs::path custom = fs::path(board).replace_extension(".kicad_dru");
+        write(board, "(kicad_pcb (version 20241229))");
+        write(fs::path(board).replace_extension(".kicad_pro"), kProject);
+        const std::size_t count = model::kicadRulesOf(board)->table.rules.size();
+        write(custom, "(version 1)\n(rule a (condition \"A.hasNetclass('HV')\") (constraint clearance (min 1mm)))");
+        const model::LeftOutRule none{"rule a, condition A.hasNetclass('HV') is left out", 2, custom};
+        QCOMPARE(model::readRules(board)->leftOut.back(), none);
+        QCOMPARE(model::readRules(board)->table.rules.size(), count);
+
+        write(custom, "(version 1)\n(rule a (constraint clearance (min 1mm))\n");
+        QCOMPARE(model::readRules(board).error().text, custom.string() + ": line 2: a list is not closed");
+        const auto shown = model::kicadRulesOf(board);
+        QCOMPARE(shown->table.rules.size(), count);
+        QCOMPARE(shown->leftOut.back(),
+                 (model::LeftOutRule{"it cannot be read and is left out: line 2: a list is not closed", 0, custom}));
+
+        write(custom, "(rule a (severity ignore) (constraint clearance (min 1mm)))");
+        QVERIFY(model::readRules(board)->unused.front().starts_with("b.kicad_dru, line 1: rule a has severity ignore"));
+    }
+
+    void aProjectThatIsDamagedOrMissingIsNamed() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "b.kicad_pcb";
+        const fs::path project = fs::path(board).replace_extension(".kicad_pro");
+        const fs::path custom = fs::path(board).replace_extension(".kicad_dru");
+        write(board, "(kicad_pcb (version 20241229))");
+        write(project, std::string(kProject).substr(0, 100));
+        QVERIFY(model::readRules(board).error().text.starts_with(project.string() + ": the rules cannot be used"));
+        QVERIFY(model::kicadRulesOf(board)->table.rules.empty());
+        QCOMPARE(model::kicadRulesOf(board)->leftOut.front().file, project);
+
+        write(custom, "(rule a (constraint clearance (min 1mm)))");
+        QVERIFY(!model::readRules(board));
+        QCOMPARE(model::kicadRulesOf(board)->table.rules.size(), std::size_t{1});
+
+        fs::remove(project);
+        const auto file = model::readRules(board);
+        QCOMPARE(file->table.rules.size(), std::size_t{1});
+        QCOMPARE(
+            file->leftOut.front(),
+            (model::LeftOutRule{"without a .kicad_pro beside it, the rules of the project are left out", 0, custom}));
     }
 
     void classesThatNoNetFitsAskForNothing() {

@@ -1,8 +1,11 @@
 // KiCad's custom rules, and the presets that come with the program.
 #include "model/clearance/kicad_rules.h"
 
+#include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "model/clearance/rule_presets.h"
 
@@ -10,6 +13,8 @@ using model::Rule;
 using model::RuleKind;
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr model::Nm kUm = 1000;
 
@@ -67,10 +72,34 @@ private slots:
                 "line 9: rule f, clearance 0mm is left out", "line 10: (sheet) is left out"}));
     }
 
-    void aFileOfNothingIsAnError() {
-        QVERIFY(!model::parseKicadRules(""));
-        QVERIFY(!model::parseKicadRules("(version 1) (rule x (constraint length (min 1mm)))"));
-        QVERIFY(!model::parseKicadRules("(rule"));
+    void rulesThatKicadIgnoresAreNamed() {
+        const model::RuleFile file =
+            import("(version 1)\n(rule a (severity ignore) (constraint clearance (min 0.2mm)))\n");
+        QVERIFY(!file.table.rules.front().isOn);
+        QCOMPARE(file.unused.size(), std::size_t{1});
+        QVERIFY(file.unused.front().starts_with("line 2: rule a has severity ignore"));
+        QVERIFY(import("(rule a (severity error) (constraint clearance (min 0.2mm)))").unused.empty());
+    }
+
+    void aFileOfNothingIsAnErrorThatNamesAllOfIt() {
+        QTemporaryDir folder;
+        const fs::path path = fs::path(folder.path().toStdString()) / "b.kicad_dru";
+        const auto errorOf = [&](const char* text) {
+            std::ofstream(path, std::ios::binary) << text;
+            const auto file = model::readRules(path);
+            return file ? std::string() : file.error().text;
+        };
+        QVERIFY(!errorOf("").empty());
+        QVERIFY(!errorOf("(rule").empty());
+        QCOMPARE(errorOf("(version 1)\n(rule x (constraint length (min 1mm)))\n"
+                         "(rule y (condition \"A.hasNetclass('HV')\") (constraint clearance (min 1mm)))"),
+                 std::string("the rules cannot be used: no minimum in KiCad's files has a counterpart; line 2: rule x, "
+                             "length 1mm is left out; line 3: rule y, condition A.hasNetclass('HV') is left out"));
+        std::string many;
+        for (int i = 0; i < 30; ++i) {
+            many += "(sheet)\n";
+        }
+        QVERIFY(errorOf(many.c_str()).ends_with("line 20: (sheet) is left out; and 10 more"));
     }
 
     void presetsAreRules() {
