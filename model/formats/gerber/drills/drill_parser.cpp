@@ -172,9 +172,24 @@ void DrillParser::record(std::string_view text) {
 void DrillParser::checkUnit(std::string_view text) {
     const bool isInch = text.starts_with("INCH") || text.starts_with("M72");
     if (m_isInch && *m_isInch != isInch) {
-        report(Severity::Warning, "the file names two units; one is taken for all of it");
+        const double before = isInch ? base::kNmPerMm : base::kNmPerInch;
+        const double now = isInch ? base::kNmPerInch : base::kNmPerMm;
+        const bool isOfTools = m_image.features.empty() && m_format.nmPerUnit == now;
+        if (isOfTools) {
+            scaleTools(before / now);
+        }
+        report(Severity::Warning,
+               isOfTools ? "the file names two units; its tools are read in the first one, its places in the second one"
+                         : "the file names two units; one is taken for all of it");
     }
     m_isInch = isInch;
+}
+
+/// Those whose sizes come from records so far; comments have units of their own.
+void DrillParser::scaleTools(double factor) {
+    for (auto& [number, tool] : m_tools) {
+        tool.size *= tool.isDefined ? factor : 1.0;
+    }
 }
 
 /// Without the text that some records end with.

@@ -55,6 +55,7 @@ private:
     void reportRest(std::string_view text, std::uint32_t line);
     void record(std::string_view text);
     void checkUnit(std::string_view text);
+    void scaleTools(double factor);
     [[nodiscard]] const DrillValues& values(std::string_view text);
     [[nodiscard]] double length(std::string_view digits);
     void words(const DrillValues& parts);

@@ -200,6 +200,16 @@ private slots:
         QCOMPARE(allegro.features[1].plating, Plating::NonPlated);
     }
 
+    void toolsOfTheHeadAreInItsUnit() {
+        const Image image = parse("M48\nINCH,TZ\nT1C.0394\n%\nM71\nT1\nX10.0Y10.0\nT2C2.0\nX11.0Y10.0\nM30\n");
+        QCOMPARE(sizeOf(image, 0), 1'000'760);
+        QCOMPARE(sizeOf(image, 1), 2'000'000);
+        QCOMPARE(image.features[0].a, (Point{10'000'000, 10'000'000}));
+        QVERIFY(isReported(image, "tools are read in the first one"));
+        QVERIFY(isReported(parse("M48\nINCH\nT1C.04\n%\nT1\nX1.0Y1.0\nM71\nX1.0Y1.0\nM30\n"),
+                           "one is taken for all of it"));
+    }
+
     void holesAreRepeated() {
         const Image image =
             parse("M48\nMETRIC\nT1C0.3\n%\nT1\nX1.0Y1.0\nR2X0.5\nM25\nX10.0Y0.0\nM01\nM02X0Y5.0\nM30\n");
