@@ -65,9 +65,29 @@ void DrillParser::route(PointD from, const Target& target) {
     if (!cuts) {
         return;
     }
+    m_isPlungeOpen = false;
     m_last = Last::Path;
     const std::optional<PointD> centre = m_motion > 1 ? centreOf(from, target) : std::nullopt;
     add(centre ? DrawnKind::Arc : DrawnKind::Line, from, m_position, centre.value_or(PointD{}));
+}
+
+void DrillParser::plunge() {
+    drillPlunge();
+    m_isDown = m_isPlungeOpen = true;
+}
+
+/// A tool that goes down and up again in one place leaves a hole of its size.
+void DrillParser::drillPlunge() {
+    if (m_isPlungeOpen && m_isRouting) {
+        m_last = Last::Hole;
+        add(DrawnKind::Pad, m_position, m_position, {});
+    }
+    m_isPlungeOpen = false;
+}
+
+void DrillParser::lift() {
+    drillPlunge();
+    m_isDown = false;
 }
 
 /// Nothing, and a report, if the arc cannot be drawn as one.

@@ -256,6 +256,9 @@ void DrillParser::words(const DrillValues& parts) {
     if (target.isSlot || target.hasPlace() || isCircle) {
         operate(target);
     }
+    if (target.lifts) {
+        lift();
+    }
 }
 
 void DrillParser::word(const DrillValue& part, const DrillValues& parts, Target& target) {
@@ -273,7 +276,7 @@ void DrillParser::word(const DrillValue& part, const DrillValues& parts, Target&
         case 'I': target.i = length(part.digits); break;
         case 'J': target.j = length(part.digits); break;
         case 'G': code(part.digits, parts, target); break;
-        case 'M': misc(part.digits, parts); break;
+        case 'M': misc(part.digits, parts, target); break;
         case 'T': break;  // words
         default:
             if (kOfTheMachine.find(part.letter) == std::string_view::npos) {
@@ -294,6 +297,7 @@ void DrillParser::code(std::string_view digits, const DrillValues& parts, Target
     const int number = parseInteger(digits).value_or(-1);
     switch (number) {
         case 0:
+            drillPlunge();
             m_isRouting = true;
             m_motion = 0;
             break;
@@ -302,6 +306,7 @@ void DrillParser::code(std::string_view digits, const DrillValues& parts, Target
         case 3: m_motion = number; break;
         case 5:
         case 81:
+            drillPlunge();
             m_isRouting = false;
             m_motion = 0;
             break;
@@ -324,15 +329,23 @@ void DrillParser::code(std::string_view digits, const DrillValues& parts, Target
     }
 }
 
-void DrillParser::misc(std::string_view digits, const DrillValues& parts) {
+void DrillParser::misc(std::string_view digits, const DrillValues& parts, Target& target) {
     const int number = parseInteger(digits).value_or(-1);
     switch (number) {
         case 0:
-        case 30: m_isDone = m_image.hasEnd = true; break;
+        case 30:
+            drillPlunge();
+            m_isDone = m_image.hasEnd = true;
+            break;
         case 14:
-        case 15: m_isDown = true; break;
+        case 15: plunge(); break;
         case 16:
-        case 17: m_isDown = false; break;
+        case 17:
+            target.lifts = target.hasPlace();  // G01X8.0M16 cuts first
+            if (!target.lifts) {
+                lift();
+            }
+            break;
         case 25: m_patternBegin = m_image.features.size(); break;
         case 1: m_patternEnd = m_image.features.size(); break;
         case 2: repeatPattern(parts); break;

@@ -42,6 +42,7 @@ private:
         std::optional<double> j;
         bool isSlot = false;   ///< G85; its other end is m_slotStart
         bool isCycle = false;  ///< a canned cycle that is not read
+        bool lifts = false;    ///< the tool, once it is there
         [[nodiscard]] bool hasPlace() const { return x || y; }
         [[nodiscard]] bool hasCentre() const { return i || j; }
     };
@@ -62,7 +63,7 @@ private:
     void word(const DrillValue& part, const DrillValues& parts, Target& target);
     void beginSlot(Target& target);
     void code(std::string_view digits, const DrillValues& parts, Target& target);
-    void misc(std::string_view digits, const DrillValues& parts);
+    void misc(std::string_view digits, const DrillValues& parts, Target& target);
     void setOrigin(const DrillValues& parts);
     void tool(const DrillValues& parts);
     void define(int number, double size);
@@ -72,6 +73,9 @@ private:
     void moveTo(std::optional<double> x, std::optional<double> y);
     void operate(const Target& target);
     void route(PointD from, const Target& target);
+    void plunge();
+    void drillPlunge();
+    void lift();
     [[nodiscard]] std::optional<PointD> centreOf(PointD from, const Target& target);
     [[nodiscard]] std::optional<PointD> centreOfRadius(PointD from, double radius);
     void add(formats::DrawnKind kind, PointD a, PointD b, PointD centre);
@@ -100,6 +104,7 @@ private:
     bool m_hasPlunges = false;
     bool m_isRouting = false;
     bool m_isDown = false;
+    bool m_isPlungeOpen = false;  ///< the tool went down and has not moved since
     bool m_isIncremental = false;
     bool m_isDone = false;
     bool m_isBad = false;

@@ -200,6 +200,27 @@ private slots:
         QCOMPARE(allegro.features[1].plating, Plating::NonPlated);
     }
 
+    void aToolThatGoesDownInOnePlaceDrillsIt() {
+        const auto centres = [](const char* body) {
+            std::vector<Point> found;
+            for (const auto& feature : parseBody(body).features) {
+                found.push_back(feature.kind == DrawnKind::Pad ? feature.a : Point{-1, -1});
+            }
+            return found;
+        };
+        const Point at{10'000'000, 5'000'000};
+        const Point cut{-1, -1};
+        QCOMPARE(centres("G00X10.0Y5.0\nM15\nM16\nG05"), (std::vector<Point>{at}));
+        QCOMPARE(centres("G00X10.0Y5.0\nM15\nG05"), (std::vector<Point>{at}));
+        QCOMPARE(centres("G00X10.0Y5.0\nM15\nG00X1.0\nM15\nG01X2.0\nM16"), (std::vector<Point>{at, cut}));
+        QCOMPARE(centres("G00X10.0Y5.0\nM15\nG01X8.0\nM16\nG05"), (std::vector<Point>{cut}));
+        QCOMPARE(centres("G00X10.0Y5.0\nM15\nG01X8.0M16\nG00X1.0"), (std::vector<Point>{cut}));
+        QCOMPARE(centres("G00X10.0Y5.0\nM15"), (std::vector<Point>{at}));
+        QVERIFY(centres("G00X10.0Y5.0\nM16\nG05").empty());
+        QCOMPARE(centres("M15\nX10.0Y5.0\nM16"), (std::vector<Point>{at}));  // drilled, not routed
+        QCOMPARE(sizeOf(parseBody("G00X10.0Y5.0\nM15\nM16"), 0), 1'000'000);
+    }
+
     void toolsOfTheHeadAreInItsUnit() {
         const Image image = parse("M48\nINCH,TZ\nT1C.0394\n%\nM71\nT1\nX10.0Y10.0\nT2C2.0\nX11.0Y10.0\nM30\n");
         QCOMPARE(sizeOf(image, 0), 1'000'760);
