@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "model/formats/gerber/board_outline.h"
 #include "model/formats/gerber/drill_fitting.h"
+#include "model/formats/gerber/drills/drill_functions.h"
 #include "model/formats/gerber/layer_order.h"
 #include "model/formats/gerber/missing_layers.h"
 #include "model/formats/gerber/pad_nets.h"
@@ -42,6 +45,7 @@ public:
         addPlacedComponents();
         PadNets(m_step, m_layers, m_parts, m_nets, diagnostics()).run(m_files, m_board, m_result.hasNets);
         setSpans();
+        setBackDrills();
         finish();
         return std::move(m_result);
     }
@@ -107,9 +111,7 @@ private:
         std::vector<std::size_t> seen;
         for (const std::size_t row : m_board.files) {
             ReadFile& file = m_files[row];
-            const bool isHoles =
-                file.isImage() && (file.role.kind == FileRole::Kind::Drill || file.role.kind == FileRole::Kind::Rout);
-            if (!isHoles) {
+            if (!file.isImage() || !isOfHoles(file)) {
                 continue;
             }
             fitToCopper(file, m_filePads, m_copperBox);
@@ -159,8 +161,16 @@ private:
         return rows;
     }
 
+    static bool isOfHoles(const ReadFile& file) {
+        return file.role.kind == FileRole::Kind::Drill || file.role.kind == FileRole::Kind::Rout;
+    }
+
     void addImage(std::size_t layer, ReadFile& file) {
         Image& image = file.image;
+        if (isOfHoles(file)) {
+            plateByFunction(image);
+            m_backDrills.emplace_back(layer, backDrillsIn(image));
+        }
         const Rows rows = takeTables(image);
         const bool isCopperLayer = file.role.kind == FileRole::Kind::Copper;
         const LayerSide side = m_layers.layers[layer].side;
@@ -294,6 +304,26 @@ private:
         }
     }
 
+    /// Whole files only: what they take the plating from is the span of a layer. Without one that would be all copper.
+    void setBackDrills() {
+        for (const auto& [layer, backDrills] : m_backDrills) {
+            formats::DrawnLayer& row = m_layers.layers[layer];
+            if (backDrills == BackDrills::None) {
+                continue;
+            }
+            if (backDrills == BackDrills::Some || row.spanTop < 0) {
+                diagnostics().report(Severity::Warning, row.file, 0,
+                                     backDrills == BackDrills::Some
+                                         ? "some holes of the file are back-drills and others are not; they are shown "
+                                           "as NPTH and take no plating"
+                                         : "the file of back-drills does not say which layers they pass; they are "
+                                           "shown as NPTH and take no plating");
+                continue;
+            }
+            row.use = LayerUse::Backdrill;
+        }
+    }
+
     struct Span {
         int top = 0;  ///< 0: not said
         int bottom = 0;
@@ -393,6 +423,7 @@ private:
     formats::DrawnStep m_step;
     JobFileFacts m_job;
     OrderedLayers m_layers;
+    std::vector<std::pair<std::size_t, BackDrills>> m_backDrills;  ///< by layer of holes
     Box m_copperBox;
     PadIndex m_filePads;  ///< before layers are ordered
     NetNames m_nets;

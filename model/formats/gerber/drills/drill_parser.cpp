@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/base/units.h"
+#include "model/formats/gerber/drills/drill_functions.h"
 #include "model/formats/gerber/text/words.h"
 
 namespace model::gerber {
@@ -16,14 +17,6 @@ namespace {
 constexpr std::size_t kMostComments = 100;
 /// Letters of numbers that say no place: line, feed, spindle, depth, retraction, hits of a tool, size of a tool.
 constexpr std::string_view kOfTheMachine = "NFSZBHC,";
-
-Plating platingOf(std::string_view text) {
-    const bool isNon =
-        holds(text, "NON_PLATED") || holds(text, "NON-PLATED") || holds(text, "NONPLATED") || holds(text, "NPTH");
-    return isNon                                         ? Plating::NonPlated
-           : holds(text, "PLATED") || holds(text, "PTH") ? Plating::Plated
-                                                         : Plating::NotSaid;
-}
 
 /// Formats, which the head has told, and what only the machine needs to know (R,H resets a counter).
 bool isOfTheMachine(std::string_view line) {
@@ -98,7 +91,7 @@ void DrillParser::comment(std::string_view text) {
         }
     }
     if (text.starts_with("TYPE=") || text.starts_with("Contents")) {
-        m_section = platingOf(text);
+        m_section = platingOfWords(text);
     }
     sizeInComment(text);
     if (m_image.comments.size() < kMostComments) {
@@ -125,7 +118,7 @@ void DrillParser::sizeInComment(std::string_view text) {
     const double nm = holds(rest, "MILS") ? base::kNmPerMil : holds(rest, "INCH") ? base::kNmPerInch : base::kNmPerMm;
     Tool& entry = m_tools[static_cast<int>(*tool)];
     entry.size = entry.size > 0 ? entry.size : *size * nm;
-    entry.plating = entry.plating == Plating::NotSaid ? platingOf(rest) : entry.plating;
+    entry.plating = entry.plating == Plating::NotSaid ? platingOfWords(rest) : entry.plating;
 }
 
 /// Some programs fill the rest of the file with blanks, zeros or Ctrl-Z.
@@ -423,7 +416,7 @@ void DrillParser::define(int number, double size) {
     if (probe.attributes >= 0) {
         for (const auto& [name, value] : m_image.attributes[static_cast<std::size_t>(probe.attributes)]) {
             if (name == ".AperFunction") {
-                tool.plating = holds(value, "ViaDrill") ? Plating::Via : platingOf(value);
+                tool.plating = platingOfFunction(value);
             }
         }
     }

@@ -200,6 +200,14 @@ private slots:
         QCOMPARE(allegro.features[1].plating, Plating::NonPlated);
     }
 
+    void aBackDrillHasNoPlating() {
+        const Image image = parse(
+            "M48\nMETRIC\n; #@! TA.AperFunction,NonPlated,Blind,BackDrill\nT1C0.3\n"
+            "; #@! TA.AperFunction,BackDrill\nT2C1.0\n%\nT1\nX1.Y1.\nT2\nX2.Y2.\nM30\n");
+        QCOMPARE(image.features[0].plating, Plating::NonPlated);
+        QCOMPARE(image.features[1].plating, Plating::NonPlated);
+    }
+
     void aToolThatGoesDownInOnePlaceDrillsIt() {
         const auto centres = [](const char* body) {
             std::vector<Point> found;

@@ -28,6 +28,11 @@ std::uint32_t holesOf(const model::Document& board, model::Nm diameter, model::H
     return count;
 }
 
+bool hasBackDrills(const model::Document& board) {
+    return std::ranges::any_of(model::drillTable(board),
+                               [](const model::DrillRow& row) { return row.span == model::HoleSpan::Backdrill; });
+}
+
 std::uint32_t viasOfNets(const model::Document& board) {
     const std::vector<std::uint32_t> counts = model::viaCounts(board);
     return std::accumulate(counts.begin(), counts.end(), 0U);
@@ -404,6 +409,46 @@ private slots:
     }
 
     /// Altium tells in an export of layer pairs which copper layers the drills of a file pass.
+    void functionsOfAperturesTellWhatHolesAre() {
+        const std::string mixed =
+            "%FSLAX46Y46*%%MOMM*%%TF.FileFunction,MixedPlating,1,2*%%TA.AperFunction,ViaDrill*%%ADD10C,0.8*%"
+            "%TA.AperFunction,NonPlated,NPTH,MechanicalDrill*%%ADD11C,0.4*%%TD*%"
+            "D10*X2000000Y2000000D03*D11*X8000000Y8000000D03*M02*";
+        const Job job({{"b.gtl", image(kCopper)}, {"b.gbl", image(kCopper)}, {"b-drl.gbr", mixed}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(holesOf(**board, 800'000, model::HoleKind::Via), 1U);
+        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::NonPlated), 1U);
+    }
+
+    void filesOfBackDrillsTakeThePlatingOfTheirSpan() {
+        const auto open = [](const std::string& backDrills) {
+            const auto copper = [](const char* function) { return image(kCopper, function); };
+            const Job job(
+                {{"b.gtl", copper("Copper,L1,Top")},
+                 {"b.g1", copper("Copper,L2,Inr")},
+                 {"b.g2", copper("Copper,L3,Inr")},
+                 {"b.gbl", copper("Copper,L4,Bot")},
+                 {"b.drl",
+                  "; #@! TF.FileFunction,Plated,1,4,PTH\nM48\nMETRIC\n; #@! TA.AperFunction,Plated,PTH,ViaDrill\n"
+                  "T1C0.4\n%\nT1\nX2.0Y2.0\nM30\n"},
+                 {"b-back.drl", backDrills}});
+            return job.open();
+        };
+        const std::string back =
+            "M48\nMETRIC\n; #@! TA.AperFunction,NonPlated,Blind,BackDrill\nT1C0.8\n%\nT1\nX2.0Y2.0\nM30\n";
+        const Board board = open("; #@! TF.FileFunction,NonPlated,4,3,Blind\n" + back);
+        QVERIFY(board.ok());
+        QVERIFY(hasBackDrills(**board));
+        QVERIFY(isReported(**board, "takes the plating"));
+
+        const Board noSpan = open("; #@! TF.FileFunction,NonPlated\n" + back);
+        QVERIFY(noSpan.ok());
+        QVERIFY(!hasBackDrills(**noSpan));
+        QCOMPARE(holesOf(**noSpan, 800'000, model::HoleKind::NonPlated), 1U);
+        QVERIFY(isReported(**noSpan, "does not say which layers they pass"));
+    }
+
     void layerPairsTellTheSpansOfDrills() {
         const std::string pairs =
             "Layer Pairs Export File for PCB: C:\\b.PcbDoc\r\n"
