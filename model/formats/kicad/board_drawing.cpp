@@ -34,14 +34,14 @@ constexpr double kSameEnd = 1'000.0;        ///< further apart they are reported
 constexpr int kNewestKnown = 20'260'206;    ///< that of KiCad 10
 
 /// Items that draw nothing.
-constexpr std::array<std::string_view, 16> kSilent = {"paper",          "page",
+constexpr std::array<std::string_view, 15> kSilent = {"paper",          "page",
                                                       "host",           "links",
                                                       "group",          "generated",
                                                       "embedded_fonts", "embedded_files",
                                                       "generator",      "generator_version",
                                                       "version",        "component_classes",
-                                                      "variants",       "attr",
-                                                      "point",          "constraint"};
+                                                      "attr",           "point",
+                                                      "constraint"};
 
 std::string versionName(int version) {
     constexpr std::array<std::pair<int, const char*>, 8> kReleases = {{{20'250'000, "KiCad 10"},
@@ -98,6 +98,8 @@ public:
             drawBarcode(m_canvas, item, variables(), originOf(item));
         } else if (head == "image") {
             m_canvas.report(Severity::Info, item.line(), "images are for the eyes of editors; they are not drawn");
+        } else if (head == "variants") {
+            m_canvas.reportVariants(item);
         } else {
             m_canvas.reportNotDrawn(item);
         }

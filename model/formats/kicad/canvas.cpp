@@ -48,6 +48,13 @@ void Canvas::reportNotDrawn(const Item& item) {
            "items of the kind '" + std::string(item.head().substr(0, 40)) + "' are not drawn");
 }
 
+void Canvas::reportVariants(const Item& item) {
+    const bool isEmpty = std::ranges::none_of(item, &Item::isList);
+    if (!isEmpty) {
+        report(Severity::Info, item.line(), "variants are not read; what is shown and populated is the base design");
+    }
+}
+
 // ---- nets ----
 
 std::int32_t Canvas::netNamed(std::string_view name) {

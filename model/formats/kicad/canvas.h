@@ -69,6 +69,8 @@ public:
     void report(Severity severity, std::uint32_t line, std::string_view text);
     /// Of an item of a kind that is not known.
     void reportNotDrawn(const Item& item);
+    /// Of the variants that a board lists, or of what a footprint is in one.
+    void reportVariants(const Item& item);
 
     // ---- nets ----
     /// (net 1 "GND") of the board.

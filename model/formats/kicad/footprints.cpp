@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 6> kMarks = {
     "exclude_from_bom", "exclude_from_pos_files", "board_only", "allow_missing_courtyard", "dnp", "virtual"};
 
 /// Lists of a footprint that draw nothing: what readFacts and the frame take, rules, and what editors need.
-constexpr std::array<std::string_view, 40> kSilent = {"at",
+constexpr std::array<std::string_view, 39> kSilent = {"at",
                                                       "attr",
                                                       "autoplace_cost180",
                                                       "autoplace_cost90",
@@ -66,7 +66,6 @@ constexpr std::array<std::string_view, 40> kSilent = {"at",
                                                       "tstamp",
                                                       "units",
                                                       "uuid",
-                                                      "variant",
                                                       "version",
                                                       "zone_connect"};
 
@@ -202,6 +201,8 @@ public:
                 drawZone(m_canvas, item);
             } else if (head == "dimension") {
                 drawDimension(m_canvas, item, [&](std::string_view name) { return variable(name); });
+            } else if (head == "variant") {
+                m_canvas.reportVariants(item);
             } else if (item.isList() && std::ranges::find(kSilent, head) == kSilent.end()) {
                 m_canvas.reportNotDrawn(item);
             }

@@ -332,6 +332,20 @@ private slots:
         QCOMPARE(messages(boardWith("", "(stackup (copper_finish \"None\"))").diagnostics, "is not read"), 0U);
     }
 
+    void variantsAreReportedAsNotRead() {
+        const DrawnJob job = boardWith(
+            "(variants (variant (name \"A\") (description \"cheap\")))\n"
+            "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (variant (name \"A\") (dnp yes)))");
+        QCOMPARE(messages(job.diagnostics, "what is shown and populated is the base"), 2U);
+        QVERIFY(job.steps[0].components[0].isPopulated);
+        const auto& entries = job.diagnostics.entries();
+        const auto found = std::ranges::find_if(entries, [](const auto& entry) {
+            return entry.text.find("what is shown and populated is the base") != std::string::npos;
+        });
+        QCOMPARE(found->line, 2U);
+        QCOMPARE(messages(boardWith("(variants)").diagnostics, "what is shown and populated is the base"), 0U);
+    }
+
     void aBoardWithoutCopperIsNone() {
         base::Progress progress;
         const auto job = kicad::drawBoard("(kicad_pcb (version 4))", "x", {}, progress);
