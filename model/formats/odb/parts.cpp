@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include "model/formats/odb/text/records.h"
 #include "model/formats/steps/elements_of_feature.h"
@@ -193,6 +196,7 @@ private:
             const BothWays& ways = m_packages[static_cast<std::size_t>(from.package)];
             id = isFlipped ? ways.flipped : ways.drawn;
         }
+        checkNumbers(from, package, list);
         std::vector<Pin> pins;
         std::size_t known = 0;
         for (const PlacedPin& pin : from.pins) {
@@ -219,6 +223,32 @@ private:
         component.properties = addProperties(m_builder, from.properties);
         m_toeprints.push_back(&from);
         m_builder.addComponent(std::move(component), pins);
+    }
+
+    /// Numbers of packages, pins and nets count records of eda/data; -1 says that there is none. A step without that
+    /// file was reported.
+    void checkNumbers(const PlacedComponent& from, const EdaPackage* package, const List& list) {
+        const auto report = [&](std::uint32_t line, std::string_view text) {
+            m_builder.diagnostics().report(Severity::Warning, list.file->path, line, text);
+        };
+        if (!from.refdes.empty() && !m_refdes.insert(from.refdes).second) {
+            report(from.line, "another component has the same reference designator; both are kept");
+        }
+        if (!m_step.eda.isPresent()) {
+            return;
+        }
+        if (package == nullptr && from.package != -1) {
+            report(from.line, "the component names a package that eda/data does not have; it has none");
+        }
+        for (const PlacedPin& pin : from.pins) {
+            if (package != nullptr && pin.number != -1 && pinOf(package, pin) == nullptr) {
+                report(pin.line, "TOP: the package has no pin of that number; the pin stays without its outline");
+            }
+            const auto nets = static_cast<std::int64_t>(m_step.eda.value.nets.size());
+            if (pin.net < -1 || pin.net >= nets) {
+                report(pin.line, "TOP: eda/data has no net of that number; the pin has no net");
+            }
+        }
     }
 
     Pin pinFrom(const PlacedPin& from, const EdaPackage* package, PackageId id) {
@@ -265,6 +295,7 @@ private:
     std::vector<List> m_lists;
     std::vector<BothWays> m_packages;                 ///< by number of the PKG record
     std::vector<const PlacedComponent*> m_toeprints;  ///< by component
+    std::set<std::string> m_refdes;                   ///< seen so far
     std::array<std::size_t, 2> m_first{};             ///< first component of the top and of the bottom
 };
 

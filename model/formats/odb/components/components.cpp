@@ -1,6 +1,7 @@
 #include "model/formats/odb/components/components.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "model/formats/odb/text/records.h"
@@ -26,11 +27,12 @@ std::optional<PlacedComponent> componentOf(std::string_view line, const FileCurs
     return fields.failed() ? std::nullopt : std::optional(std::move(component));
 }
 
-std::optional<PlacedPin> pinOf(std::string_view line, std::int64_t nm) {
+std::optional<PlacedPin> pinOf(std::string_view line, const FileCursor& at) {
     Fields fields(line);
     PlacedPin pin;
+    pin.line = at.line;
     pin.number = fields.integer();
-    pin.position = fields.point(nm);
+    pin.position = fields.point(at.nm);
     fields.real();  // the pin's own rotation and mirror follow its component
     fields.word();
     pin.net = fields.integer();
@@ -75,19 +77,46 @@ private:
             return m_at.report(Severity::Error, "the CMP record is unreadable; the component is missing");
         }
         component->properties = m_attributes.resolve(Fields(line).tail(), m_types, m_at);
-        const auto height = std::ranges::find(component->properties, ".comp_height", &TextProperty::name);
-        if (height != component->properties.end()) {
-            const std::optional<double> value = parseReal(height->value);
-            component->height = value ? toLength(*value, m_at.nm).value_or(0) : 0;
+        component->height = heightOf(*component);
+        turnOnce(*component);
+        if (std::ranges::find(component->properties, ".comp_ignore", &TextProperty::name) !=
+            component->properties.end()) {
+            m_at.report(Severity::Info, "the component has .comp_ignore; it is read and shown as others are");
         }
         m_components.push_back(std::move(*component));
+    }
+
+    /// 0, and a report, for what is no height.
+    [[nodiscard]] Nm heightOf(const PlacedComponent& component) const {
+        const auto height = std::ranges::find(component.properties, ".comp_height", &TextProperty::name);
+        if (height == component.properties.end()) {
+            return 0;
+        }
+        const std::optional<double> value = parseReal(height->value);
+        const std::optional<Nm> length = value ? toLength(*value, m_at.nm) : std::nullopt;
+        if (!length || *length < 0) {
+            m_at.report(Severity::Warning, ".comp_height is negative or no length; the height is taken as unknown");
+            return 0;
+        }
+        return *length;
+    }
+
+    void turnOnce(PlacedComponent& component) const {
+        if (component.clockwiseDeg >= 0.0 && component.clockwiseDeg <= 360.0) {
+            return;
+        }
+        const double rest = std::fmod(component.clockwiseDeg, 360.0);
+        component.clockwiseDeg = rest < 0.0 ? rest + 360.0 : rest;
+        m_at.report(Severity::Warning,
+                    "the rotation of a component is not within 0 and 360 degrees; whole turns are "
+                    "taken off");
     }
 
     void pin(std::string_view line) {
         if (!m_isInComponent) {
             return;  // its component was reported
         }
-        std::optional<PlacedPin> pin = pinOf(line, m_at.nm);
+        std::optional<PlacedPin> pin = pinOf(line, m_at);
         if (!pin) {
             return m_at.report(Severity::Warning, "the TOP record is unreadable; the pin is missing");
         }

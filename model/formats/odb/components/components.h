@@ -18,14 +18,15 @@ struct PlacedPin {
     base::Point position;
     std::int32_t net = -1;  ///< number of the NET record in eda/data; -1 none
     std::string name;
+    std::uint32_t line = 0;
 };
 
 /// A CMP record with its pins (odb-notes, Nets and parts).
 struct PlacedComponent {
     std::int32_t package = -1;  ///< number of the PKG record in eda/data; -1 unknown
     base::Point position;
-    double clockwiseDeg = 0.0;
-    bool isMirrored = false;  ///< as written; not reliable
+    double clockwiseDeg = 0.0;  ///< 0 to 360
+    bool isMirrored = false;    ///< as written; not reliable
     std::string refdes;
     std::string part;
     Nm height = 0;  ///< .comp_height; 0 unknown

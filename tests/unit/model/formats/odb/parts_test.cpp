@@ -84,6 +84,31 @@ private slots:
         QVERIFY(findDiagnostic(diagnostics, "bill of materials") != nullptr);
     }
 
+    void componentsThatCannotBeAsWrittenAreReported() {
+        const Folder folder;
+        writeParts(folder,
+                   "@0 .comp_height\n@1 .comp_ignore\nCMP 7 5 5 0 N U1 c\nCMP 0 10 20 400 N U2 c ;0=-3\n"
+                   "TOP 9 9 20 0 N 99 0 1\nTOP -1 9 20 0 N -1 0 2\nCMP -1 1 1 360 N U2 c ;1\nCMP -1 1 1 -90 N R1 c\n",
+                   "");
+        const auto d = read(folder.path());
+        const auto lineOf = [&](const char* text) {
+            const auto* const entry = findDiagnostic(d->diagnostics, text);
+            return entry != nullptr && entry->file.ends_with("components") && entry->count == 1 ? entry->line : 0U;
+        };
+        QCOMPARE(lineOf("a package that eda/data does not have"), 4U);
+        QCOMPARE(lineOf(".comp_height is negative"), 5U);
+        QCOMPARE(lineOf("package has no pin of that number"), 6U);
+        QCOMPARE(lineOf("no net of that number"), 6U);
+        QCOMPARE(lineOf("the same reference designator"), 8U);
+        QCOMPARE(lineOf(".comp_ignore"), 8U);
+        const auto* const turned = findDiagnostic(d->diagnostics, "not within 0 and 360 degrees");
+        QVERIFY(turned != nullptr && turned->line == 5 && turned->count == 2);
+        QCOMPARE(d->components.size(), std::size_t{4});
+        QCOMPARE(d->components[1].height, 0);
+        QCOMPARE(d->components[1].placement.clockwiseDeg, 40.0);
+        QCOMPARE(d->components[3].placement.clockwiseDeg, 270.0);
+    }
+
     void aPlacementTakesThePackageToTheBoard() {
         const Folder folder;
         // Turned clockwise by 90°: (x, y) becomes (y, -x).
