@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 
 #include "model/geometry/box_index.h"
 #include "model/geometry/vectors.h"
@@ -78,14 +79,12 @@ private:
             return;  // beside it
         }
         if (!areRound || away + inner->diameter / 2.0 > outer->diameter / 2.0 + kTolerance) {
-            return report(Severity::Warning,
-                          "a back-drill does not cover the plated hole it meets, which stays as it is", drill);
+            return report(Severity::Warning, "does not cover the plated hole it meets, which stays as it is", drill);
         }
         if (span.top < over.spanTop && over.spanBottom < span.bottom) {
-            return report(Severity::Warning, "a back-drill begins and ends within a plated hole, which stays as it is",
-                          drill);
+            return report(Severity::Warning, "begins and ends within a plated hole, which stays as it is", drill);
         }
-        report(Severity::Info, "a back-drill takes the plating of a hole from the copper of its span", drill);
+        report(Severity::Info, "takes the plating of a hole from the copper of its span", drill);
         m_spans[hole] = left(span, over);
     }
 
@@ -114,7 +113,10 @@ private:
         return LayerId{static_cast<std::size_t>(row)};
     }
 
-    void report(Severity severity, const char* text, ElementId drill) {
+    void report(Severity severity, const std::string& what, ElementId drill) {
+        const bool isBackDrill = layerOf(drill).use == LayerUse::Backdrill;
+        const std::string text =
+            (isBackDrill ? "a back-drill " : "the wider part of a hole (countersink, counterbore) ") + what;
         m_builder.diagnostics().report(severity, layerOf(drill).file, m_document.elements.line[drill.row()], text,
                                        drill);
     }

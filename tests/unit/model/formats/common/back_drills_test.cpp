@@ -107,7 +107,9 @@ private slots:
     void aBareSecondDiameterTakesThePlatingAPlatedOneDoesNot() {
         Board bare;
         bare.drill(LayerUse::DualDiameter, 0, 1, {}, 600'000);
-        QCOMPARE(joined(*bare.finish(), bare.hole), (std::pair{2, 3}));
+        const auto d = bare.finish();
+        QCOMPARE(joined(*d, bare.hole), (std::pair{2, 3}));
+        QVERIFY(d->diagnostics.entries()[0].text.starts_with("The wider part of a hole"));
         Board plated;
         plated.drill(LayerUse::DualDiameter, 0, 1, {}, 600'000, model::kHole | model::kPlated);
         QCOMPARE(joined(*plated.finish(), plated.hole), (std::pair{0, 3}));
