@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include "model/base/thickness_units.h"
 #include "model/board/stackup.h"
@@ -208,31 +209,100 @@ private:
         }
     }
 
+    /// A copper, or all dielectrics between two of them: how a writer splits one into rows makes no difference.
+    using Level = std::vector<std::size_t>;
+
+    [[nodiscard]] std::vector<Level> levelsOf(const std::vector<std::size_t>& rows) const {
+        std::vector<Level> levels;
+        for (const std::size_t row : rows) {
+            if (levels.empty() || isCopper(row) || isCopper(levels.back().front())) {
+                levels.emplace_back();
+            }
+            levels.back().push_back(row);
+        }
+        return levels;
+    }
+
+    [[nodiscard]] double thicknessOf(const Level& level) const {
+        double sum = 0.0;
+        for (const std::size_t row : level) {
+            sum += m_rows[row].thickness;
+        }
+        return sum;
+    }
+
+    /// "D1 200 µm", "D1 and D2 together 300 µm"
+    [[nodiscard]] std::string textOf(const Level& level) const {
+        if (level.size() == 1) {
+            return nameAndThickness(level.front());
+        }
+        std::string names;
+        for (std::size_t i = 0; i < level.size(); ++i) {
+            names += (i == 0 ? "" : i + 1 < level.size() ? ", " : " and ") + m_rows[level[i]].name;
+        }
+        return names + " together " + textOf(static_cast<Nm>(thicknessOf(level)));
+    }
+
+    /// How thick the dielectrics of each material are; empty where the material of one is not stated.
+    [[nodiscard]] std::map<std::string, double> materialsOf(const Level& level) const {
+        std::map<std::string, double> materials;
+        for (const std::size_t row : level) {
+            if (m_rows[row].material.name.empty() || isCopper(row)) {
+                return {};
+            }
+            materials[m_rows[row].material.name] += m_rows[row].thickness;
+        }
+        return materials;
+    }
+
+    static bool areNear(double a, double b) {
+        const auto [thin, thick] = std::minmax(a, b);
+        return thick - thin <= kSymmetryTolerance * thick;
+    }
+
+    /// Of dielectrics made of several materials each one counts: a core and a prepreg differ in how they shrink. One
+    /// material against one is left alone, as writers give the same one many names.
+    [[nodiscard]] bool areOfLikeMaterials(const Level& a, const Level& b) const {
+        const std::map<std::string, double> first = materialsOf(a);
+        const std::map<std::string, double> second = materialsOf(b);
+        const bool isTold = !first.empty() && !second.empty() && (first.size() > 1 || second.size() > 1);
+        return !isTold || std::ranges::equal(first, second, [](const auto& left, const auto& right) {
+            return left.first == right.first && areNear(left.second, right.second);
+        });
+    }
+
     /// Are these, as far from the one side as from the other, alike?
-    [[nodiscard]] bool areAlike(std::size_t a, std::size_t b) const {
-        const auto [thin, thick] = std::minmax(m_rows[a].thickness, m_rows[b].thickness);
-        return isCopper(a) == isCopper(b) && (!isKnown(a) || !isKnown(b) || thick - thin <= kSymmetryTolerance * thick);
+    [[nodiscard]] bool areAlike(const Level& a, const Level& b) const {
+        const auto areKnown = [this](const Level& level) {
+            return std::ranges::all_of(level, [this](std::size_t row) { return isKnown(row); });
+        };
+        const bool isSameKind = isCopper(a.front()) == isCopper(b.front());
+        return isSameKind &&
+               (!areKnown(a) || !areKnown(b) || (areNear(thicknessOf(a), thicknessOf(b)) && areOfLikeMaterials(a, b)));
     }
 
     void checkSymmetry(const Substack& part) {
-        const std::vector<std::size_t> rows = coreRows(part.has);
+        const std::vector<Level> levels = levelsOf(coreRows(part.has));
         std::vector<std::size_t> differing;
-        std::string pairs;
-        for (std::size_t i = 0; i < rows.size() / 2; ++i) {
-            const std::size_t other = rows[rows.size() - 1 - i];
-            if (areAlike(rows[i], other)) {
+        std::size_t pairs = 0;
+        std::string texts;
+        for (std::size_t i = 0; i < levels.size() / 2; ++i) {
+            const Level& level = levels[i];
+            const Level& other = levels[levels.size() - 1 - i];
+            if (areAlike(level, other)) {
                 continue;
             }
-            if (differing.size() < 2 * kNamedPairs) {
-                pairs += (pairs.empty() ? "" : "; ") + nameAndThickness(rows[i]) + " and " + nameAndThickness(other);
+            if (pairs++ < kNamedPairs) {
+                texts += (texts.empty() ? "" : "; ") + textOf(level) + " and " + textOf(other);
             }
-            differing.insert(differing.end(), {rows[i], other});
+            differing.insert(differing.end(), level.begin(), level.end());
+            differing.insert(differing.end(), other.begin(), other.end());
         }
         if (!differing.empty()) {
-            const std::size_t more = differing.size() / 2 - std::min(differing.size() / 2, kNamedPairs);
+            const std::size_t more = pairs - std::min(pairs, kNamedPairs);
             add(StackupCheck::Symmetry,
                 "the stackup" + (part.name.empty() ? "" : " of zone " + part.name) +
-                    " is not symmetric about its middle: " + pairs +
+                    " is not symmetric about its middle: " + texts +
                     (more > 0 ? " and " + std::to_string(more) + " more pairs" : ""),
                 differing, Severity::Info);
         }

@@ -166,6 +166,25 @@ private slots:
         QCOMPARE(rows.found(), QStringList());
     }
 
+    void whatLiesBetweenTwoCoppersCountsTogether() {
+        const auto split = [](const char* name) {
+            Rows rows;
+            rows.copper("TOP", 35'000).dielectric("D1", 200'000).dielectric("D2", 100'000);
+            rows.document.stackup.rows[1].material.name = "FR4";
+            rows.document.stackup.rows[2].material.name = name;
+            rows.copper("L2", 17'500).dielectric("D3", 800'000).copper("L3", 17'500).dielectric("D4", 300'000);
+            rows.document.stackup.rows[6].material.name = "FR4";
+            return rows.copper("BOT", 35'000);
+        };
+        Rows rows = split("FR4");
+        QCOMPARE(rows.found(), QStringList());
+        rows.document.stackup.rows[6].thickness = 400'000;
+        QCOMPARE(rows.first().text,
+                 "The stackup is not symmetric about its middle: D1 and D2 together 300 µm and D4 400 µm");
+        QCOMPARE(rows.first().rows, (std::vector<std::size_t>{1, 2, 6}));
+        QCOMPARE(split("PTFE").found(), QStringList({"symmetry"}));
+    }
+
     void onlySomeOfManyPairsAreNamed() {
         Rows rows;
         for (int i = 0; i < 5; ++i) {
