@@ -54,8 +54,9 @@ HoleSpan layerSpan(const Document& document, const Layer& layer) {
     return isOuter(document, layer.spanTop) || isOuter(document, layer.spanBottom) ? HoleSpan::Blind : HoleSpan::Buried;
 }
 
-bool isMicro(const Document& document, const Layer& layer, const DrillTool* tool, Nm diameter) {
-    return (isLaser(tool) || (diameter > 0 && diameter <= kMostMicrovia)) &&
+bool isMicro(const Document& document, const Layer& layer, const DrillRow& hole) {
+    const bool isNarrow = hole.diameter > 0 && hole.diameter <= kMostMicrovia;
+    return (isLaser(hole.tool) || isNarrow || hole.isCalledMicrovia) &&
            !isCopperBetween(document, layer.spanTop, layer.spanBottom);
 }
 
@@ -94,6 +95,13 @@ Nm lengthOf(const Document& document, ElementId hole) {
     return static_cast<Nm>(std::lround(length / kStep) * std::lround(kStep));
 }
 
+bool isCalledMicrovia(const Document& document, ElementId hole) {
+    const auto isMicro = [](const auto& attribute) {
+        return attribute.first == kViaType && attribute.second == kMicroviaType;
+    };
+    return std::ranges::any_of(document.attributesOf(hole), isMicro);
+}
+
 /// Shape and sizes of one hole.
 DrillRow measured(const Document& document, std::size_t element) {
     const std::uint32_t row = document.elements.geometry[element];
@@ -115,14 +123,15 @@ DrillRow measured(const Document& document, std::size_t element) {
     out.length = lengthOf(document, ElementId{element});
     out.layer = document.elements.layer[element];
     out.kind = holeKind(document.elements.flags[element]);
+    out.isCalledMicrovia = isCalledMicrovia(document, ElementId{element});
     return out;
 }
 
 /// Holes of one key are one row.
-using Key = std::tuple<LayerId, HoleKind, std::string_view, Nm, Nm, Nm>;
+using Key = std::tuple<LayerId, HoleKind, std::string_view, Nm, Nm, Nm, bool>;
 
 Key keyOf(const DrillRow& hole) {
-    return {hole.layer, hole.kind, hole.shape, hole.diameter, hole.open, hole.length};
+    return {hole.layer, hole.kind, hole.shape, hole.diameter, hole.open, hole.length, hole.isCalledMicrovia};
 }
 
 std::vector<DrillTool const*> toolsOf(const Document& document, LayerId layer) {
@@ -214,7 +223,7 @@ void addRow(std::vector<DrillRow>& rows, DrillRow row, std::uint32_t times) {
 HoleSpan spanOf(const Document& document, const Layer& layer, const DrillRow& hole) {
     const HoleSpan span = layerSpan(document, layer);
     const bool isPart = span == HoleSpan::Blind || span == HoleSpan::Buried;
-    return isPart && isMicro(document, layer, hole.tool, hole.diameter) ? HoleSpan::Micro : span;
+    return isPart && isMicro(document, layer, hole) ? HoleSpan::Micro : span;
 }
 
 }  // namespace

@@ -17,15 +17,20 @@ constexpr bool isHoles(LayerType type) {
 
 /// Which copper a hole joins or passes.
 enum class HoleSpan : std::uint8_t {
-    Through,   ///< from the outer copper to the outer copper
-    Blind,     ///< from an outer copper layer inwards
-    Buried,    ///< between inner copper layers
-    Micro,     ///< between neighbouring copper layers, by laser or exposure, or no wider than 150 µm (IPC-2226)
+    Through,  ///< from the outer copper to the outer copper
+    Blind,    ///< from an outer copper layer inwards
+    Buried,   ///< between inner copper layers
+    Micro,  ///< between neighbouring copper layers, by laser or exposure, no wider than 150 µm (IPC-2226), or called so
     Backdrill  ///< drilled after plating, from outside, to take the plating of a through hole away
 };
 [[nodiscard]] const char* toString(HoleSpan span);  ///< "through", "blind", …
 
 inline constexpr Nm kMostMicrovia = 150'000;
+
+/// The attribute by which readers keep what a job calls a via: "micro", "blind", "buried". A via that is called a
+/// microvia is one if it is between neighbouring copper layers and not through the whole board.
+inline constexpr const char* kViaType = "via_type";
+inline constexpr const char* kMicroviaType = "micro";
 
 /// Does a hole of this size come from the tool? Tool and symbol sizes are rounded apart, for example 7.988 mil and
 /// 202.9 µm, so 1 µm is forgiven.
@@ -45,6 +50,7 @@ struct DrillRow {
     bool isOpenAssumed = false;       ///< no tool says how thick the plating is, so a reader assumed it
     Nm length = 0;                    ///< of all but round holes, as drilled and over their ends; to 100 nm
     const DrillTool* tool = nullptr;  ///< in Document::tools; none if no tool of the layer fits
+    bool isCalledMicrovia = false;    ///< by the job, which the element's attribute kViaType says
     std::vector<int> otherTools;      ///< numbers of tools that fit as well: some of the holes may be theirs
     std::uint32_t count = 0;
 };

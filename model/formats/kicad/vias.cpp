@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/board/holes.h"
 #include "model/formats/kicad/back_drills.h"
 #include "model/formats/kicad/post_machining.h"
 #include "model/formats/kicad/text/values.h"
@@ -59,6 +60,19 @@ void openMask(Canvas& canvas, const Item& via, const Origin& origin, PointD at, 
     }
 }
 
+/// A via that is called a microvia and does not end on the next layer counts as what it is.
+void reportMicrovia(Canvas& canvas, const Item& via, const std::vector<std::int32_t>& span) {
+    const BoardLayers& layers = canvas.layers();
+    const bool isThrough = span.size() == layers.copper().size();
+    if (span.size() != 2 || isThrough) {
+        canvas.report(
+            Severity::Info, via.line(),
+            "a via is called a microvia, but " +
+                std::string(isThrough ? "goes through the whole board" : "passes more than two copper layers") +
+                "; it counts as a drilled one");
+    }
+}
+
 }  // namespace
 
 void reportProtection(Canvas& canvas, const Item& item) {
@@ -95,10 +109,13 @@ void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
     origin.net = canvas.netOf(via);
     origin.subnet = SubnetKind::Via;
     origin.plating = Plating::Via;
-    for (const char* type : {"blind", "buried", "micro"}) {
+    for (const char* type : {"blind", "buried", kMicroviaType}) {
         if (via.hasWord(type)) {
-            origin.attributes = canvas.attributes({{"via_type", type}});
+            origin.attributes = canvas.attributes({{kViaType, type}});
         }
+    }
+    if (via.hasWord(kMicroviaType)) {
+        reportMicrovia(canvas, via, span);
     }
     const Item connected = via.find("zone_layer_connections");
     for (const std::int32_t row : span) {

@@ -175,6 +175,24 @@ private slots:
                  (Texts{"through via 300 #1 x 30", "through non_plated 3000 x 4"}));
     }
 
+    void whatTheJobCallsAMicroviaIsOneBetweenNeighbours() {
+        Step card;
+        for (const LayerId layer : {card.above, card.through}) {
+            card.builder.beginLayer(layer);
+            DocumentBuilder::Origin origin;
+            origin.flags = kViaFlags;
+            card.builder.addCircle({{0, 0}, 200'000, 200'000}, origin);
+            origin.attributes = card.builder.attributes({{model::kViaType, model::kMicroviaType}});
+            card.builder.addCircle({{model::kMostMicrovia * 4, 0}, 200'000, 200'000}, origin);
+        }
+        const std::vector<DrillRow> rows = model::drillTable(*card.builder.finish());
+        const auto count = [&](model::HoleSpan span) { return std::ranges::count(rows, span, &DrillRow::span); };
+        QCOMPARE(rows.size(), std::size_t{4});
+        QCOMPARE(count(model::HoleSpan::Micro), 1);
+        QCOMPARE(count(model::HoleSpan::Blind), 1);
+        QCOMPARE(count(model::HoleSpan::Through), 2);
+    }
+
     void flippedCopiesAreDrilledFromTheOtherSide() {
         Step card;
         card.holes(card.above, 100'000, 2).holes(card.below, 100'000, 1);

@@ -33,6 +33,16 @@ class BoardDrawingTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void viasThatAreWronglyCalledMicroviasAreReported() {
+        const auto said = [](const char* layers) {
+            const DrawnJob job =
+                boardWith("(via micro (at 5 5) (size 0.5) (drill 0.2) (layers " + std::string(layers) + ") (net 1))");
+            return messages(job.diagnostics, "A via is called a microvia, but goes through the whole board");
+        };
+        QCOMPARE(said("\"F.Cu\" \"B.Cu\""), 1U);
+        QCOMPARE(said("\"F.Cu\" \"In1.Cu\""), 0U);
+    }
+
     void layersHaveTheNamesOfUsersInPhysicalOrder() {
         const DrawnJob job = drawn(fileText("small.kicad_pcb"));
         std::vector<std::string> names;
