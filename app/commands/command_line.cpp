@@ -324,6 +324,7 @@ void addSection(CLI::App& parent, Command& chosen) {
     addList(command, "--line", arguments.line, "X0,Y0,X1,Y1[,X2,Y2...] in millimetres of the job's coordinates")
         ->required();
     addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
+    command.add_flag("--as-designed", arguments.isAsDesigned, "also what is milled away beyond the board outline");
     addChoice(command, "--format", arguments.format, {"svg", "json", "csv"});
     command
         .add_option("--scale", arguments.scale, "mm of paper for a mm of the line (SVG); default: as fits on a sheet")

@@ -11,6 +11,7 @@
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
 #include "app/common/memory_limit.h"
+#include "app/common/milled_elements.h"
 #include "model/board/copies.h"
 #include "render/frame/transparent.h"
 #include "render/gpu/check.h"
@@ -164,8 +165,12 @@ Result<std::shared_ptr<const render::SectionCut>> cutOf(const RenderArguments& a
     const auto location = [&](std::size_t i) {
         return base::PointD{arguments.clip[i] * base::kNmPerMm, arguments.clip[i + 1] * base::kNmPerMm};
     };
-    ASSIGN_OR_RETURN(render::SectionCut cut,
-                     render::makeSectionCut(*index, render::frameOf(*document).origin, location(0), location(2)));
+    std::vector<model::ElementId> milled;
+    if (settingsFor(arguments).isFabricated) {
+        milled = milledElementsOf(*document).elements;
+    }
+    ASSIGN_OR_RETURN(render::SectionCut cut, render::makeSectionCut(*index, render::frameOf(*document).origin,
+                                                                    location(0), location(2), std::move(milled)));
     return std::make_shared<const render::SectionCut>(std::move(cut));
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/console_progress.h"
+#include "app/common/milled_elements.h"
 #include "model/export/section_export.h"
 #include "model/text/json_text.h"
 #include "render/scene/layer_style.h"
@@ -80,12 +81,25 @@ std::string sectionJson(const model::BoardIndex& index, const Section& section) 
     return model::jsonText(all);
 }
 
+/// As the board is made, unless it is to be as designed.
+base::Result<Section> sectionOf(const model::BoardIndex& index, model::SectionRequest request, bool isAsDesigned) {
+    const MilledElements milled = isAsDesigned ? MilledElements{} : milledElementsOf(*index.board);
+    request.milled = milled.elements;
+    ASSIGN_OR_RETURN(Section section, model::makeSection(index, request));
+    if (milled.isOutlineDoubtful) {
+        section.notes.emplace_back(
+            "more copper lies beyond the board outline than within; the section shows all of it, as if the outline "
+            "were not that of the board");
+    }
+    return section;
+}
+
 base::Result<std::string> sectionText(const SectionArguments& arguments) {
     ConsoleProgress console;
     ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
     ASSIGN_OR_RETURN(const auto request, requestFor(*board, arguments));
     ASSIGN_OR_RETURN(const auto index, model::indexBoard(board, console.progress()));
-    ASSIGN_OR_RETURN(const auto section, model::makeSection(*index, request));
+    ASSIGN_OR_RETURN(const Section section, sectionOf(*index, request, arguments.isAsDesigned));
     for (const std::string& note : section.notes) {
         std::fprintf(stderr, "%s\n", note.c_str());
     }

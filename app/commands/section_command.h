@@ -12,6 +12,7 @@ struct SectionArguments {
     BoardArguments board;
     std::vector<double> line;         ///< x0, y0, x1, y1, … in millimetres of the board
     std::vector<std::string> layers;  ///< only these; empty: all that are made of something
+    bool isAsDesigned = false;        ///< with what is milled away beyond the board outline
     std::string format = "svg";       ///< svg, json or csv
     double scale = 0.0;               ///< SVG: mm of paper for a mm of the line; 0: as fits
     double heightTimes = 0.0;         ///< SVG: heights so many times larger; 0: as reads well

@@ -161,31 +161,9 @@ ElementCut cutSquarePen(const Document& document, ElementId element, const CutLi
     return {crossings.take(), {}};
 }
 
-/// Islands, each without the holes behind it.
-ElementCut cutArea(const Document& document, ElementId element, const CutLine& onBoard) {
+ElementCut cutArea(const Document& document, ElementId element, const CutLine& line) {
     const AreaGeometry& area = document.areas[document.elements.geometry[element.row()]];
-    const CutLine line = onBoard.seenFrom(area.placement);
-    ContourCrossings crossings(line);
-    std::vector<Interval> covered;
-    Intervals island;
-    std::vector<Interval> holes;
-    const auto finishIsland = [&] {
-        const Intervals left = subtracted(island, united(std::move(holes)));
-        covered.insert(covered.end(), left.begin(), left.end());
-        holes.clear();
-    };
-    for (const Contour& contour : document.shapes.contoursOf(area.shape)) {
-        forEachEdge(document.shapes.nodesOf(contour), [&](const Edge& edge) { crossings.add(edge); });
-        const Intervals inside = crossings.take();
-        if (contour.isHole) {
-            holes.insert(holes.end(), inside.begin(), inside.end());
-        } else {
-            finishIsland();
-            island = inside;
-        }
-    }
-    finishIsland();
-    const Intervals all = united(std::move(covered));
+    const Intervals all = cutShape(document.shapes, area.shape, line.seenFrom(area.placement));
     const bool isHole = (document.elements.flags[element.row()] & kHole) != 0;
     return {all, isHole ? all : Intervals{}};
 }
@@ -216,6 +194,31 @@ ElementCut cutElement(const Document& document, ElementId element, const CutLine
     }
     const bool isSquare = (document.elements.flags[element.row()] & kSquarePen) != 0;
     return isSquare ? cutSquarePen(document, element, line) : cutTracks(document, element, line);
+}
+
+/// Islands, each without the holes behind it.
+Intervals cutShape(const ShapeTable& shapes, ShapeId shape, const CutLine& line) {
+    ContourCrossings crossings(line);
+    std::vector<Interval> covered;
+    Intervals island;
+    std::vector<Interval> holes;
+    const auto finishIsland = [&] {
+        const Intervals left = subtracted(island, united(std::move(holes)));
+        covered.insert(covered.end(), left.begin(), left.end());
+        holes.clear();
+    };
+    for (const Contour& contour : shapes.contoursOf(shape)) {
+        forEachEdge(shapes.nodesOf(contour), [&](const Edge& edge) { crossings.add(edge); });
+        const Intervals inside = crossings.take();
+        if (contour.isHole) {
+            holes.insert(holes.end(), inside.begin(), inside.end());
+        } else {
+            finishIsland();
+            island = inside;
+        }
+    }
+    finishIsland();
+    return united(std::move(covered));
 }
 
 Intervals cutPolygons(const PolygonSet& polygons, const CutLine& line) {

@@ -64,14 +64,18 @@ PointD clamped(PointD p) {
 /// Goes along one line over a board.
 class Cutter {
 public:
-    Cutter(const BoardIndex& index, const std::vector<bool>& layers, bool isAsSolid)
+    Cutter(const BoardIndex& index, const std::vector<bool>& layers, const SectionRequest& request)
         : m_index(index),
           m_layers(layers),
-          m_isAsSolid(isAsSolid),
+          m_isAsSolid(request.isAsSolid),
+          m_milled(request.milled),
           m_outlines(index),
-          m_shaper(*index.board, isAsSolid) {}
+          m_shaper(*index.board, request.isAsSolid) {}
 
     void cut(const Leg& leg) {
+        if (!m_milled.empty()) {
+            m_within = cutShape(board().shapes, board().profile, CutLine::through(leg.a, leg.b));
+        }
         for (std::uint32_t copy = 0; copy < m_index.tree.copies.size(); ++copy) {
             const StepCopy& how = m_index.tree.copies[copy];
             const Document& step = *m_index.tree.steps[how.step];
@@ -98,6 +102,7 @@ public:
     std::set<std::pair<std::uint32_t, ElementId>> wallless;  ///< copy and area: plated, with walls that are not known
     std::size_t landed = 0;                                  ///< laser vias met
     std::set<LayerId> undrawn;                               ///< films that are where their zones are
+    std::set<ElementId> milled;                              ///< of which something is left out
 
 private:
     const Document& board() const { return *m_index.board; }
@@ -137,10 +142,11 @@ private:
         // A short leg may lie within the bore altogether: walls are looked for all along its line.
         const bool hasWalls = !subtracted(found.covered, found.opening).empty();
         found.covered = clipped(found.covered, 0.0, leg.length);
+        const bool isMilled = isOfMilled(placed, element) && mill(element, found.covered);
         SectionPiece piece{layer, {placed.copy, element}};
         piece.material = materialOf(board(), layer);
         const std::optional<LandingVia> via =
-            isHole && !found.covered.empty() ? landingOf(placed, element, leg) : std::nullopt;
+            isHole && !isMilled && !found.covered.empty() ? landingOf(placed, element, leg) : std::nullopt;
         if (isHole) {
             const ZRange bore =
                 via ? ZRange{std::min(via->entry, via->target), std::max(via->entry, via->target)} : boreOf(layer);
@@ -159,6 +165,22 @@ private:
             const auto heights = isHole ? platingOf(placed, element) : heightsOf(placed, element, layer);
             add(m_leg.pieces, piece, heights, solid, leg);
         }
+    }
+
+    /// Other steps than the board itself are milled from a panel later.
+    [[nodiscard]] bool isOfMilled(const Placed& placed, ElementId element) const {
+        return placed.copy == 0 && std::ranges::binary_search(m_milled, element);
+    }
+
+    /// Leaves of an element what lies within the outline of the board. False: that is all of it.
+    bool mill(ElementId element, Intervals& covered) {
+        const Intervals beyond = subtracted(covered, m_within);
+        if (beyond.empty()) {
+            return false;
+        }
+        covered = subtracted(covered, beyond);
+        milled.insert(element);
+        return true;
     }
 
     /// Components whose leads may be met: those reach beyond the element of the body.
@@ -347,6 +369,8 @@ private:
     const BoardIndex& m_index;
     const std::vector<bool>& m_layers;
     bool m_isAsSolid = false;
+    const std::vector<ElementId>& m_milled;
+    Intervals m_within;  ///< the outline of the board on the leg that is cut
     LayerOutlines m_outlines;
     LegShaper m_shaper;
     PartPlans m_plans;
@@ -440,10 +464,14 @@ void addAssumptions(const Document& board, const Cutter& cutter, Section& sectio
     }
 }
 
-void addNotes(const Document& board, std::size_t wallless, Section& section) {
-    if (wallless > 0) {
+void addNotes(const Document& board, const Cutter& cutter, Section& section) {
+    if (!cutter.wallless.empty()) {
         section.notes.push_back("plated holes without a known plating thickness, drawn without it: " +
-                                std::to_string(wallless));
+                                std::to_string(cutter.wallless.size()));
+    }
+    if (!cutter.milled.empty()) {
+        section.notes.push_back("left out as milled away beyond the board outline, parts of elements: " +
+                                std::to_string(cutter.milled.size()));
     }
     if (section.pieces.empty() && section.bores.empty()) {
         section.notes.push_back("the line meets nothing of the board");
@@ -488,7 +516,7 @@ bool hasSubstance(const Layer& layer) {
 base::Result<Section> makeSection(const BoardIndex& index, const SectionRequest& request) {
     ASSIGN_OR_RETURN(const std::vector<Leg> legs, legsOf(request.line));
     const std::vector<bool> layers = request.layers.empty() ? layersWithSubstance(*index.board) : request.layers;
-    Cutter cutter(index, layers, request.isAsSolid);
+    Cutter cutter(index, layers, request);
     Section section;
     section.line.push_back(legs.front().a);
     section.stations.push_back(0.0);
@@ -501,7 +529,7 @@ base::Result<Section> makeSection(const BoardIndex& index, const SectionRequest&
     section.bores = std::move(cutter.bores);
     sort(section.pieces);
     sort(section.bores);
-    addNotes(*index.board, cutter.wallless.size(), section);
+    addNotes(*index.board, cutter, section);
     if (!request.isAsSolid) {
         addAssumptions(*index.board, cutter, section);
     }

@@ -20,6 +20,9 @@ struct SectionRequest {
     /// As the 3D view draws the board: the outer face of a mask is level, bodies of components are prisms, every layer
     /// lies at the height that it has where all layers are, the substrate is whole also where inner copper lies in it.
     bool isAsSolid = false;
+    /// Elements of the board that a fabricator mills away, whole or in part, rising (findMilled in
+    /// model/solids/milling.h): what of them lies beyond the board outline is left out. Empty: as designed.
+    std::vector<ElementId> milled = {};
 };
 
 struct Section {
@@ -44,6 +47,8 @@ struct Section {
 /// On a rigid-flex board what lies on others lies on what each zone has (Layer::profile, model/board/local_stack.h),
 /// and plating reaches no farther. A coverlay, adhesive or stiffener of which the job draws nothing is all over the
 /// zones that have it; such pieces are of no element.
+///
+/// What is milled away gives a note where the line meets it.
 ///
 /// A line beside the board gives no pieces and a note, as do layers without a thickness or with an assumed one, and
 /// plated holes whose wall has no thickness (routed areas): they are cut without it.

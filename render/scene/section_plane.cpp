@@ -91,13 +91,15 @@ void addFaces(const model::Document& board, const model::SectionPiece& piece, st
 
 }  // namespace
 
-base::Result<SectionCut> makeSectionCut(const model::BoardIndex& index, model::Point origin, PointD a, PointD b) {
+base::Result<SectionCut> makeSectionCut(const model::BoardIndex& index, model::Point origin, PointD a, PointD b,
+                                        std::vector<model::ElementId> milled) {
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     if (!(length > 0.0)) {
         return base::Error{base::ErrorCode::BadUsage, "a section line needs two locations that are apart"};
     }
     const PointD unit = {(b.x - a.x) / length, (b.y - a.y) / length};
-    const model::SectionRequest request = throughBox(boxOf(index), a, unit);
+    model::SectionRequest request = throughBox(boxOf(index), a, unit);
+    request.milled = std::move(milled);
     ASSIGN_OR_RETURN(const model::Section section, model::makeSection(index, request));
     SectionCut cut;
     const PointD start = request.line.front();

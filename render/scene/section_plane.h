@@ -42,9 +42,11 @@ struct SectionCut {
 
 /// Cuts along the straight line through two locations (nm, board coordinates), from one edge of the board to the other;
 /// what was to the left on the line from `a` to `b` goes. `origin` is BoardFrame::origin. The faces are those of
-/// model::makeSection with SectionRequest::isAsSolid. Errors: BadUsage for places that are not apart or off the
-/// coordinates of boards.
+/// model::makeSection with SectionRequest::isAsSolid; `milled` is that of the request, empty where the view shows what
+/// is milled away (ViewSettings::isFabricated). Errors: BadUsage for places that are not apart or off the coordinates
+/// of boards.
 [[nodiscard]] base::Result<SectionCut> makeSectionCut(const model::BoardIndex& index, model::Point origin,
-                                                      model::PointD a, model::PointD b);
+                                                      model::PointD a, model::PointD b,
+                                                      std::vector<model::ElementId> milled = {});
 
 }  // namespace render

@@ -1,5 +1,8 @@
 // clearance, measure and section: what a build or a script asks of a board.
+#include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <QtTest>
@@ -421,6 +424,28 @@ private slots:
                                          "0,1,9,1", "--layers", "SMT coat"});
         QVERIFY2(run.exitCode == 0, run.err.constData());
         QVERIFY2(run.err.contains("\"SMT coat\" is now named \"SMT solder mask\""), run.err.constData());
+    }
+
+    /// A track of 2 mm across the right edge, at x = 10 mm.
+    void sectionLeavesOutWhatIsMilledAway() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("edge.kicad_pcb");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            "(kicad_pcb (version 20241229) (general (thickness 1.6)) (layers (0 \"F.Cu\" signal) (2 \"B.Cu\" signal) "
+            "(25 \"Edge.Cuts\" user)) (net 0 \"\") (net 1 \"A\") (gr_rect (start 0 0) (end 10 10) (stroke (width "
+            "0.1) (type solid)) (fill no) (layer \"Edge.Cuts\")) (segment (start 2 5) (end 12 5) (width 2) (layer "
+            "\"F.Cu\") (net 1)) (segment (start 2 8) (end 4 8) (width 1) (layer \"F.Cu\") (net 1)))");
+        file.close();
+        const auto last = [&](const QStringList& more) {
+            const Outcome run = copperscope(
+                QStringList{"section", path, "--line", "-1,-5,20,-5", "--layers", "F.Cu", "--format", "json"} + more);
+            const QJsonArray pieces = QJsonDocument::fromJson(run.out).object()["pieces"].toArray();
+            return std::pair(pieces.last()["to_nm"].toDouble(), run.err.contains("left out as milled away"));
+        };
+        QCOMPARE(last({}), std::pair(11e6, true));
+        QCOMPARE(last({"--as-designed"}), std::pair(14e6, false));
     }
 
     void sectionShowsWhatALineCuts() {

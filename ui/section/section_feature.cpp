@@ -149,6 +149,10 @@ void SectionFeature::connectPlane(FeatureContext& context) {
     on(ActionId::RotateSectionPlane, [this] { m_plane.rotate(); });
     on(ActionId::MoveSectionPlaneOn, [this] { m_plane.move(kPlaneStep); });
     on(ActionId::MoveSectionPlaneBack, [this] { m_plane.move(-kPlaneStep); });
+    on(ActionId::ShowMilledAway, [this](bool isOn) {
+        m_plane.setAsDesigned(isOn);
+        cut();
+    });
     connect(&context.probing, &Probing::pointedAt, this, [this](double x, double y) {
         m_plane.pointAt(base::PointD{x, y});
     });
@@ -259,7 +263,11 @@ void SectionFeature::cut() {
         m_panel->setNotes({});
         return;
     }
-    base::Result<model::Section> section = model::makeSection(*m_index, {m_line.line(), {}});
+    model::SectionRequest request{m_line.line(), {}};
+    if (!m_actions[ActionId::ShowMilledAway].isChecked()) {
+        request.milled = m_workspace.board()->model->milled;
+    }
+    base::Result<model::Section> section = model::makeSection(*m_index, request);
     if (!section) {
         m_panel->view().setSection(nullptr, std::nullopt);
         m_panel->setNotes(QString::fromStdString(section.error().text));

@@ -9,6 +9,7 @@ namespace ui {
 void SectionPlaneTool::setBoard(const LoadedBoard& board, bool isReadAnew) {
     m_index = board.index;
     m_origin = board.model->origin;
+    m_milled = board.model->milled;
     m_pointer.reset();
     m_isOn = m_isOn && isReadAnew && m_index != nullptr;
     apply();
@@ -16,6 +17,11 @@ void SectionPlaneTool::setBoard(const LoadedBoard& board, bool isReadAnew) {
 
 void SectionPlaneTool::setHeights(std::shared_ptr<const model::BoardIndex> index) {
     m_index = std::move(index);
+    apply();
+}
+
+void SectionPlaneTool::setAsDesigned(bool isOn) {
+    m_isAsDesigned = isOn;
     apply();
 }
 
@@ -66,7 +72,8 @@ void SectionPlaneTool::apply() {
         const base::PointD direction = this->direction();
         const base::PointD ahead = {m_through.x + direction.x * base::kNmPerMm,
                                     m_through.y + direction.y * base::kNmPerMm};
-        if (base::Result<render::SectionCut> made = render::makeSectionCut(*m_index, m_origin, m_through, ahead)) {
+        if (base::Result<render::SectionCut> made = render::makeSectionCut(
+                *m_index, m_origin, m_through, ahead, m_isAsDesigned ? std::vector<model::ElementId>() : m_milled)) {
             cut = std::make_shared<const render::SectionCut>(std::move(*made));
         }
     }

@@ -17,6 +17,8 @@ public:
     void setBoard(const LoadedBoard& board, bool isReadAnew);
     /// The same board with other heights.
     void setHeights(std::shared_ptr<const model::BoardIndex> index);
+    /// Shows also what is milled away beyond the board outline, as the 3D view then does.
+    void setAsDesigned(bool isOn);
     /// Where the pointer is, nm of the board; none: beside the board.
     void pointAt(std::optional<base::PointD> location) { m_pointer = location; }
     /// Cuts through the pointer, or through the middle of the board, what is in front of an isometric view going; or
@@ -45,6 +47,8 @@ private:
     int m_eighths = 0;     ///< of a full turn, on top of that
     bool m_isAlongLine = false;
     bool m_isOn = false;
+    bool m_isAsDesigned = false;
+    std::vector<model::ElementId> m_milled;  ///< of the board (render::BoardModel)
 };
 
 }  // namespace ui

@@ -34,6 +34,31 @@ private slots:
     void init() { reset(); }
     void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
+    /// Layers of the sample draw beyond its outline.
+    void whatIsMilledAwayIsShownByACommandOnly() {
+        const auto& milled = window().workspace().board()->model->milled;
+        const auto isCopper = [&](model::ElementId element) {
+            return m_index->board->layer(m_index->board->elements.layer[element.row()]).isCopper();
+        };
+        const auto element = std::ranges::find_if(milled, isCopper);
+        QVERIFY(element != milled.end());
+        const model::Box box = m_index->board->boxOf(*element);
+        const double x = static_cast<double>(box.middle().x);
+        sections().cutAlong({{x, box.min.y - 1e6}, {x, box.max.y + 1e6}});
+        const auto isMet = [&] {
+            return std::ranges::any_of(view().section()->pieces,
+                                       [&](const SectionPiece& piece) { return piece.at.element == *element; });
+        };
+        QVERIFY(!isMet());
+        QVERIFY(std::ranges::any_of(view().section()->notes, [](const std::string& note) {
+            return note.starts_with("left out as milled away beyond the board outline");
+        }));
+        window().actions()[ActionId::ShowMilledAway].trigger();
+        QVERIFY(isMet());
+        window().actions()[ActionId::ShowMilledAway].trigger();
+        QVERIFY(!isMet());
+    }
+
     void aPieceIsFoundToldAndSelectedWhereItIsDrawn() {
         drawLine();
         const SectionPiece piece = aCopperPiece();

@@ -43,7 +43,9 @@ protected:
     }
     /// What the line of the window cuts.
     [[nodiscard]] model::Section expected() {
-        return *model::makeSection(*m_index, {window().find<ui::SectionLine>().line(), {}});
+        model::SectionRequest request{window().find<ui::SectionLine>().line(), {}};
+        request.milled = window().workspace().board()->model->milled;
+        return *model::makeSection(*m_index, request);
     }
 
     /// From one edge of the board to the other through its middle, in pixels of the 2D view.

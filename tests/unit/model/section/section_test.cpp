@@ -114,6 +114,38 @@ class SectionTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// At x = 5.2 mm the board ends, in the middle of the track.
+    void whatIsMilledAwayIsLeftOut() {
+        DocumentBuilder builder;
+        addCard(builder);
+        builder.setProfile(builder.addShape(rectangle({-10 * kMm, -10 * kMm}, {5'200'000, 10 * kMm})));
+        const auto index = indexed(builder.finish());
+        SectionRequest request{{{-20e6, 0}, {20e6, 0}}, {}};
+        const auto isSaid = [](const Section& section) {
+            return std::ranges::any_of(section.notes, [](const std::string& note) {
+                return note == "left out as milled away beyond the board outline, parts of elements: 1";
+            });
+        };
+        const Section designed = *makeSection(*index, request);
+        QCOMPARE(textOf(designed.pieces, Bottom).last(), QString("24500-25500@0-100"));
+        QVERIFY(!isSaid(designed));
+        request.milled = {ElementId{index->board->layer(LayerId{Bottom}).elements.first}};
+        const Section made = *makeSection(*index, request);
+        QCOMPARE(textOf(made.pieces, Bottom).last(), QString("24500-25200@0-100"));
+        QVERIFY(isSaid(made));
+    }
+
+    /// A castellation: half of its wall is left.
+    void ofAHoleAcrossTheEdgeHalfIsPlated() {
+        DocumentBuilder builder;
+        addCard(builder);
+        builder.setProfile(builder.addShape(rectangle({-10 * kMm, -10 * kMm}, {0, 10 * kMm})));
+        const auto index = indexed(builder.finish());
+        SectionRequest request{{{-20e6, 0}, {20e6, 0}}, {}};
+        request.milled = {ElementId{index->board->layer(LayerId{Drill}).elements.first}};
+        QCOMPARE(textOf(makeSection(*index, request)->pieces, Drill), QStringList{"19500-19600@0-2300"});
+    }
+
     void holesAreTakenOutOfCopperAndTheirWallsStand() {
         const Section section = cut(card(), {{-20e6, 0}, {20e6, 0}});
         QCOMPARE(section.stations, (std::vector<double>{0.0, 40e6}));
