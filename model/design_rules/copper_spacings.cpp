@@ -5,19 +5,24 @@
 #include <optional>
 #include <set>
 
+#include "model/design_rules/board_area.h"
 #include "model/design_rules/bridged.h"
 
 namespace model {
 
 namespace {
 
-constexpr Nm kConcentric = 1000;  ///< holes this near to each other's middle are one hole, drilled twice
+constexpr Nm kConcentric = 1000;  ///< holes this near to each other's middle have one middle
 
 bool areConcentric(const Box& a, const Box& b) {
     const auto twice = [](const Box& box) {
         return base::PointD{double{1} * box.min.x + box.max.x, double{1} * box.min.y + box.max.y};
     };
     return std::hypot(twice(a).x - twice(b).x, twice(a).y - twice(b).y) <= 2 * kConcentric;
+}
+
+bool areOfOneSize(const Box& a, const Box& b) {
+    return std::abs(a.width() - b.width()) <= kConcentric && std::abs(a.height() - b.height()) <= kConcentric;
 }
 
 std::optional<std::size_t> ruleOf(const RuleContext& context, RuleKind kind, LayerId layer, ElementId a, ElementId b) {
@@ -30,14 +35,51 @@ bool areForeign(const RuleContext& context, ElementId a, ElementId b) {
     return context.owners().of(a) != context.owners().of(b) && (hasNet || context.isLand(a) || context.isLand(b));
 }
 
-/// Two holes, not one that is drilled twice, and both pass some layer.
-bool areApart(const Document& document, const LayerGeometry& holes, std::uint32_t a, std::uint32_t b) {
-    const Layer& layerA = document.layer(document.elements.layer[holes.elementOf(a).row()]);
-    const Layer& layerB = document.layer(document.elements.layer[holes.elementOf(b).row()]);
-    const bool isStacked = layerA.spanTop.isValid() && layerB.spanTop.isValid() &&
-                           (layerA.spanBottom < layerB.spanTop || layerB.spanBottom < layerA.spanTop);
-    return holes.elementOf(a) != holes.elementOf(b) && !isStacked &&
-           !areConcentric(holes.figures().box(a), holes.figures().box(b));
+/// A hole that is drilled, and how far.
+struct DrilledHole {
+    ElementId element;
+    Box box;
+    const Layer& layer;
+    bool isPlated = false;
+
+    /// Back-drills and counterbores, which go into a hole that is there.
+    [[nodiscard]] bool isIntoAnother() const {
+        return layer.use == LayerUse::Backdrill || layer.use == LayerUse::DualDiameter;
+    }
+    [[nodiscard]] bool hasSpan() const { return layer.spanTop.isValid() && layer.spanBottom.isValid(); }
+};
+
+/// Do two holes meet in one copper layer at most? On which one lands the other begins, in a stack of microvias.
+bool areOfStack(const DrilledHole& a, const DrilledHole& b) {
+    return a.hasSpan() && b.hasSpan() &&
+           (a.layer.spanBottom <= b.layer.spanTop || b.layer.spanBottom <= a.layer.spanTop);
+}
+
+/// Are two holes with one middle meant so: the same hole in two drill layers, a back-drill or counterbore over a hole,
+/// vias of a net stacked on each other? All else is a hole that is drilled into another one.
+bool areMeantConcentric(const RuleContext& context, const DrilledHole& a, const DrilledHole& b) {
+    const bool isSameNet = context.owners().of(a.element) == context.owners().of(b.element);
+    const bool isSameHole =
+        &a.layer != &b.layer && areOfOneSize(a.box, b.box) && a.isPlated == b.isPlated && (!a.isPlated || isSameNet);
+    const bool isStack = a.isPlated && b.isPlated && isSameNet && areOfStack(a, b);
+    return isSameHole || isStack || a.isIntoAnother() || b.isIntoAnother();
+}
+
+/// Two holes that have to keep apart: they pass some layer both, and are not meant to have one middle.
+bool areApart(const RuleContext& context, const LayerGeometry& holes, std::uint32_t a, std::uint32_t b) {
+    const Document& document = context.document();
+    const auto holeOf = [&](std::uint32_t row) {
+        const ElementId element = holes.elementOf(row);
+        return DrilledHole{element, holes.figures().box(row), document.layer(document.elements.layer[element.row()]),
+                           isPlatedHole(document.elements.flags[element.row()])};
+    };
+    const DrilledHole holeA = holeOf(a);
+    const DrilledHole holeB = holeOf(b);
+    const bool isStacked =
+        holeA.hasSpan() && holeB.hasSpan() &&
+        (holeA.layer.spanBottom < holeB.layer.spanTop || holeB.layer.spanBottom < holeA.layer.spanTop);
+    return holeA.element != holeB.element && !isStacked &&
+           !(areConcentric(holeA.box, holeB.box) && areMeantConcentric(context, holeA, holeB));
 }
 
 LayerGeometry allHoles(const Document& document) {
@@ -154,6 +196,80 @@ private:
     NetPairs m_apart;  ///< nets with a location for each two elements
 };
 
+/// The distances of a layer's copper to the edge of the board. Copper beyond it, also in a cut-out, has none.
+class EdgeSpacings {
+public:
+    EdgeSpacings(RuleContext& context, LayerId layer, const LayerGeometry& copper)
+        : m_context(context), m_layer(layer), m_copper(copper), m_area(context.document()) {}
+
+    void check() {
+        const LayerGeometry edge = edgeGeometry(m_context.document());
+        PairRequest request;
+        request.reach = m_context.choice().reachOf(RuleKind::CopperToEdge);
+        request.isWanted = [&](std::uint32_t a, std::uint32_t) { return isHeld(a); };
+        std::set<ElementId> touching;
+        for (const FigurePair& pair : closestPairs(m_copper, edge, request, m_context.progress())) {
+            const bool isBeyond = pair.spacing.distance > BoardArea::kUnsure && isOff(pair.a);
+            if (!isBeyond) {
+                touching.insert(m_copper.elementOf(pair.a));
+                m_context.add(*rule(pair.a), m_layer, m_copper.elementOf(pair.a), edge.elementOf(pair.b), pair.spacing);
+            }
+        }
+        addBeyond(touching);
+    }
+
+private:
+    [[nodiscard]] std::optional<std::size_t> rule(std::uint32_t row) const {
+        return m_context.choice().of(RuleKind::CopperToEdge, m_layer, m_context.partyOf(m_copper.elementOf(row)));
+    }
+    [[nodiscard]] bool isHeld(std::uint32_t row) const {
+        return rule(row).has_value() && !isInPad(m_context, m_copper, row);
+    }
+    [[nodiscard]] bool isOff(std::uint32_t row) const { return !m_area.holds(m_copper.figures()[row].anchor); }
+
+    /// What of it belongs to a net or is a pad is of the board. The rest may be a frame, a coupon or a text: it is only
+    /// counted, or without any net nobody knows.
+    void addBeyond(const std::set<ElementId>& touching) {
+        std::size_t others = 0;
+        std::optional<std::size_t> ruleOfOthers;
+        ElementId last;
+        for (std::uint32_t row = 0; row < m_copper.size() && !m_context.progress().isCancelled(); ++row) {
+            const ElementId element = m_copper.elementOf(row);
+            if (element == last || touching.contains(element) || !isOff(row) || !isHeld(row)) {
+                continue;
+            }
+            last = element;
+            if (m_context.netOf(element).isValid() || m_context.isLand(element)) {
+                const PointD at = m_copper.figures()[row].anchor;
+                m_context.add(*rule(row), m_layer, element, {}, {0.0, at, at});
+            } else {
+                ++others;
+                ruleOfOthers = rule(row);
+            }
+        }
+        if (others > 0) {
+            report(others, *ruleOfOthers);
+        }
+    }
+
+    void report(std::size_t others, std::size_t rule) const {
+        const std::string name = m_context.document().layer(m_layer).name;
+        if (m_context.document().nets.empty()) {
+            m_context.report().unchecked.push_back({rule, others, others == 1 ? "copper element" : "copper elements",
+                                                    "they lie beyond the board outline on layer " + name +
+                                                        ", and the board has no nets that tell whether they are its"});
+        } else {
+            m_context.report().notes.push_back(
+                std::to_string(others) + " copper elements of no net lie beyond the board outline on layer " + name);
+        }
+    }
+
+    RuleContext& m_context;
+    LayerId m_layer;
+    const LayerGeometry& m_copper;
+    BoardArea m_area;
+};
+
 /// The same copper, where each edge of a trail is a figure of its own.
 LayerGeometry edgewise(const Document& document, const LayerGeometry& copper) {
     FigureTable figures;
@@ -197,9 +313,7 @@ void checkOwnNet(RuleContext& context, LayerId layer, const LayerGeometry& coppe
     for (const FigurePair& pair : closestPairs(edges, edges, request, context.progress())) {
         const ElementId a = edges.elementOf(pair.a);
         const ElementId b = edges.elementOf(pair.b);
-        const auto isOwn = [&](std::uint32_t row) {
-            return context.netOf(copper.elementOf(row)) == context.netOf(a);
-        };
+        const auto isOwn = [&](std::uint32_t row) { return context.netOf(copper.elementOf(row)) == context.netOf(a); };
         if (!isBridged(copper, pair.spacing, isOwn) && seen.insert(bothOf(a.value, b.value)).second) {
             context.add(*rule(pair.a, pair.b), layer, a, b, pair.spacing);
         }
@@ -232,18 +346,7 @@ void checkToEdge(RuleContext& context, LayerId layer, const LayerGeometry& coppe
     if (!context.document().profile.isValid() || !context.isWanted(RuleKind::CopperToEdge, layer)) {
         return;
     }
-    const LayerGeometry edge = edgeGeometry(context.document());
-    const auto rule = [&](std::uint32_t a) {
-        return context.choice().of(RuleKind::CopperToEdge, layer, context.partyOf(copper.elementOf(a)));
-    };
-    PairRequest request;
-    request.reach = context.choice().reachOf(RuleKind::CopperToEdge);
-    request.isWanted = [&](std::uint32_t a, std::uint32_t) {
-        return rule(a).has_value() && !isInPad(context, copper, a);
-    };
-    for (const FigurePair& pair : closestPairs(copper, edge, request, context.progress())) {
-        context.add(*rule(pair.a), layer, copper.elementOf(pair.a), edge.elementOf(pair.b), pair.spacing);
-    }
+    EdgeSpacings(context, layer, copper).check();
 }
 
 void checkHoles(RuleContext& context) {
@@ -262,7 +365,7 @@ void checkHoles(RuleContext& context) {
     request.isWanted = [&](std::uint32_t rowA, std::uint32_t rowB) {
         const ElementId a = holes.elementOf(rowA);
         const ElementId b = holes.elementOf(rowB);
-        return areApart(document, holes, rowA, rowB) && context.isBetween(a, b) && isOnLayer(a) && isOnLayer(b) &&
+        return areApart(context, holes, rowA, rowB) && context.isBetween(a, b) && isOnLayer(a) && isOnLayer(b) &&
                rule(a, b);
     };
     for (const FigurePair& pair : closestPairs(holes, holes, request, context.progress())) {

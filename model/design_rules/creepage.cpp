@@ -1,9 +1,12 @@
 #include "model/design_rules/creepage.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <set>
 
 #include "model/board/layers.h"
+#include "model/design_rules/floating_links.h"
 #include "model/design_rules/surface_paths.h"
 
 namespace model {
@@ -21,7 +24,7 @@ public:
         for (const FigurePair& pair : pairsOf({}, [this](auto a, auto b) { return netsOf(a, b); })) {
             const SurfacePaths& paths = pathsOf(*ruleOf(pair.a, pair.b));
             if (paths.isClear(pair.spacing.from, pair.spacing.to)) {
-                add(pair.a, pair.b, pair.spacing);  // no way is shorter
+                keep(pair);  // no way along the face is shorter
             } else {
                 m_around.emplace(netsOf(pair.a, pair.b), std::nullopt);
             }
@@ -33,8 +36,12 @@ public:
         }
         for (const auto& [nets, found] : m_around) {
             if (found) {
-                add(found->a, found->b, found->spacing);
+                keep(*found);
             }
+        }
+        followFloating();
+        for (const auto& [nets, found] : m_best) {
+            add(found.a, found.b, found.spacing);
         }
     }
 
@@ -83,20 +90,69 @@ private:
         }
     }
 
+    /// The shorter one of two ways between the same nets. True if it is this one.
+    bool keep(const FigurePair& pair) {
+        const auto [found, isNew] = m_best.try_emplace(netsOf(pair.a, pair.b), pair);
+        const bool isShorter = isNew || pair.spacing.distance < found->second.spacing.distance;
+        found->second = isShorter ? pair : found->second;
+        return isShorter;
+    }
+
+    [[nodiscard]] bool isHeld(std::uint32_t a, std::uint32_t b) const {
+        return m_context.isBetween(m_copper.elementOf(a), m_copper.elementOf(b)) && ruleOf(a, b);
+    }
+
+    /// Copper without a net shortens a way by what of it lies on that copper.
+    void followFloating() {
+        std::set<Nm> slots;
+        for (const std::size_t rule : m_context.choice().rowsOf(RuleKind::Creepage)) {
+            slots.insert(m_context.table().rules[rule].leastSlot);
+        }
+        const double reach = m_context.choice().reachOf(RuleKind::Creepage);
+        const FloatingLinks links(m_context, m_copper, reach);
+        std::size_t count = 0;
+        for (const Nm slot : slots) {
+            for (const FloatingLinks::Way& way :
+                 links.ways([&](const FigurePair& gap) { return lengthOf(gap, slot, reach); })) {
+                const bool isOfSlot = isHeld(way.a, way.b) && slotOf(*ruleOf(way.a, way.b)) == slot;
+                const bool isBelow = isOfSlot && isBroken(m_context.table().rules[*ruleOf(way.a, way.b)],
+                                                          m_context.table().tolerance, way.spacing.distance);
+                count += isBelow && keep({way.a, way.b, way.spacing}) ? 1 : 0;
+            }
+        }
+        if (count > 0) {
+            m_context.report().notes.push_back(
+                "creepage on layer " + m_context.document().layer(m_layer).name +
+                ", locations that lead over copper of no net, which adds no distance: " + std::to_string(count));
+        }
+    }
+
+    /// Along the face.
+    [[nodiscard]] double lengthOf(const FigurePair& gap, Nm slot, double limit) {
+        const SurfacePaths& paths = pathsWith(slot);
+        if (paths.isClear(gap.spacing.from, gap.spacing.to)) {
+            return gap.spacing.distance;
+        }
+        const std::optional<Spacing> way = paths.between(m_copper.figures(), gap.a, gap.b, limit);
+        return way ? way->distance : std::numeric_limits<double>::infinity();
+    }
+
     void add(std::uint32_t a, std::uint32_t b, const Spacing& spacing) {
         m_context.add(*ruleOf(a, b), m_layer, m_copper.elementOf(a), m_copper.elementOf(b), spacing);
     }
 
-    const SurfacePaths& pathsOf(std::size_t rule) {
-        const Nm leastSlot = m_context.table().rules[rule].leastSlot;
+    [[nodiscard]] Nm slotOf(std::size_t rule) const { return m_context.table().rules[rule].leastSlot; }
+    const SurfacePaths& pathsOf(std::size_t rule) { return pathsWith(slotOf(rule)); }
+    const SurfacePaths& pathsWith(Nm leastSlot) {
         return m_paths.try_emplace(leastSlot, m_context.document(), leastSlot).first->second;
     }
 
     RuleContext& m_context;
     LayerId m_layer;
     const LayerGeometry& m_copper;
-    Around m_around;                     ///< nets that see each other across an opening, and their shortest way
-    std::map<Nm, SurfacePaths> m_paths;  ///< by least slot
+    std::map<NetPair, FigurePair> m_best;  ///< the shortest ways
+    Around m_around;                       ///< nets that see each other across an opening, and their shortest way
+    std::map<Nm, SurfacePaths> m_paths;    ///< by least slot
 };
 
 }  // namespace

@@ -42,6 +42,12 @@ struct Arm {
     PointD direction;     ///< of length 1, away from the point
     double length = 0.0;  ///< nm
     double pen = 0.0;
+    const Edge* edge = nullptr;
+    double start = 0.0;  ///< of the point, along the edge
+    bool isOnwards = true;
+
+    /// So far from the point, along the middle line.
+    [[nodiscard]] PointD at(double along) const { return pointAt(*edge, isOnwards ? start + along : start - along); }
 };
 
 double distanceOf(PointD a, PointD b) {
@@ -55,7 +61,12 @@ Arm armOf(const Edge& edge, double along, bool isOnwards) {
     const PointD from = pointAt(edge, along);
     const PointD to = pointAt(edge, along + (isOnwards ? step : -step));
     const double d = std::max(distanceOf(from, to), 1e-9);
-    return {{(to.x - from.x) / d, (to.y - from.y) / d}, isOnwards ? length - along : along, edge.pen};
+    return {{(to.x - from.x) / d, (to.y - from.y) / d},
+            isOnwards ? length - along : along,
+            edge.pen,
+            &edge,
+            along,
+            isOnwards};
 }
 
 /// The arms of an edge that leave a point on it: one at its ends, two in between.
@@ -78,12 +89,73 @@ std::vector<Arm> armsAt(const Edge& edge, PointD p) {
     return arms;
 }
 
+/// Where on the middle line of an arm another arm is nearest; none beyond its end.
+std::optional<PointD> nearestOnArm(const Arm& arm, PointD p) {
+    const PointD nearest = nearestOn(*arm.edge, p);
+    const double along = (lengthTo(*arm.edge, nearest) - arm.start) * (arm.isOnwards ? 1.0 : -1.0);
+    return along > 0 && along < arm.length ? std::optional(nearest) : std::nullopt;
+}
+
+/// A location between two tracks that is as far from the one as from the other.
+struct Opening {
+    PointD middle;
+    double aside = 0.0;  ///< so far, nm; negative: the tracks overlap there
+};
+
+/// So far along the first arm; none beyond the end of the second one.
+std::optional<Opening> openingAt(const Arm& a, const Arm& b, double along) {
+    constexpr int kHalves = 24;
+    const auto beside = [](const Arm& arm, PointD p) { return distanceOf(nearestOn(*arm.edge, p), p) - arm.pen; };
+    PointD near = a.at(along);
+    const std::optional<PointD> other = nearestOnArm(b, near);
+    if (!other) {
+        return std::nullopt;
+    }
+    PointD far = *other;
+    Opening opening;
+    for (int i = 0; i < kHalves; ++i) {
+        opening.middle = {(near.x + far.x) / 2, (near.y + far.y) / 2};
+        opening.aside = beside(a, opening.middle);
+        (opening.aside < beside(b, opening.middle) ? near : far) = opening.middle;
+    }
+    return opening;
+}
+
+/// The same as notchOf where one of the tracks is an arc, which may bend towards the other one: where they first open,
+/// step by step, then by halves.
+std::optional<PointD> notchOfBent(const Arm& a, const Arm& b) {
+    constexpr double kSteps = 8.0;  // to the width of the narrower track
+    constexpr int kHalves = 24;
+    const double step = std::max(2 * std::min(a.pen, b.pen) / kSteps, kBesideNotch);
+    const auto openAt = [&](double along) {
+        const std::optional<Opening> opening = openingAt(a, b, along);
+        return opening && opening->aside >= kBesideNotch / 2 ? std::optional(opening->middle) : std::nullopt;
+    };
+    for (double along = step; along < a.length; along += step) {
+        std::optional<PointD> notch = openAt(along);
+        double closed = along - step;
+        for (int i = 0; notch && i < kHalves; ++i) {
+            const double middle = (closed + along) / 2;
+            const std::optional<PointD> nearer = openAt(middle);
+            notch = nearer ? nearer : notch;
+            (nearer ? along : closed) = middle;
+        }
+        if (notch) {
+            return notch;
+        }
+    }
+    return std::nullopt;
+}
+
 /// A point just beside the inner corner of two tracks, in the notch; none if they leave no notch.
 std::optional<PointD> notchOf(PointD p, const Arm& a, const Arm& b) {
     const double cosine = std::clamp(a.direction.x * b.direction.x + a.direction.y * b.direction.y, -1.0, 1.0);
     const double angle = std::acos(cosine);
     if (angle >= kAcute || angle <= kAlong) {
         return std::nullopt;
+    }
+    if (a.edge->isArc() || b.edge->isArc()) {
+        return notchOfBent(a, b);
     }
     const double along = (b.pen + a.pen * cosine) / std::sin(angle);  // to the inner corner, on either track
     const double alongB = (a.pen + b.pen * cosine) / std::sin(angle);
