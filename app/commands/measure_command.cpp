@@ -108,7 +108,15 @@ void printJson(const BoardIndex& index, const Request& request, const Separation
     std::fputs(model::jsonText(json).c_str(), stdout);
 }
 
+/// Tables have no place for them.
+void sayNotes(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) {
+        std::fprintf(stderr, "copperscope: %s\n", note.c_str());
+    }
+}
+
 void printCsv(const BoardIndex& index, const Separation& separation) {
+    sayNotes(separation.notes);
     std::printf(
         "kind,distance um,spacing um,dx um,dy um,dz um,relation,overlap um,layer a,layer b,net a,net b,x mm on a,"
         "y mm on a,x mm on b,y mm on b\n");
@@ -221,6 +229,7 @@ void printPathJson(const BoardIndex& index, model::NetOfCopy net, const NetPath&
 }
 
 void printPathCsv(const BoardIndex& index, const NetPath& path) {
+    sayNotes(path.notes);
     std::printf("kind,layer,element,length um,x mm from,y mm from,x mm to,y mm to\n");
     for (const model::PathLeg& leg : path.legs) {
         std::printf("%s,%s,%u,%.3f,%.6f,%.6f,%.6f,%.6f\n", kindName(leg.kind),

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "model/base/thickness_units.h"
+#include "model/index/pin_names.h"
 
 namespace app {
 
@@ -54,6 +55,9 @@ std::size_t slipsBetween(const std::string& a, const std::string& b) {
 /// The row whose name this is: exactly, else the only one that differs in case.
 template <class NameOf>
 Result<std::size_t> findNamed(const char* kind, std::string_view name, std::size_t count, const NameOf& nameOf) {
+    if (name.empty()) {
+        return wrong("a " + std::string(kind) + " has no name: write " + kForms);
+    }
     const std::string lower = lowered(name);
     std::vector<std::size_t> alike;
     std::vector<std::pair<std::size_t, std::size_t>> suggestions;
@@ -148,13 +152,18 @@ Result<MeasureItem> parsePin(const BoardIndex& index, const InCopy& at) {
     }
     const Document& step = index.stepOf(at.copy);
     ASSIGN_OR_RETURN(const std::size_t part, findComponent(step, at.text.substr(0, dot)));
-    const model::Component& component = step.components[part];
-    ASSIGN_OR_RETURN(const std::size_t pin,
-                     findNamed(("pin of " + component.refdes + " named").c_str(), at.text.substr(dot + 1),
-                               component.pinCount, [&](std::size_t i) -> const std::string& {
-                                   return step.text(step.pins[component.firstPin + i].name);
-                               }));
-    return MeasureItem(model::PinOfCopy{at.copy, model::PinId{component.firstPin + pin}});
+    std::vector<model::PinId> pins;
+    for (const model::ComponentId one : model::componentsNamedAs(step, model::ComponentId{part})) {
+        const model::Component& component = step.components[one.row()];
+        for (std::size_t row = component.firstPin; row < component.firstPin + component.pinCount; ++row) {
+            pins.emplace_back(row);
+        }
+    }
+    ASSIGN_OR_RETURN(
+        const std::size_t pin,
+        findNamed(("pin of " + step.components[part].refdes + " named").c_str(), at.text.substr(dot + 1), pins.size(),
+                  [&](std::size_t i) -> const std::string& { return step.text(step.pins[pins[i].row()].name); }));
+    return MeasureItem(model::PinOfCopy{at.copy, pins[pin]});
 }
 
 Result<MeasureItem> parseAt(const BoardIndex& index, const InCopy& at) {

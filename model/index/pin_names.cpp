@@ -38,6 +38,36 @@ PinId pinOf(const Document& document, const PinFinder& pins, ElementId element) 
     return found.empty() ? PinId{} : found.front();
 }
 
+std::vector<PinId> pinsNamedAs(const Document& document, PinId id) {
+    const Pin& pin = document.pins[id.row()];
+    const std::string& name = document.text(pin.name);
+    if (!pin.component.isValid() || name.empty()) {
+        return {id};
+    }
+    const Component& part = document.components[pin.component.row()];
+    std::vector<PinId> pins;
+    for (std::size_t row = part.firstPin; row < part.firstPin + part.pinCount; ++row) {
+        if (document.text(document.pins[row].name) == name) {
+            pins.emplace_back(row);
+        }
+    }
+    return pins;
+}
+
+std::vector<ComponentId> componentsNamedAs(const Document& document, ComponentId id) {
+    const std::string& refdes = document.components[id.row()].refdes;
+    if (refdes.empty()) {
+        return {id};
+    }
+    std::vector<ComponentId> parts;
+    for (std::size_t row = 0; row < document.components.size(); ++row) {
+        if (document.components[row].refdes == refdes) {
+            parts.emplace_back(row);
+        }
+    }
+    return parts;
+}
+
 std::vector<NetId> netsOf(const Document& document, const Component& component) {
     std::vector<NetId> nets;
     for (const Pin& pin : document.pinsOf(component)) {

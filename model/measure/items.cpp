@@ -4,6 +4,7 @@
 
 #include "model/index/copper_kind.h"
 #include "model/index/pin_names.h"
+#include "model/text/formatting.h"
 
 namespace model {
 
@@ -25,7 +26,26 @@ std::vector<BoardElement> conductorsOf(const BoardIndex& index, std::uint32_t co
         }
     }
     std::ranges::sort(conductors);
+    conductors.erase(std::unique(conductors.begin(), conductors.end()), conductors.end());
     return conductors;
+}
+
+/// Of all components of that name.
+std::vector<PinId> allPinsNamedAs(const Document& step, PinId id) {
+    const Pin& pin = step.pins[id.row()];
+    std::vector<PinId> pins = pinsNamedAs(step, id);
+    if (!pin.component.isValid()) {
+        return pins;
+    }
+    for (const ComponentId part : componentsNamedAs(step, pin.component)) {
+        const Component& other = step.components[part.row()];
+        for (std::size_t row = other.firstPin; part != pin.component && row < other.firstPin + other.pinCount; ++row) {
+            if (pinName(step, PinId{row}) == pinName(step, id)) {
+                pins.emplace_back(row);
+            }
+        }
+    }
+    return pins;
 }
 
 /// Is the layer at a height of its own, or just a drawing?
@@ -125,13 +145,69 @@ struct Collector {
         return conductorsOf(index, at.copy, index.stepOf(at.copy).elementsOf(at.net));
     }
     std::vector<BoardElement> operator()(PartOfCopy at) const {
-        return conductorsOf(index, at.copy, index.pinsOf(at.copy).elementsOf(at.component));
+        std::vector<ElementId> elements;
+        for (const ComponentId part : componentsNamedAs(index.stepOf(at.copy), at.component)) {
+            std::ranges::copy(index.pinsOf(at.copy).elementsOf(part), std::back_inserter(elements));
+        }
+        return conductorsOf(index, at.copy, elements);
     }
     std::vector<BoardElement> operator()(PinOfCopy at) const {
-        return conductorsOf(index, at.copy, index.pinsOf(at.copy).elementsOf(at.pin));
+        std::vector<ElementId> elements;
+        for (const PinId pin : allPinsNamedAs(index.stepOf(at.copy), at.pin)) {
+            std::ranges::copy(index.pinsOf(at.copy).elementsOf(pin), std::back_inserter(elements));
+        }
+        return conductorsOf(index, at.copy, elements);
     }
     std::vector<BoardElement> operator()(BoardEdge) const { return {}; }
     std::vector<BoardElement> operator()(const Location&) const { return {}; }
+};
+
+/// "10, -10 mm; 15, -10 mm and 3 more"
+std::string placesText(const BoardIndex& index, std::uint32_t copy, std::span<const Point> places) {
+    constexpr std::size_t kMost = 4;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(places.size(), kMost); ++i) {
+        const PointD at = index.tree.copies[copy].placement.apply(base::toDouble(places[i]));
+        text += (i == 0 ? "" : "; ") + formatted("%.7g, %.7g mm", base::toMm(at.x), base::toMm(at.y));
+    }
+    return places.size() <= kMost ? text : text + " and " + std::to_string(places.size() - kMost) + " more";
+}
+
+/// Says for how many of its kind the name of an item stands.
+struct NameNoter {
+    const BoardIndex& index;
+
+    std::string operator()(PartOfCopy at) const {
+        const Document& step = index.stepOf(at.copy);
+        std::vector<Point> places;
+        for (const ComponentId part : componentsNamedAs(step, at.component)) {
+            places.push_back(step.components[part.row()].placement.origin);
+        }
+        return places.size() < 2 ? ""
+                                 : std::to_string(places.size()) + " components are called " +
+                                       step.components[at.component.row()].refdes + " (" +
+                                       placesText(index, at.copy, places) + "): the nearest is taken";
+    }
+    std::string operator()(PinOfCopy at) const {
+        const Document& step = index.stepOf(at.copy);
+        std::vector<Point> places;
+        for (const PinId pin : allPinsNamedAs(step, at.pin)) {
+            const std::vector<ElementId> elements = index.pinsOf(at.copy).elementsOf(pin);
+            if (std::ranges::any_of(elements, [&](ElementId element) { return isConductor(step, element); })) {
+                places.push_back(step.pins[pin.row()].position);
+            }
+        }
+        const ComponentId part = step.pins[at.pin.row()].component;
+        const std::string ofParts = part.isValid() ? (*this)(PartOfCopy{at.copy, part}) : "";
+        return !ofParts.empty() || places.size() < 2
+                   ? ofParts
+                   : nameOfPin(step, at.pin) + " has " + std::to_string(places.size()) + " pads (" +
+                         placesText(index, at.copy, places) + "): the nearest is taken";
+    }
+    template <class Other>
+    std::string operator()(const Other&) const {
+        return {};
+    }
 };
 
 void addEdge(const BoardIndex& index, Pieces& pieces) {
@@ -179,6 +255,10 @@ NetId netOf(const BoardIndex& index, BoardElement at) {
 
 std::string nameOf(const BoardIndex& index, const MeasureItem& item) {
     return std::visit(Namer{index}, item);
+}
+
+std::string noteOnName(const BoardIndex& index, const MeasureItem& item) {
+    return std::visit(NameNoter{index}, item);
 }
 
 std::string kindOf(const BoardIndex& index, BoardElement at) {

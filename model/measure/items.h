@@ -15,12 +15,14 @@ struct NetOfCopy {
     std::uint32_t copy = 0;
     NetId net;
 };
-/// The copper pads of a component's pins.
+/// The copper pads of a component's pins; of all components that have its designator, since a name does not tell them
+/// apart.
 struct PartOfCopy {
     std::uint32_t copy = 0;
     ComponentId component;
 };
-/// The copper pads of one pin: those the job ties to it, else those of its net where it is.
+/// The copper pads of one pin, all those of its name (pinsNamedAs), of all components of that name: those the job ties
+/// to it, else those of its net where it is.
 struct PinOfCopy {
     std::uint32_t copy = 0;
     PinId pin;
@@ -41,6 +43,8 @@ using MeasureItem = std::variant<BoardElement, NetOfCopy, PartOfCopy, PinOfCopy,
 [[nodiscard]] NetId netOf(const BoardIndex& index, BoardElement at);
 /// What people call it: "net GND", "U1", "pin U1.3", "element 12 (TOP)", "the board's edge", "the location".
 [[nodiscard]] std::string nameOf(const BoardIndex& index, const MeasureItem& item);
+/// That a name stands for several components, or a pin for several pads, and where they are; empty if it does not.
+[[nodiscard]] std::string noteOnName(const BoardIndex& index, const MeasureItem& item);
 /// What an element is, without its net: "pad U1.7", "track", "via", "body of U1", "line" (of a drawing).
 [[nodiscard]] std::string kindOf(const BoardIndex& index, BoardElement at);
 

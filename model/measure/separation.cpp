@@ -238,6 +238,14 @@ void noteOnEdge(const BoardIndex& index, const MeasureItem& edge, const PieceDis
     }
 }
 
+void noteOnNames(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b, Separation& separation) {
+    for (const MeasureItem* item : {&a, &b}) {
+        if (std::string note = noteOnName(index, *item); !note.empty()) {
+            separation.notes.push_back(std::move(note));
+        }
+    }
+}
+
 }  // namespace
 
 const char* toString(Relation relation) {
@@ -268,6 +276,7 @@ base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem
     const Pieces piecesB = piecesOf(index, b);
     if (std::string why = whyNothing(index, a, piecesA.elements, b, piecesB.elements); !why.empty()) {
         separation.notes.push_back(std::move(why));
+        noteOnNames(index, a, b, separation);
         return separation;
     }
     noteOnEmpty(index, a, piecesA, separation);
@@ -286,6 +295,7 @@ base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem
     noteOnStackup(index, separation);
     noteOnEdge(index, a, *separation.inPlane, true, separation.notes);
     noteOnEdge(index, b, *separation.inPlane, false, separation.notes);
+    noteOnNames(index, a, b, separation);
     return separation;
 }
 

@@ -365,6 +365,44 @@ private slots:
         QVERIFY(measure("edge").out.contains("both are the same"));
     }
 
+    /// Its pin U1.1 has two pads, its name R1 two components.
+    void measureTakesAllThatHasTheName() {
+        const QTemporaryDir folder;
+        QFile board(folder.filePath("names.kicad_pcb"));
+        QVERIFY(board.open(QFile::WriteOnly));
+        board.write("(kicad_pcb (version 20241229) (layers (0 \"F.Cu\" signal) (2 \"B.Cu\" signal)) (net 1 \"GND\")\n");
+        const auto part = [&](const char* name, int x, const char* pads) {
+            board.write(QString("(footprint \"T:x\" (layer \"F.Cu\") (at %1 10) (property \"Reference\" \"%2\") %3)\n")
+                            .arg(QString::number(x), name, pads)
+                            .toUtf8());
+        };
+        constexpr const char* kPad = "(pad \"1\" smd rect (at 0 0) (size 1 1) (layers \"F.Cu\"))";
+        part(
+            "U1", 15,
+            "(pad \"1\" smd rect (at -5 0) (size 1 1) (layers \"F.Cu\") (net 1 \"GND\")) (pad \"1\" smd rect (at 5 0) "
+            "(size 1 1) (layers \"F.Cu\") (net 1 \"GND\")) (pad \"2\" smd rect (at 8 0) (size 1 1) (layers \"F.Cu\"))");
+        part("R1", 40, kPad);
+        part("R1", 50, kPad);
+        part("", 60, kPad);
+        board.write(")");
+        board.close();
+        const auto measure = [&](const char* from, const char* to, const QStringList& more = {}) {
+            return copperscope(QStringList{"measure", board.fileName(), "--from", from, "--to", to} + more);
+        };
+        const Outcome pads = measure("pin:U1.1", "pin:U1.2", {"--below", "2.1mm", "--format", "json"});
+        QCOMPARE(pads.exitCode, 4);
+        const QJsonObject json = QJsonDocument::fromJson(pads.out).object();
+        QCOMPARE(json["on_layer"]["distance_nm"].toDouble(), 2e6);
+        QVERIFY2(json["notes"].toVariant().toStringList().join('\n').contains(
+                     "pin U1.1 has 2 pads (10, -10 mm; 20, -10 mm)"),
+                 pads.out.constData());
+        const Outcome parts = measure("at:52mm,-10mm", "pin:R1.1", {"--format", "csv"});
+        QVERIFY2(parts.out.contains("in_plane,1500.000,"), parts.out.constData());
+        QVERIFY2(parts.err.contains("2 components are called R1 (40, -10 mm; 50, -10 mm)"), parts.err.constData());
+        const Outcome nameless = measure("part:", "edge");
+        QVERIFY2(nameless.exitCode == 1 && nameless.err.contains("write net:NAME"), nameless.err.constData());
+    }
+
     void measureFollowsNets() {
         const auto path = [](const QStringList& rest) {
             return copperscope(QStringList{"measure", locations::kSample, "--path", "GND"} + rest);

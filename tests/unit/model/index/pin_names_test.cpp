@@ -50,6 +50,41 @@ private slots:
         QCOMPARE(fullPinName(*m_board, PinId{std::size_t{6}}), std::string("U5"));
     }
 
+    void padsOfOneNameAreOnePin() {
+        DocumentBuilder builder;
+        const auto pin = [&](const char* name) {
+            Pin made;
+            made.name = builder.string(name);
+            return made;
+        };
+        const auto add = [&](const char* refdes, const std::vector<Pin>& pins) {
+            Component part;
+            part.refdes = refdes;
+            return builder.addComponent(part, pins);
+        };
+        const ComponentId j7 = add("J7", {pin("1"), pin("MP"), pin(""), pin(""), pin("MP")});
+        const ComponentId j8 = add("J8", {pin("MP")});
+        const ComponentId second = add("J7", {pin("MP")});
+        const ComponentId nameless = add("", {});
+        static_cast<void>(add("", {}));
+        const auto board = builder.finish();
+        const auto pinsAs = [&](std::size_t row) {
+            std::vector<std::size_t> rows;
+            for (const PinId id : pinsNamedAs(*board, PinId{row})) {
+                rows.push_back(id.row());
+            }
+            return rows;
+        };
+        QCOMPARE(pinsAs(0), std::vector<std::size_t>{0});
+        QCOMPARE(pinsAs(1), (std::vector<std::size_t>{1, 4}));
+        QCOMPARE(pinsAs(4), (std::vector<std::size_t>{1, 4}));
+        QCOMPARE(pinsAs(2), std::vector<std::size_t>{2});
+        QCOMPARE(pinsAs(5), std::vector<std::size_t>{5});
+        QCOMPARE(componentsNamedAs(*board, second), (std::vector{j7, second}));
+        QCOMPARE(componentsNamedAs(*board, j8), std::vector{j8});
+        QCOMPARE(componentsNamedAs(*board, nameless), std::vector{nameless});
+    }
+
     void aComponentsNetsAreNamedOnce() { QCOMPARE(netsOf(*m_board, m_board->components[0]), (std::vector{m_a, m_b})); }
 
 private:

@@ -1,0 +1,77 @@
+// What a name stands for in measurements: a pin of several pads, several components of one designator.
+#include "model/measure/items.h"
+
+#include <QtTest>
+#include <algorithm>
+
+#include "model/measure/separation.h"
+#include "tests/unit/model/measure/measure_fixture.h"
+
+using namespace model;
+using namespace measuring;
+
+namespace {
+
+Separation measured(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b) {
+    base::Progress progress;
+    return *separationOf(index, a, b, progress);
+}
+
+bool says(const Separation& separation, const char* text) {
+    return std::ranges::any_of(separation.notes,
+                               [&](const std::string& note) { return note.find(text) != std::string::npos; });
+}
+
+BoardElement own(ElementId element) {
+    return {0, element};
+}
+
+}  // namespace
+
+class ItemsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aNameStandsForAllThatHasIt() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        const auto pin = [&](const char* name, Nm x) { return Pin{builder.string(name), {x, 0}, {}, {}, 0xffffffffu}; };
+        const auto add = [&](const char* refdes, const std::vector<Pin>& pins) {
+            Component part;
+            part.refdes = refdes;
+            part.placement.origin = pins.front().position;
+            return builder.addComponent(part, pins);
+        };
+        static_cast<void>(add("J7", {pin("MP", 0), pin("MP", 10 * kMm), pin("1", 20 * kMm)}));
+        const ComponentId first = add("R1", {pin("1", 30 * kMm)});
+        static_cast<void>(add("R1", {pin("1", 50 * kMm)}));
+        builder.beginLayer(LayerId{Top});
+        for (const Nm x : {0, 10, 20, 30, 50}) {
+            builder.addCircle({{x * kMm, 0}, kMm, 0}, of({}, kPad));
+        }
+        const ElementId far = builder.addCircle({{14 * kMm, 0}, kMm, 0}, {});
+        const ElementId beyond = builder.addCircle({{54 * kMm, 0}, kMm, 0}, {});
+        const auto index = indexed(builder.finish());
+        const PinOfCopy mp{0, PinId{std::size_t{0}}};
+
+        const Separation toPin = measured(*index, mp, own(far));
+        QCOMPARE(toPin.main()->distance, 3.0 * kMm);
+        QCOMPARE(toPin.main()->spacing.from.x, 10.5 * kMm);
+        QVERIFY2(says(toPin, "pin J7.MP has 2 pads (0, 0 mm; 10, 0 mm): the nearest is taken"),
+                 toPin.notes.back().c_str());
+        const Separation within = measured(*index, own(ElementId{std::size_t{1}}), mp);
+        QVERIFY(within.main() == nullptr && says(within, "is part of pin J7.MP"));
+        QVERIFY(!says(measured(*index, PinOfCopy{0, PinId{std::size_t{2}}}, own(far)), "the nearest is taken"));
+
+        for (const MeasureItem& r1 :
+             {MeasureItem(PartOfCopy{0, first}), MeasureItem(PinOfCopy{0, PinId{std::size_t{3}}})}) {
+            const Separation toPart = measured(*index, own(beyond), r1);
+            QCOMPARE(toPart.main()->distance, 3.0 * kMm);
+            QVERIFY2(says(toPart, "2 components are called R1 (30, 0 mm; 50, 0 mm): the nearest is taken"),
+                     toPart.notes.back().c_str());
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(ItemsTest)
+#include "items_test.moc"
