@@ -218,6 +218,7 @@ void printPathJson(const BoardIndex& index, model::NetOfCopy net, const NetPath&
     std::fputs(model::jsonText({{"net", nameOf(index, net)},
                                 {"length_nm", path.length},
                                 {"area_length_nm", path.areaLength},
+                                {"pad_length_nm", path.padLength},
                                 {"hole_count", path.holeCount},
                                 {"hole_height_nm", path.holeHeight},
                                 {"layers", layers},

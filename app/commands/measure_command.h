@@ -21,9 +21,9 @@ struct MeasureArguments {
 /// JSON: {"from", "to", "on_layer", "through_stackup", "in_plane", "angle_deg", "notes": []}; the three distances are
 /// null or {"distance_nm", "spacing_nm", "dx_nm", "dy_nm", "dz_nm", "relation", "overlap_nm", "is_overlap_exact",
 /// "ends": [{"copy", "element", "layer", "net", "x_nm", "y_nm"}, …]}. With `--path`: {"net", "length_nm",
-/// "area_length_nm", "hole_count", "hole_height_nm", "layers": [{"layer", "length_nm"}], "legs": [{"kind", "layer",
-/// "element", "length_nm", "from_nm", "to_nm"}], "notes"}. Under their old names too: "through_stack", "gap_nm",
-/// "remarks".
+/// "area_length_nm", "pad_length_nm", "hole_count", "hole_height_nm", "layers": [{"layer", "length_nm"}], "legs":
+/// [{"kind", "layer", "element", "length_nm", "from_nm", "to_nm"}], "notes"}. Under their old names too:
+/// "through_stack", "gap_nm", "remarks".
 [[nodiscard]] Outcome runMeasure(const MeasureArguments& arguments);
 
 }  // namespace app

@@ -12,12 +12,14 @@
 #include "model/geometry/vectors.h"
 #include "model/measure/net_graph.h"
 #include "model/measure/separation.h"
+#include "model/text/formatting.h"
 
 namespace model {
 
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr double kPadLengthToSay = 1'000.0;  ///< less is how ends of tracks were rounded
 
 /// Dijkstra's search. Links through an area are made as they are needed: from where it is entered to all its contacts.
 class ShortestPath {
@@ -112,11 +114,18 @@ void addUp(const BoardIndex& index, NetPath& path) {
         } else {
             perLayer[leg.layer] += leg.length;
             path.areaLength += leg.kind == PathLeg::Kind::Area ? leg.length : 0.0;
+            path.padLength += leg.kind == PathLeg::Kind::Pad ? leg.length : 0.0;
         }
     }
     path.perLayer.assign(perLayer.begin(), perLayer.end());
     if (path.areaLength > 0) {
         path.notes.emplace_back("part of the path runs straight through areas, so its length is an estimate");
+    }
+    if (path.padLength > kPadLengthToSay) {
+        path.notes.push_back(
+            formatted("%.6f mm of the path leave the middle lines of tracks, straight through pads or to "
+                      "the next track, so its length is an estimate",
+                      base::toMm(path.padLength)));
     }
     const Document& board = *index.board;
     if (path.holeCount > 0 && !assumedBetween(board, 0, board.boardThickness).empty()) {
@@ -201,6 +210,11 @@ base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const Me
     }
     NetPath path = pathTo(graph, search, *end);
     addUp(index, path);
+    for (const MeasureItem* item : {&from, &to}) {
+        if (std::string note = noteOnName(index, *item); !note.empty()) {
+            path.notes.push_back(std::move(note));
+        }
+    }
     return path;
 }
 

@@ -139,6 +139,36 @@ private slots:
         QCOMPARE(beside.error().code, base::ErrorCode::BadUsage);
     }
 
+    void whatLeavesTheMiddlesOfTracksIsTold() {
+        NetBoard b;
+        b.on(Top);
+        const ElementId from = b.pad({0, 0});
+        b.line({300'000, 0}, {10 * kMm, 0});
+        const ElementId to = b.pad({10 * kMm, 0});
+        const NetPath path = *b.path(from, to);
+        QVERIFY(isNear(path.length, 10e6) && isNear(path.padLength, 300'000.0));
+        QCOMPARE(path.notes.size(), std::size_t{1});
+        QVERIFY2(path.notes.front().starts_with("0.300000 mm of the path leave the middle lines of tracks"),
+                 path.notes.front().c_str());
+    }
+
+    void aPinOfSeveralPadsIsAnEndWithTheNearest() {
+        NetBoard b;
+        Component part;
+        part.refdes = "J7";
+        const Pin left{b.builder.string("MP"), {0, 0}, b.net, {}, 0xffffffffu};
+        const Pin right{b.builder.string("MP"), {6 * kMm, 0}, b.net, {}, 0xffffffffu};
+        b.builder.addComponent(part, std::vector{left, right});
+        b.on(Top);
+        b.pad({0, 0});
+        b.pad({6 * kMm, 0});
+        b.line({0, 0}, {10 * kMm, 0});
+        const ElementId to = b.pad({10 * kMm, 0});
+        const NetPath path = *b.path(PinOfCopy{0, PinId{std::size_t{0}}}, BoardElement{0, to});
+        QVERIFY2(isNear(path.length, 4e6), qPrintable(QString::number(path.length)));
+        QVERIFY(path.notes.back().starts_with("pin J7.MP has 2 pads"));
+    }
+
     void whatDoesNotHangTogetherIsSaid() {
         NetBoard b;
         b.on(Top);
