@@ -30,8 +30,17 @@ bool isThroughBoard(const PartPicking& parts, const BoardPin& pin) {
     });
 }
 
+/// Are they the pads of one?
+bool isOnePin(const PartPicking& parts, const std::vector<BoardPin>& chosen) {
+    const BoardPin& first = chosen.front();
+    const std::vector<model::PinId> pads = model::pinsNamedAs(parts.document(first.step), first.pin);
+    return std::ranges::all_of(chosen, [&](const BoardPin& pin) {
+        return pin.step == first.step && std::ranges::binary_search(pads, pin.pin);
+    });
+}
+
 QString pinsTitle(const PartPicking& parts, const std::vector<BoardPin>& chosen) {
-    if (chosen.size() != 1) {
+    if (chosen.empty() || !isOnePin(parts, chosen)) {
         return PartPicking::tr("%L1 pins").arg(chosen.size());
     }
     const auto [step, pin] = chosen.front();
@@ -126,11 +135,25 @@ void PartPicking::selectPinOf(const model::BoardElement& at) {
         m_workspace.report(tr("This element is no pad or hole of a pin"));
         return;
     }
-    const std::vector<BoardPin> pins{{step, found.front()}};
+    const std::vector<BoardPin> pins = padsOf({step, found.front()});
     std::vector<model::BoardElement> elements;
-    add(at.copy, finderOf(step).elementsOf(found.front()), elements);
+    for (const BoardPin& pin : pins) {
+        add(at.copy, finderOf(step).elementsOf(pin.pin), elements);
+    }
     elements.push_back(at);
     select({pinsTitle(*this, pins), {{step, document(step).pins[found.front().row()].component}}, pins}, elements);
+}
+
+std::vector<BoardPin> PartPicking::padsOf(const BoardPin& pin) const {
+    std::vector<BoardPin> pads;
+    for (const model::PinId pad : model::pinsNamedAs(document(pin.step), pin.pin)) {
+        pads.push_back({pin.step, pad});
+    }
+    return pads;
+}
+
+void PartPicking::selectPinNamedAs(const BoardPin& pin) {
+    select(padsOf(pin));
 }
 
 void PartPicking::select(std::vector<BoardPart> parts) {

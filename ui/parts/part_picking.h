@@ -35,7 +35,10 @@ public:
     PartPicking(const ActionSet& actions, Workspace& workspace, QObject* parent = nullptr);
 
     void selectComponentOf(const model::BoardElement& at);
+    /// With all its pads.
     void selectPinOf(const model::BoardElement& at);
+    /// All pads of the pin that is called as this one is; `select` takes only what is given.
+    void selectPinNamedAs(const BoardPin& pin);
     void select(std::vector<BoardPart> parts);
     void select(std::vector<BoardPin> pins);
     /// Brings what is selected to the middle of the views, or where the first chosen one is placed if that has no
@@ -69,6 +72,7 @@ private:
     };
     void select(const Chosen& chosen, const std::vector<model::BoardElement>& elements);
     void onSelectionChanged();
+    [[nodiscard]] std::vector<BoardPin> padsOf(const BoardPin& pin) const;
     void findParts(const model::BoardElement& at);
     void endWithCopper(std::vector<model::BoardElement>& elements) const;
     [[nodiscard]] std::optional<model::BoardElement> target();

@@ -107,8 +107,9 @@ public:
                 continue;
             }
             for (std::uint32_t row = component.firstPin; row < component.firstPin + component.pinCount; ++row) {
-                const Fit fit = fitOf(model::pinName(board, model::PinId{std::size_t{row}}), pin);
-                if (fit == Fit::Whole || fit == Fit::Begins) {
+                const model::PinId id{std::size_t{row}};
+                const Fit fit = fitOf(model::pinName(board, id), pin);
+                if ((fit == Fit::Whole || fit == Fit::Begins) && model::pinsNamedAs(board, id).front() == id) {
                     m_matches.push_back({fit, board.text(board.pins[row].name), {FoundKind::Pin, row, m_step, {}}});
                 }
             }
@@ -294,8 +295,10 @@ QString BoardSearch::whatIs(const Found& found) const {
         }
         case FoundKind::Pin: {
             const model::NetId net = stepOf(found).pins[found.row].net;
-            return net.isValid() ? BoardSearch::tr("Pin, net %1").arg(netName(stepOf(found), net))
-                                 : BoardSearch::tr("Pin without a net");
+            const QString pin = net.isValid() ? BoardSearch::tr("Pin, net %1").arg(netName(stepOf(found), net))
+                                              : BoardSearch::tr("Pin without a net");
+            const std::size_t pads = model::pinsNamedAs(stepOf(found), model::PinId{std::size_t{found.row}}).size();
+            return pads > 1 ? BoardSearch::tr("%1, %2 pads").arg(pin).arg(pads) : pin;
         }
         case FoundKind::Net:
             return BoardSearch::tr("Net, %L1 elements")

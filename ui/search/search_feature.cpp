@@ -10,7 +10,7 @@ namespace {
 
 void showPart(const Found& found, PartPicking& parts) {
     if (found.kind == FoundKind::Pin) {
-        parts.select(std::vector{BoardPin{found.step, model::PinId{std::size_t{found.row}}}});
+        parts.selectPinNamedAs({found.step, model::PinId{std::size_t{found.row}}});
     } else {
         parts.select(std::vector{BoardPart{found.step, model::ComponentId{std::size_t{found.row}}}});
     }

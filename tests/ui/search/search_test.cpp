@@ -239,6 +239,33 @@ private slots:
                  qPrintable(window().label("elementHeading")));
     }
 
+    /// As fixings of connectors are: both by its name and from one of its pads.
+    void aPinIsAllItsPads() {
+        const QString path = m_fixture->folder() + "/two_pads.kicad_pcb";
+        QFile file(path);
+        QVERIFY(file.open(QFile::WriteOnly));
+        file.write(
+            "(kicad_pcb (version 20241229) (layers (0 \"F.Cu\" signal) (2 \"B.Cu\" signal)) (net 1 \"GND\")"
+            "(footprint \"J\" (layer \"F.Cu\") (at 10 10) (property \"Reference\" \"J7\") (attr smd)"
+            "(pad \"MP\" smd rect (at -4 0) (size 1 1) (layers \"F.Cu\") (net 1 \"GND\"))"
+            "(pad \"1\" smd rect (at 0 0) (size 1 1) (layers \"F.Cu\"))"
+            "(pad \"MP\" smd rect (at 4 0) (size 1 1) (layers \"F.Cu\") (net 1 \"GND\"))))");
+        file.close();
+        QVERIFY(m_fixture->openAndWait(path));
+        type("j7.mp");
+        QCOMPARE(box().list().count(), 1);
+        take();
+        const std::vector<model::BoardElement> pads = window().selection().selected();
+        QCOMPARE(pads.size(), std::size_t{2});
+        QCOMPARE(window().selection().title(), "Pin J7.MP");
+        for (const model::BoardElement& pad : pads) {
+            window().selection().select({pad});
+            m_fixture->key(Qt::Key_P, Qt::ShiftModifier);
+            QCOMPARE(window().selection().selected(), pads);
+            QCOMPARE(window().selection().title(), "Pin J7.MP");
+        }
+    }
+
     void namesAreThoseOfTheCurrentLayer() {
         QVERIFY(m_fixture->openAndWait(boardWithPartsBelowEachOther()));
         type("10, -10 mm");

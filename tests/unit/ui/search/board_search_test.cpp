@@ -60,6 +60,26 @@ private slots:
         }
     }
 
+    void aPinOfSeveralPadsIsFoundOnce() {
+        model::DocumentBuilder builder;
+        const model::NetId net = builder.addNet("GND");
+        std::vector<model::Pin> pins(3);
+        for (std::size_t i = 0; i < pins.size(); ++i) {
+            pins[i].name = builder.string(i < 2 ? "MP" : "1");
+            pins[i].net = net;
+        }
+        model::Component part;
+        part.refdes = "J7";
+        builder.addComponent(part, pins);
+        BoardSearch search;
+        search.setBoard(builder.finish());
+        const std::vector<Found> found = search.find("j7.", LengthUnit::Millimetre, 50);
+        QCOMPARE(found.size(), std::size_t{2});
+        QCOMPARE(search.titleOf(found[1]), "J7.MP");
+        QCOMPARE(search.detailOf(found[1]), "Pin, net GND, 2 pads");
+        QCOMPARE(search.detailOf(found[0]), "Pin, net GND");
+    }
+
     void attributesAreFoundByValueAndByName() {
         const std::vector<Found> found = m_search.find("smt", LengthUnit::Millimetre, 50);
         const auto type = std::ranges::find(found, FoundKind::Attribute, &Found::kind);
