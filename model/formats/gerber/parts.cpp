@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "model/formats/gerber/placement_shift.h"
@@ -99,6 +100,7 @@ void PartList::place(const PlacementFile& file, std::string_view path, const Pad
         diagnostics.report(Severity::Info, path, 0,
                            "places of components count from another origin, found by their pins");
     }
+    std::unordered_map<std::string, Point> places;
     for (const PlacedPart& part : file.parts) {
         const auto x = toNm(static_cast<double>(part.position.x) + shift->x);
         const auto y = toNm(static_cast<double>(part.position.y) + shift->y);
@@ -106,6 +108,12 @@ void PartList::place(const PlacementFile& file, std::string_view path, const Pad
             diagnostics.report(Severity::Warning, path, part.line,
                                "a component is placed beyond any board (1.07 m); its place was left out");
             continue;
+        }
+        if (const auto [place, isNew] = places.try_emplace(part.refdes, part.position);
+            !isNew && place->second != part.position) {
+            diagnostics.report(Severity::Warning, path, part.line,
+                               "two components have one designator; they are taken for one, which lies where the last "
+                               "one is");
         }
         const std::int32_t row = component(part.refdes);
         DrawnComponent& target = m_step.components[static_cast<std::size_t>(row)];

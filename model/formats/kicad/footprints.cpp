@@ -412,6 +412,16 @@ void Footprints::draw(const Item& footprint) {
         packages.pop_back();
         m_canvas.step().components.back().package = found->second;
     }
+    reportSharedName();
+}
+
+/// Drawings that are footprints, and parts that nobody has numbered yet, share their names as a rule.
+void Footprints::reportSharedName() {
+    const DrawnComponent& last = m_canvas.step().components.back();
+    const bool isNumbered = !last.refdes.empty() && !last.refdes.ends_with('*') && !last.refdes.ends_with('?');
+    if (isNumbered && !last.pins.empty() && !m_designators.insert(last.refdes).second) {
+        m_canvas.report(Severity::Warning, last.line, "two components have one designator; its name stands for both");
+    }
 }
 
 }  // namespace model::kicad

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "model/formats/kicad/canvas.h"
@@ -28,10 +29,13 @@ public:
     void draw(const Item& footprint);
 
 private:
+    void reportSharedName();
+
     Canvas& m_canvas;
     UnusedPads& m_unused;
     std::vector<ChainEdge>& m_outline;
     std::unordered_map<std::string, std::int32_t> m_packages;  ///< by all that they hold
+    std::unordered_set<std::string> m_designators;             ///< of footprints with pads
 };
 
 }  // namespace model::kicad

@@ -253,6 +253,20 @@ private slots:
         QCOMPARE((*board)->packages[0].name, std::string("HDR"));
     }
 
+    void aDesignatorThatIsPlacedTwiceIsTold() {
+        const auto told = [](const std::string& rows) {
+            const Job job({{"b-F_Cu.gtl", image(kNamedCopper, "Copper,L1,Top")},
+                           {"b-B_Cu.gbl", image(kNamedCopper, "Copper,L2,Bot")},
+                           {"b-pos.csv", "Ref,Val,Package,PosX,PosY,Rot,Side\n" + rows}});
+            const Board board = job.open();
+            return board.ok() && std::ranges::any_of((*board)->diagnostics.entries(), [](const auto& entry) {
+                       return entry.text.starts_with("Two components have one designator");
+                   });
+        };
+        QVERIFY(told("J1,CON,HDR,5.0,5.0,90.0,top\nJ1,CON,HDR,8.0,5.0,90.0,top\n"));
+        QVERIFY(!told("J1,CON,HDR,5.0,5.0,90.0,top\nJ2,CON,HDR,8.0,5.0,90.0,top\n"));
+    }
+
     /// Rotated by 30° on the bottom: KiCad and X3 flip a part along the x axis, other programs along the y axis, which
     /// is half a turn more or less.
     void partsOnTheBottomAreRotatedAsTheirFileMeansIt_data() {

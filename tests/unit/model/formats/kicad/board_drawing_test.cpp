@@ -93,6 +93,21 @@ private slots:
         QCOMPARE(on(job, "B.Cu").size(), std::size_t{3});  // pad, via, zone: none around the bare hole
     }
 
+    void componentsOfOneDesignatorAreTold() {
+        const auto footprint = [](const char* name, const char* pad) {
+            return "(footprint \"T:x\" (layer \"F.Cu\") (at 5 5) (property \"Reference\" \"" + std::string(name) +
+                   "\")" + pad + ")\n";
+        };
+        constexpr const char* kPad = "(pad \"1\" smd rect (at 0 0) (size 1 1) (layers \"F.Cu\"))";
+        const auto told = [](const std::string& items) {
+            return messages(boardWith(items).diagnostics, "two components have one designator");
+        };
+        QCOMPARE(told(footprint("R1", kPad) + footprint("R1", kPad) + footprint("R2", kPad)), 1U);
+        QCOMPARE(told(footprint("R1", kPad) + footprint("r1", kPad)), 0U);
+        QCOMPARE(told(footprint("REF**", kPad) + footprint("REF**", kPad)), 0U);
+        QCOMPARE(told(footprint("LOGO", "") + footprint("LOGO", "")), 0U);
+    }
+
     void componentsAndPackagesAgree() {
         const DrawnJob job = drawn(fileText("small.kicad_pcb"));
         const auto& components = job.steps[0].components;
