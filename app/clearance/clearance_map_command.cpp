@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/clearance/clearance_map_image.h"
+#include "app/common/open_board.h"
 #include "app/common/window_option.h"
 #include "model/base/thickness_units.h"
 #include "model/clearance/board_distances.h"
@@ -50,7 +51,7 @@ base::Result<model::LayerId> layerOf(const model::Document& board, const std::st
     if (!layer.isValid() || !board.layer(layer).isCopper()) {
         return refused("the board has no copper layer " + name);
     }
-    return layer;
+    return findLayer(board, name);
 }
 
 base::Result<double> reachOf(const std::string& text) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/common/open_board.h"
 #include "model/base/thickness_units.h"
 #include "model/index/pin_names.h"
 
@@ -180,7 +181,7 @@ Result<MeasureItem> parseAt(const BoardIndex& index, const InCopy& at) {
         ASSIGN_OR_RETURN(const std::size_t layer,
                          findNamed("layer", at.text.substr(second + 1), layers.size(),
                                    [&](std::size_t i) -> const std::string& { return layers[i].name; }));
-        location.layer = model::LayerId{layer};
+        ASSIGN_OR_RETURN(location.layer, findLayer(*index.board, layers[layer].name));
     }
     return MeasureItem(location);
 }

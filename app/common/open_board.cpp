@@ -1,5 +1,6 @@
 #include "app/common/open_board.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "app/common/beside_program.h"
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
+#include "model/base/ascii.h"
 #include "model/board/diagnostic_facts.h"
 
 namespace app {
@@ -137,6 +139,23 @@ base::Result<CountedBoard> countBoard(const BoardArguments& arguments) {
     return CountedBoard{board.document, std::move(counts), how, board.format};
 }
 
+namespace {
+
+/// Is it the only one that the name may mean? What is written alike to the letter goes before what differs in case.
+base::Status checkOnlyOne(const model::Document& document, model::LayerId layer, const std::string& name) {
+    const bool isExact = document.layer(layer).name == name;
+    const auto alike = std::ranges::count_if(document.layers, [&](const model::Layer& other) {
+        return isExact ? other.name == name : base::equalsIgnoringCase(other.name, document.layer(layer).name);
+    });
+    if (alike > 1) {
+        return base::Error{base::ErrorCode::BadUsage, std::to_string(alike) + " layers are called " + name +
+                                                          ", so the name does not say which is meant"};
+    }
+    return base::Done{};
+}
+
+}  // namespace
+
 base::Result<model::LayerId> findLayer(const model::Document& document, const std::string& name) {
     constexpr std::string_view kOld = " coat";
     model::LayerId layer = document.findLayer(name);
@@ -148,6 +167,7 @@ base::Result<model::LayerId> findLayer(const model::Document& document, const st
     if (!layer.isValid()) {
         return base::Error{base::ErrorCode::BadUsage, "there is no layer " + name + " (see copperscope info)"};
     }
+    RETURN_IF_ERROR(checkOnlyOne(document, layer, name));
     return layer;
 }
 

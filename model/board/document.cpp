@@ -65,8 +65,10 @@ PlatedSpan Document::platedSpanOf(ElementId hole) const {
 }
 
 LayerId Document::findLayer(std::string_view name) const {
-    const auto found =
-        std::ranges::find_if(layers, [&](const Layer& l) { return base::equalsIgnoringCase(l.name, name); });
+    auto found = std::ranges::find(layers, name, &Layer::name);
+    if (found == layers.end()) {
+        found = std::ranges::find_if(layers, [&](const Layer& l) { return base::equalsIgnoringCase(l.name, name); });
+    }
     return found == layers.end() ? LayerId{} : LayerId{static_cast<std::size_t>(found - layers.begin())};
 }
 

@@ -403,6 +403,21 @@ private slots:
         QVERIFY2(nameless.exitCode == 1 && nameless.err.contains("write net:NAME"), nameless.err.constData());
     }
 
+    void aNameOfTwoLayersNamesNone() {
+        const QTemporaryDir folder;
+        QFile board(folder.filePath("layers.kicad_pcb"));
+        QVERIFY(board.open(QFile::WriteOnly));
+        board.write("(kicad_pcb (version 20241229) (layers (0 \"F.Cu\" signal \"Sig\") (2 \"B.Cu\" signal \"Sig\")))");
+        board.close();
+        const QStringList measure{"measure", board.fileName(), "--from", "at:1mm,1mm,Sig", "--to", "at:2mm,1mm"};
+        const QStringList section{"section", board.fileName(), "--line", "0,0,9,0", "--layers", "Sig"};
+        const QStringList clearance{"clearance", board.fileName(), "--layer", "Sig"};
+        for (const QStringList& command : {measure, section, clearance}) {
+            const Outcome run = copperscope(command);
+            QVERIFY2(run.exitCode == 1 && run.err.contains("2 layers are called Sig"), run.err.constData());
+        }
+    }
+
     void measureFollowsNets() {
         const auto path = [](const QStringList& rest) {
             return copperscope(QStringList{"measure", locations::kSample, "--path", "GND"} + rest);

@@ -61,8 +61,11 @@ private slots:
         model::Layer layer;
         layer.name = "TOP";
         builder.addLayer(layer);
+        layer.name = "top";
+        const LayerId small = builder.addLayer(layer);
         const auto document = builder.finish();
         QVERIFY(document->findLayer("Top").isValid());
+        QVERIFY2(document->findLayer("top") == small, "what is written so to the letter goes before");
         QVERIFY(!document->findLayer("TO").isValid());
     }
 
