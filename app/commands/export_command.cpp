@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <string>
 
 #include "app/common/console_progress.h"
 #include "app/common/window_option.h"
@@ -81,7 +82,8 @@ std::string now() {
 
 void reportMissing(const std::vector<model::NotExported>& missing) {
     for (std::size_t i = 0; i < std::min(missing.size(), kNamed); ++i) {
-        std::fprintf(stderr, "%s:%u: not exported: %s\n", missing[i].file.c_str(), missing[i].line,
+        const std::string line = missing[i].line > 0 ? ":" + std::to_string(missing[i].line) : "";
+        std::fprintf(stderr, "%s%s: not exported: %s\n", missing[i].file.c_str(), line.c_str(),
                      missing[i].reason.c_str());
     }
     if (missing.size() > kNamed) {

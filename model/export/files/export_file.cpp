@@ -37,6 +37,17 @@ std::vector<NotExported> describe(const SolidPlan& plan, const std::vector<Missi
     return all;
 }
 
+/// Who asks for "F.Mask" may have meant the mask.
+void nameMasks(const Document& board, const SolidChoice& choice, ExportSummary& summary) {
+    for (const auto& [openings, mask] : chosenOpenings(board, choice)) {
+        const Layer& layer = board.layer(openings);
+        summary.missing.push_back({layer.name, layer.file, 0,
+                                   "the solder mask itself: layer " + layer.name +
+                                       " draws its openings, which are written as solids; the mask is the layer \"" +
+                                       board.layer(mask).name + "\""});
+    }
+}
+
 /// Of a STEP file that gzip leaves; 0.19 to 0.21 on boards of all kinds.
 constexpr double kPackedShare = 0.2;
 /// How much longer a packed file takes.
@@ -234,7 +245,11 @@ Result<std::optional<StepEstimate>> estimateExport(const Document& board, const 
 Result<ExportSummary> exportBoard(const Document& board, const ExportFormat& format, const ExportRequest& request,
                                   const fs::path& path, Progress& progress) {
     RETURN_IF_ERROR(checkKnown(format, request));
-    return format.write(board, request, path, progress);
+    ASSIGN_OR_RETURN(ExportSummary summary, format.write(board, request, path, progress));
+    if (format.isSolid) {
+        nameMasks(board, request.choice, summary);
+    }
+    return summary;
 }
 
 }  // namespace model

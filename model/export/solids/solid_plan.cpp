@@ -309,6 +309,25 @@ bool isSolidLayer(const Layer& layer) {
     }
 }
 
+std::vector<ChosenOpenings> chosenOpenings(const Document& board, const SolidChoice& choice) {
+    const auto isChosen = [&](LayerId id) { return std::ranges::count(choice.layers, id) > 0; };
+    std::vector<ChosenOpenings> found;
+    for (const LayerId id : choice.layers) {
+        const Layer& openings = board.layer(id);
+        const auto mask = std::ranges::find_if(board.layers, [&](const Layer& layer) {
+            return layer.type == LayerType::SolderMask && layer.isSynthetic && layer.side == openings.side;
+        });
+        const bool isOpenings = openings.type == LayerType::SolderMask && !openings.isSynthetic;
+        if (isOpenings && mask != board.layers.end()) {
+            const LayerId maskId{static_cast<std::size_t>(mask - board.layers.begin())};
+            if (!isChosen(maskId)) {
+                found.push_back({id, maskId});
+            }
+        }
+    }
+    return found;
+}
+
 std::string SolidPlan::nameOf(const StepSolids& step, const SolidGroup& group) const {
     const Document& document = *step.document;
     if (group.component.isValid()) {

@@ -84,6 +84,14 @@ private:
     [[nodiscard]] ElementShells shellsOf(const StepSolids& step, ElementId element, ElementOutlines outlines) const;
 };
 
+/// A layer of the job that draws where a solder mask is open, and the synthetic layer that is the mask.
+struct ChosenOpenings {
+    LayerId openings;
+    LayerId mask;
+};
+/// Those that are chosen by name without the mask: their solids are the openings filled, at the height of the mask.
+[[nodiscard]] std::vector<ChosenOpenings> chosenOpenings(const Document& board, const SolidChoice& choice);
+
 /// Errors: BadUsage for a net that is not there, or when nothing is left to write: no copper of the nets, or nothing in
 /// the window, where substrates, which are never cut, do not count unless the board reaches into it; Cancelled.
 [[nodiscard]] base::Result<SolidPlan> planSolids(const Document& board, const SolidChoice& choice,

@@ -137,6 +137,34 @@ class SolidPlanTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void openingsThatAreTakenForTheMaskAreFound() {
+        model::Document board;
+        const auto add = [&](const char* name, LayerType type, model::LayerSide side, bool isSynthetic) {
+            model::Layer layer;
+            layer.name = name;
+            layer.type = type;
+            layer.side = side;
+            layer.isSynthetic = isSynthetic;
+            board.layers.push_back(layer);
+            return LayerId{board.layers.size() - 1};
+        };
+        const LayerId top = add("F.Mask", LayerType::SolderMask, model::LayerSide::Top, false);
+        const LayerId copper = add("F.Cu", LayerType::Signal, model::LayerSide::Top, false);
+        const LayerId bottom = add("B.Mask", LayerType::SolderMask, model::LayerSide::Bottom, false);
+        const LayerId mask = add("F.Mask solder mask", LayerType::SolderMask, model::LayerSide::Top, true);
+        const auto found = [&](std::vector<LayerId> layers) {
+            SolidChoice choice;
+            choice.layers = std::move(layers);
+            return model::chosenOpenings(board, choice);
+        };
+        QVERIFY(found({}).empty());
+        QVERIFY(found({copper, mask}).empty());
+        QVERIFY(found({top, mask}).empty());
+        QVERIFY(found({bottom}).empty());  // there is no mask to name
+        QCOMPARE(found({copper, top}).size(), std::size_t{1});
+        QCOMPARE(found({top}).front().mask, mask);
+    }
+
     void groupsAreLayersAndNets() {
         const Board board = makeBoard();
         base::Progress progress;
