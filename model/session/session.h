@@ -23,7 +23,7 @@
 ///
 ///     {"copperscope_session": 1, "job": "amp", "thickness_nm": {"TOP": 70000},
 ///      "views": [{"name": "U1", "step": "pcb", "layers": ["TOP"], "flat": {"target_mm": [1, 2, 0], "distance_mm": 30,
-///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true}, "solid": {…}},
+///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true}, "solid": {…}, "nets": [["pcb", "CLK"]]},
 ///                {"name": "Clocks", "step": "pcb", "selection": {"nets": [["pcb", "CLK"]],
 ///                 "elements": [["TOP", "line", 0, 0, 1500000, 200000]]}}],
 ///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}],
@@ -56,6 +56,8 @@ struct SavedView {
     std::vector<std::string> layers;  ///< the visible ones
     /// Then it is a selection, and neither cameras nor layers count.
     std::optional<SavedSelection> selection{};
+    /// Highlighted when it was saved. None: the view says nothing of nets, as those of older versions.
+    std::vector<NetName> nets{};
     bool operator==(const SavedView&) const = default;
 };
 

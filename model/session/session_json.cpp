@@ -67,22 +67,29 @@ SavedElement elementFrom(const Json& json) {
     return {json[0], *kind, Box{{side(2), side(3)}, {side(4), side(5)}}};
 }
 
-SavedSelection selectionFrom(const Json& json) {
-    require(json.at("elements").size() <= kMostSavedElements);
-    const auto netName = [](const Json& net) {
+/// [["pcb", "GND"]]
+std::vector<NetName> netNamesFrom(const Json& json) {
+    return listFrom(json, [](const Json& net) {
         require(net.is_array() && net.size() == 2);
         return NetName{net[0], net[1]};
-    };
-    return {listFrom(json.at("nets"), netName), listFrom(json.at("elements"), elementFrom)};
+    });
+}
+
+Json netNamesJson(const std::vector<NetName>& nets) {
+    return listJson(nets, [](const NetName& net) { return Json::array({net.step, net.name}); });
+}
+
+SavedSelection selectionFrom(const Json& json) {
+    require(json.at("elements").size() <= kMostSavedElements);
+    return {netNamesFrom(json.at("nets")), listFrom(json.at("elements"), elementFrom)};
 }
 
 Json toJson(const SavedSelection& selection) {
-    const auto netJson = [](const NetName& net) { return Json::array({net.step, net.name}); };
     const auto elementJson = [](const SavedElement& element) {
         return Json::array({element.layer, toString(element.kind), element.box.min.x, element.box.min.y,
                             element.box.max.x, element.box.max.y});
     };
-    return {{"nets", listJson(selection.nets, netJson)}, {"elements", listJson(selection.elements, elementJson)}};
+    return {{"nets", netNamesJson(selection.nets)}, {"elements", listJson(selection.elements, elementJson)}};
 }
 
 std::optional<std::uint32_t> colourAt(const Json& json) {
@@ -127,18 +134,23 @@ SavedView viewFrom(const Json& json) {
             poseFrom(json.at("flat")),
             poseFrom(json.at("solid")),
             listFrom(json.at("layers"), layerNameFrom),
-            std::nullopt};
+            std::nullopt,
+            json.contains("nets") ? netNamesFrom(json.at("nets")) : std::vector<NetName>()};
 }
 
 Json toJson(const SavedView& view) {
     if (view.selection) {
         return {{"name", view.name}, {"step", view.step}, {"selection", toJson(*view.selection)}};
     }
-    return {{"name", view.name},
-            {"step", view.step},
-            {"layers", view.layers},
-            {"flat", toJson(view.flat)},
-            {"solid", toJson(view.solid)}};
+    Json json{{"name", view.name},
+              {"step", view.step},
+              {"layers", view.layers},
+              {"flat", toJson(view.flat)},
+              {"solid", toJson(view.solid)}};
+    if (!view.nets.empty()) {
+        json["nets"] = netNamesJson(view.nets);
+    }
+    return json;
 }
 
 SavedNet netFrom(const Json& json) {

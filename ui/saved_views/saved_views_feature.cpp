@@ -107,13 +107,15 @@ void SavedViewsFeature::take(const std::vector<session::SavedView>& views) {
 }
 
 void SavedViewsFeature::saveView() {
+    const SelectionModel& selection = m_workspace.selection();
     m_saved.add(tr("saving a view"),
                 {{},
                  {},
                  poseOf(m_views.flat().controller()),
                  poseOf(m_views.solid().controller()),
                  m_layers.visibleNames(),
-                 std::nullopt},
+                 std::nullopt,
+                 session::saveSelection(selection.tree(), {}, selection.nets()).nets},
                 "View ");
     m_workspace.report(tr("Saved as %1").arg(QString::fromStdString(m_saved.entries().back().name)));
 }
@@ -143,10 +145,13 @@ void SavedViewsFeature::goTo(int row) {
         return;
     }
     if (view.selection) {
-        select(view);
+        select(name, *view.selection);
     } else {
         m_layers.showOnly(view.layers);
         setCameras(view.flat, view.solid);
+        if (!view.nets.empty()) {
+            select(name, {view.nets, {}});
+        }
     }
     m_workspace.report(name);
 }
@@ -157,9 +162,9 @@ void SavedViewsFeature::setCameras(const session::Pose& flat, const session::Pos
     m_orthographic.setChecked(m_views.solid().controller().camera().isOrthographic());
 }
 
-void SavedViewsFeature::select(const session::SavedView& saved) {
+void SavedViewsFeature::select(const QString& name, const session::SavedSelection& saved) {
     SelectionModel& selection = m_workspace.selection();
-    session::FoundSelection found = session::findSelection(selection.tree(), *saved.selection);
+    session::FoundSelection found = session::findSelection(selection.tree(), saved);
     selection.setNets(std::move(found.nets));
     selection.select(found.elements);
     QStringList missing;
@@ -167,11 +172,10 @@ void SavedViewsFeature::select(const session::SavedView& saved) {
         missing += tr("net %1").arg(QString::fromStdString(net));
     }
     if (found.missingElements > 0) {
-        missing += tr("%L1 of %L2 elements").arg(found.missingElements).arg(saved.selection->elements.size());
+        missing += tr("%L1 of %L2 elements").arg(found.missingElements).arg(saved.elements.size());
     }
     if (!missing.isEmpty()) {
-        m_workspace.reportError(tr("%1: not on this board: %2")
-                                    .arg(QString::fromStdString(saved.name), missing.join(QStringLiteral(", "))));
+        m_workspace.reportError(tr("%1: not on this board: %2").arg(name, missing.join(QStringLiteral(", "))));
     }
 }
 

@@ -6,9 +6,10 @@
 
 namespace ui {
 
-/// Ways of looking at the board that the user saves by name: where both cameras are and which layers are visible; and
-/// selections. They are saved in the session file beside the job; saving, renaming and deleting are undone like every
-/// other edit. What the window shows is saved there too, on request, and shown again when the board is opened.
+/// Ways of looking at the board that the user saves by name: where both cameras are, which layers are visible and which
+/// nets are highlighted; and selections. They are saved in the session file beside the job; saving, renaming and
+/// deleting are undone like every other edit. What the window shows is saved there too, on request, and shown again
+/// when the board is opened.
 class SavedViewsFeature : public QObject {
     Q_OBJECT
 
@@ -19,7 +20,8 @@ public:
     void saveView();
     /// Saves what is selected and which nets are highlighted, as "Selection 1" and so on.
     void saveSelection();
-    /// Looks at the board as saved. Of a view of another step only the name counts, and which step to open is reported.
+    /// Looks at the board as saved. A view without nets leaves those highlighted that are. Of a view of another step
+    /// only the name counts, and which step to open is reported.
     void goTo(int row);
     /// Saves what the window shows: cameras, layers and unit.
     void saveDesk();
@@ -49,7 +51,8 @@ private:
     void restoreLayers(const model::Document& board, const model::session::Desk& desk);
     void showUnit(LengthUnit unit);
     void setCameras(const model::session::Pose& flat, const model::session::Pose& solid);
-    void select(const model::session::SavedView& saved);
+    /// What of it is not on this board is reported under the name of the view.
+    void select(const QString& name, const model::session::SavedSelection& saved);
 
     Workspace& m_workspace;
     Settings& m_settings;

@@ -4,6 +4,16 @@
 
 namespace ui {
 
+namespace {
+
+/// "net CLK", "3 nets"
+QString netsText(const std::vector<model::session::NetName>& nets) {
+    return nets.size() == 1 ? ViewListModel::tr("net %1").arg(QString::fromStdString(nets.front().name))
+                            : ViewListModel::tr("%L1 nets").arg(nets.size());
+}
+
+}  // namespace
+
 ViewListModel::ViewListModel(QObject* parent)
     : TableModel({{tr("Name"), {}, kEditable}, {tr("Contents"), {}}}, parent) {}
 
@@ -16,7 +26,8 @@ QString ViewListModel::tip(int row, int) const {
     if (view.selection) {
         return tr("%L1 nets, %L2 elements").arg(view.selection->nets.size()).arg(view.selection->elements.size());
     }
-    return textsOf(view.layers).join(QStringLiteral(", "));
+    const QString layers = textsOf(view.layers).join(QStringLiteral(", "));
+    return view.nets.empty() ? layers : tr("%1; %2").arg(netsText(view.nets), layers);
 }
 
 bool ViewListModel::edit(int row, int, const QVariant& value) {

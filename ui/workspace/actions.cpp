@@ -49,7 +49,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {ZoomOut, MenuId::View, QT_TR_NOOP("Zoom o&ut"), "-", QT_TR_NOOP("Zoom out at the centre"), kNeedsBoard},
     {ViewBack, MenuId::View, QT_TR_NOOP("B&ack"), "Alt+Left", QT_TR_NOOP("Previous position of the camera"), kNeedsBoard},
     {ViewForward, MenuId::View, QT_TR_NOOP("Forwar&d"), "Alt+Right", QT_TR_NOOP("Next position of the camera, after Back"), kNeedsBoard},
-    {SaveView, MenuId::View, QT_TR_NOOP("Save t&his view"), "Ctrl+B", QT_TR_NOOP("Save both cameras and the visible layers under a name, in the session file beside the board"), kNeedsBoard},
+    {SaveView, MenuId::View, QT_TR_NOOP("Save t&his view"), "Ctrl+B", QT_TR_NOOP("Save both cameras, the visible layers and the highlighted nets under a name, in the session file beside the board"), kNeedsBoard},
     {Orthographic, MenuId::View, QT_TR_NOOP("&Orthographic"), "O", QT_TR_NOOP("Parallel projection instead of perspective"), kCheckable},
     {Explode, MenuId::View, QT_TR_NOOP("&Explode"), "E", QT_TR_NOOP("Spread the layers apart"), kCheckable},
     {ShowViewCube, MenuId::View, QT_TR_NOOP("Vie&w cube"), "K", QT_TR_NOOP("Show a cube in 3D whose sides set the direction of view"), kCheckable},

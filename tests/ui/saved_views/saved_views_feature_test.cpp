@@ -196,6 +196,24 @@ private slots:
         QVERIFY(!window().messageBar().isVisible());
     }
 
+    void aViewHighlightsTheNetsThatItWasSavedWith() {
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        const std::vector<model::BoardNet> nets{{0, model::NetId{std::size_t{1}}}};
+        window().selection().setNets(nets);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().showPanel("views");
+        QVERIFY(window().selection().nets().empty());
+        choose(1);
+        QCOMPARE(window().selection().nets(), nets);
+        const QString name = QString::fromStdString(window().document()->nets[1].name);
+        QVERIFY(table().model()->index(1, ui::ViewListModel::Layers).data().toString().startsWith("net " + name + ";"));
+        choose(0);  // says nothing of nets
+        QCOMPARE(window().selection().nets(), nets);
+        QVERIFY(!window().messageBar().isVisible());
+    }
+
     void whatASelectionNoLongerFindsIsTold() {
         window().selection().select({{0, model::ElementId{std::size_t{1}}}, {0, model::ElementId{std::size_t{4}}}});
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);

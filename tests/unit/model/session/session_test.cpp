@@ -308,6 +308,21 @@ private slots:
         QCOMPARE(location.load().ignored.size(), std::size_t{1});
     }
 
+    /// Views of older versions have no nets: their text is what it was.
+    void viewsKeepTheNamesOfHighlightedNets() {
+        const Location location;
+        std::vector<SavedView> views{viewNamed("a"), viewNamed("b")};
+        QVERIFY(location.save(views).ok());
+        QVERIFY(location.file().find("nets") == std::string::npos);
+        views[1].nets = {{"pcb", "GND"}, {"pcb", "CLK"}};
+        QVERIFY(location.save(views).ok());
+        QVERIFY(location.load().session.views == views);
+        std::string bad = location.file();
+        location.write(bad.replace(bad.find("\"CLK\""), 5, "7"));
+        QCOMPARE(location.load().session.views.size(), std::size_t{1});
+        QCOMPARE(location.load().ignored.size(), std::size_t{1});
+    }
+
     void elementsAreFoundWhereTheyWere_data() {
         QTest::addColumn<QString>("job");
         QTest::newRow("board") << "everything";
