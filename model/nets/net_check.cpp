@@ -15,6 +15,10 @@ namespace {
 
 constexpr std::uint32_t kNoJumper = 0xffffffffu;
 
+PointD middleOf(const Box& box) {
+    return {static_cast<double>(box.min.x + box.max.x) / 2, static_cast<double>(box.min.y + box.max.y) / 2};
+}
+
 class NetChecker {
 public:
     NetChecker(const Document& document, const Connectivity& connectivity)
@@ -101,10 +105,14 @@ private:
         if (isFirst) {
             island.element = element;
             island.layer = m_document.elements.layer[element.row()];
-            island.location = m_connectivity.point(piece);
+            island.location = isUseful(element) ? middleOf(m_document.boxOf(element)) : m_connectivity.point(piece);
         }
         ++island.pieceCount;
-        island.padCount += (m_document.elements.flags[element.row()] & (kPad | kHole)) != 0 ? 1 : 0;
+        island.padCount += isUseful(element) ? 1 : 0;
+    }
+
+    [[nodiscard]] bool isUseful(ElementId element) const {
+        return (m_document.elements.flags[element.row()] & (kPad | kHole)) != 0;
     }
 
     template <class Iterator>

@@ -8,7 +8,7 @@ namespace model {
 struct NetIsland {
     ElementId element;  ///< its first piece, in document order
     LayerId layer;      ///< of that element
-    PointD location;    ///< a point of that piece
+    PointD location;    ///< of a pad or hole the middle, else a point of that piece
     std::uint32_t pieceCount = 0;
     std::uint32_t padCount = 0;  ///< pieces that came from pads or are plated holes; 0: loose copper without a use
 };

@@ -17,7 +17,7 @@ public:
     explicit NetlistCheckFeature(FeatureContext& context);
 
 private:
-    /// A click on a row, or Enter, shows its location.
+    /// A click on a row, Enter, or an arrow key that comes to it, shows its location.
     [[nodiscard]] QWidget* makePanel(const ActionSet& actions);
     void start();
     void deliver();

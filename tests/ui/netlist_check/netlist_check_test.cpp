@@ -56,6 +56,16 @@ private slots:
         QVERIFY(window().layers().effectiveStyles()[1].isVisible);
     }
 
+    void arrowKeysShowTheNextFinding() {
+        check();
+        click(0);
+        window().table("netCheck").setFocus();
+        QTest::keyClick(&window().table("netCheck"), Qt::Key_Down);
+        const auto& found = window().netCheck();
+        QCOMPARE(window().selection().selected(),
+                 (std::vector<model::BoardElement>{{0, found.elementsOf(found.finding(1)).front()}}));
+    }
+
     void onlyTheLayerOfWhatIsShownStandsOut() {
         check();
         const auto isFaint = [&](ui::BoardView& view, const char* layer) {

@@ -83,6 +83,11 @@ public:
         component.properties = m_builder.addProperties(rows);
         m_builder.addComponent(component, pins);
     }
+    ElementId areaPad(Point p, NetId net) {
+        model::ShapeSketch sketch;
+        sketch.addCircle(p, kMm, false);
+        return m_builder.addArea({m_builder.addShape(sketch), {}}, of(net, model::kPad));
+    }
     std::shared_ptr<const model::Document> finish() { return m_builder.finish(); }
     [[nodiscard]] LayerId copper(int i) const { return m_copper[static_cast<std::size_t>(i)]; }
 
@@ -229,6 +234,20 @@ private slots:
         QCOMPARE(islands[1].padCount, 1U);
         QCOMPARE(islands[2].padCount, 0U);
         QVERIFY(report.shorts.empty());
+    }
+
+    /// Not at a corner of its outline.
+    void anIslandThatBeginsWithAPadIsAtTheMiddleOfIt() {
+        Board board;
+        const NetId a = board.net("A");
+        board.on(0);
+        board.areaPad({0, 0}, a);
+        board.areaPad({9 * kMm, 5 * kMm}, a);
+        const auto document = board.finish();
+        const model::NetReport report = checkNets(*document, connectivityOf(*document));
+        QCOMPARE(report.islands.size(), std::size_t{2});
+        QCOMPARE(report.islands[1].location.x, 9.0 * kMm);
+        QCOMPARE(report.islands[1].location.y, 5.0 * kMm);
     }
 
     void aNetThatIsClosedThroughAHoleIsNotOpen() {
