@@ -45,14 +45,43 @@ const LengthUnit* findUnit(std::string_view name) {
 
 /// No unit: the text is not a number with one.
 std::pair<double, const LengthUnit*> numberAndUnit(std::string_view text) {
-    const std::string_view whole = trimmed(text);
+    const std::string point = withDecimalPoint(text);
+    const std::string_view whole = trimmed(point);
     double value = 0.0;
     const auto number = std::from_chars(whole.data(), whole.data() + whole.size(), value);
     const std::string_view rest = trimmed(whole.substr(static_cast<std::size_t>(number.ptr - whole.data())));
     return {value, number.ec == std::errc() ? findUnit(rest) : nullptr};
 }
 
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 }  // namespace
+
+std::string withDecimalPoint(std::string_view text) {
+    std::string out(text);
+    const std::size_t comma = out.find(',');
+    const bool isAlone =
+        comma != std::string::npos && out.find_first_of(".,", comma + 1) == std::string::npos && out.find('.') > comma;
+    if (!isAlone || comma == 0 || !isDigit(out[comma - 1])) {
+        return out;
+    }
+    std::size_t end = comma + 1;
+    while (end < out.size() && isDigit(out[end])) {
+        ++end;
+    }
+    std::size_t begin = comma;
+    while (begin > 0 && isDigit(out[begin - 1])) {
+        --begin;
+    }
+    const std::size_t behind = end - comma - 1;
+    const bool mayBeThousands = behind == 3 && out[begin] != '0' && comma - begin <= 3;
+    if (behind > 0 && !mayBeThousands) {
+        out[comma] = '.';
+    }
+    return out;
+}
 
 base::Result<Nm> parseLength(std::string_view text) {
     const auto [value, unit] = numberAndUnit(text);

@@ -24,10 +24,11 @@ QString anyNet() {
 /// In nanometres; -1 if the text is no length.
 double nanometresOf(const QString& text, LengthUnit unit) {
     bool isNumber = false;
-    const double bare = text.trimmed().toDouble(&isNumber) * nmPer(unit);
+    const std::string point = model::withDecimalPoint(text.trimmed().toStdString());
+    const double bare = QString::fromStdString(point).toDouble(&isNumber) * nmPer(unit);
     double nm = bare;
     if (!isNumber) {
-        const base::Result<base::Nm> length = model::parseLength(text.trimmed().toStdString());
+        const base::Result<base::Nm> length = model::parseLength(point);
         nm = length ? static_cast<double>(*length) : -1.0;
     }
     return nm;

@@ -3,8 +3,10 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPointer>
 #include <QSpinBox>
 #include <algorithm>
 
@@ -13,6 +15,8 @@
 namespace ui {
 
 namespace {
+
+constexpr const char* kRefused = "isRefused";  ///< of an editor
 
 int traitsOf(const QModelIndex& index) {
     return index.data(TableModel::kTraitsRole).toInt();
@@ -138,6 +142,23 @@ QWidget* CellDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&
         emit self->closeEditor(box);
     });
     return box;
+}
+
+void CellDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const {
+    auto* line = qobject_cast<QLineEdit*>(editor);
+    if (line == nullptr) {
+        QStyledItemDelegate::setModelData(editor, model, index);
+        return;
+    }
+    const QPointer<QLineEdit> guard(line);  // an edit may empty the table, and with it the editor
+    const bool isTaken = model->setData(index, line->text(), Qt::EditRole);
+    if (guard != nullptr) {
+        line->setProperty(kRefused, !isTaken);
+    }
+}
+
+bool CellDelegate::isRefused(const QWidget& editor) {
+    return editor.property(kRefused).toBool();
 }
 
 bool CellDelegate::eventFilter(QObject* editor, QEvent* event) {

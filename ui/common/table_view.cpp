@@ -160,6 +160,13 @@ void TableView::copyAll() const {
     QGuiApplication::clipboard()->setText(tableText(*model()));
 }
 
+void TableView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+    const bool isLeft = hint == QAbstractItemDelegate::RevertModelCache || !editor->hasFocus();
+    if (isLeft || !CellDelegate::isRefused(*editor)) {
+        QTableView::closeEditor(editor, hint);
+    }
+}
+
 void TableView::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Copy)) {
         copySelection();

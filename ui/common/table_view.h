@@ -43,6 +43,9 @@ signals:
     void deleteRequested(const std::vector<int>& rows);
 
 protected:
+    /// A text that the model has refused stays to be mended: Enter and Tab do not take it away, Esc and a click
+    /// elsewhere do.
+    void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void showEvent(QShowEvent* event) override;

@@ -237,7 +237,7 @@ void StackupModel::resetAll() {
 /// A bare number is in the unit of what stands there: "200" for "91.44 µm".
 std::string StackupModel::withUnit(const QString& text, model::Nm now) const {
     bool isNumber = false;
-    text.toDouble(&isNumber);
+    QString::fromStdString(model::withDecimalPoint(text.toStdString())).toDouble(&isNumber);
     const QString shown = thicknessText(now, unit());
     return (isNumber ? text + shown.mid(shown.lastIndexOf(QLatin1Char(' '))) : text).toStdString();
 }

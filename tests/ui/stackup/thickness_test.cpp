@@ -145,18 +145,23 @@ private slots:
     }
 
     void nonsenseIsRefusedInTheMessageBar() {
-        type("CORE1", "thick");
-        QVERIFY(window().messageBar().isVisible());
+        QLineEdit& editor = begin("CORE1", "thick");
+        QTRY_VERIFY(window().messageBar().isVisible());
         QVERIFY(window().error().contains("thick"));
+        QCOMPARE(editor.text(), "thick");  // to be mended
+        QTest::keyClick(&editor, Qt::Key_Escape);
+        QTRY_VERIFY(window().stackupPanel().table().viewport()->findChild<QLineEdit*>() == nullptr);
         QCOMPARE(rowOf("CORE1").source, model::Source::Job);
         QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
     }
 
     void aRefusalIsOverWithTheNextEdit() {
-        type("CORE1", "-5");
-        QVERIFY(window().messageBar().isVisible());
-        QCoreApplication::processEvents();
-        type("CORE1", "0.4 mm");
+        QLineEdit& editor = begin("CORE1", "-5");
+        QTRY_VERIFY(window().messageBar().isVisible());
+        editor.selectAll();
+        QTest::keyClicks(&editor, "0,4 mm");
+        QTest::keyClick(&editor, Qt::Key_Return);
+        QTRY_COMPARE(rowOf("CORE1").thickness, 400'000);
         QVERIFY(!window().messageBar().isVisible());
     }
 
@@ -277,6 +282,12 @@ private:
     /// Double-clicks the thickness of a row, types and presses Enter.
     void type(const QString& row, const QString& text) { type(row, text, window()); }
     static void type(const QString& row, const QString& text, TestWindow& window) {
+        begin(row, text, window);
+        QTRY_VERIFY(window.stackupPanel().table().viewport()->findChild<QLineEdit*>() == nullptr);
+    }
+    /// The same; the editor may stay.
+    QLineEdit& begin(const QString& row, const QString& text) { return begin(row, text, window()); }
+    static QLineEdit& begin(const QString& row, const QString& text, TestWindow& window) {
         QTableView& table = window.stackupPanel().table();
         const QModelIndex at = cell(row, StackupModel::Thickness, window);
         table.scrollTo(at);
@@ -284,10 +295,12 @@ private:
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, middle);
         QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, middle);
         auto* editor = table.viewport()->findChild<QLineEdit*>();
-        QVERIFY2(editor != nullptr, "a double click opens an editor");
+        if (editor == nullptr) {
+            qFatal("a double click opens an editor");
+        }
         QTest::keyClicks(editor, text);
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_VERIFY(table.viewport()->findChild<QLineEdit*>() == nullptr);
+        return *editor;
     }
 
     std::unique_ptr<WindowFixture> m_fixture;

@@ -79,6 +79,8 @@ private slots:
         QTest::newRow("inch") << "0.062inch" << 1'574'800;
         QTest::newRow("in") << ".01 in" << 254'000;
         QTest::newRow("oz") << "2oz" << 69'600;
+        QTest::newRow("comma") << "1,5mm" << 1'500'000;
+        QTest::newRow("comma below one") << "0,125 mm" << 125'000;
     }
     void thicknessesAreReadInAllUnits() {
         QFETCH(QString, text);
@@ -90,7 +92,7 @@ private slots:
 
     void whatIsNoThicknessIsRefused() {
         for (const char* text : {"", "35", "um", "35 km", "-5um", "0mm", "0.5um", "11mm", "nan mm", "inf um", "1e9mm",
-                                 "35umm", "35 um um"}) {
+                                 "35umm", "35 um um", "1,000 um", "1,5,2mm", "1,5.2mm", "1.5,2mm", ",5mm", "1,mm"}) {
             const auto read = model::parseThickness(text, true);
             QVERIFY2(!read, text);
             QCOMPARE(read.error().code, base::ErrorCode::BadUsage);
