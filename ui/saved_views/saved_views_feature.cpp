@@ -85,6 +85,11 @@ void SavedViewsFeature::addPanel(FeatureContext& context) {
     auto* table = new TableView(m_list);
     table->setSelectionMode(QAbstractItemView::SingleSelection);
     table->horizontalHeader()->setStretchLastSection(true);
+    // A double click is a click that was meant well: it goes there, and the next key does not overwrite the name.
+    table->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    const QAction* rename = table->addAction(tr("Rename\tF2"));
+    connect(rename, &QAction::triggered, table,
+            [table] { table->edit(table->currentIndex().siblingAtColumn(ViewListModel::Name)); });
     QAction& remove = table->addDelete(tr("Delete the selected view or selection (Del)"));
     connect(table, &TableView::deleteRequested, this,
             [this](const auto& rows) { m_saved.remove(tr("deleting a view"), rows); });

@@ -36,7 +36,7 @@ private:
         base::Point origin;        ///< nm of the board, that the cameras count from
     };
 
-    /// A click on a row, or Enter, restores it; F2 or a double click renames it, Del deletes it.
+    /// A click on a row, or Enter, restores it; F2 or its menu renames it, Del deletes it.
     void addPanel(FeatureContext& context);
     /// Lists the views, and offers their layers to whoever shows layers.
     void take(const std::vector<model::session::SavedView>& views);
