@@ -20,9 +20,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kVersionKey = "copperscope_session";
-constexpr const char* kJobKey = "job";
-
 /// What is written on its own, and so merged with what others wrote of it.
 struct Part {
     const char* key;
@@ -178,7 +175,7 @@ Json asInFile(const Json& part) {
     return Json::parse(jsonText(part));
 }
 
-/// What to write of a part where the file has `theirs`. `known` becomes what is known once that is written.
+/// What to write of a part where the file has `theirs`. `known` becomes what is known of the part once that is written.
 Json mergeKnown(const Part& part, const Json& mine, const Json& theirs, KnownPart& known) {
     Merged merged = merge(part.unit, partIn(known.own, part.key), mine, theirs);
     const bool isNews = theirs != partIn(known.file, part.key);
@@ -223,6 +220,7 @@ base::Status savePart(const fs::path& board, const Document& document, const Par
     }
     RETURN_IF_ERROR(writeSession(path, json));
     if (known != nullptr) {
+        next.file = std::make_shared<const FileContent>(FileContent{std::move(json)});  // for otherNews: all parts
         *known = std::move(next);
     }
     return base::Done{};

@@ -12,6 +12,10 @@ namespace model::session {
 
 using Json = nlohmann::ordered_json;
 
+/// Keys of a file that are no parts.
+inline constexpr const char* kVersionKey = "copperscope_session";
+inline constexpr const char* kJobKey = "job";
+
 struct FileContent {
     Json json;  ///< an object
 };

@@ -192,8 +192,10 @@ void SavedViewsFeature::saveDesk() {
     }
     const base::Status saved = session::saveDesk(board.request.path, *board.document, desk(), &m_knownDesk);
     m_workspace.reportSaved(saved, QString::fromStdString(session::sessionPath(board.request.path).string()));
-    if (const QString text = textOfOthers(m_knownDesk, tr("Cameras and layers")); saved && !text.isEmpty()) {
-        m_workspace.reportError(text);
+    const QString news =
+        saved ? SessionNews::of(m_workspace).afterSave(m_knownDesk, tr("Cameras and layers")) : QString();
+    if (!news.isEmpty()) {
+        m_workspace.reportError(news);
     }
 }
 

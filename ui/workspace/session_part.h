@@ -7,18 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "ui/workspace/session_news.h"
 #include "ui/workspace/undo_step.h"
 #include "ui/workspace/workspace.h"
 
 namespace ui {
 
-/// What another window, or a command, did to a part of the session, as the last save found it; empty for nothing.
-/// `name` as in "The views".
-[[nodiscard]] QString textOfOthers(const model::session::KnownPart& part, const QString& name);
-
 /// One part of a board's session file as its editor sees it: edits are undone on the history, saved and shown. What
-/// another window saved of the same part stays in the file, and is not shown before the board is read again: the
-/// history here knows nothing of it.
+/// another window saved of this part or another one stays in the file, is told (SessionNews), and is not shown before
+/// the board is read again: the history here knows nothing of it.
 template <class State>
 class SessionPart {
 public:
@@ -29,6 +26,7 @@ public:
     /// `name` as in "The views": what then counts in the window alone where it cannot be saved.
     SessionPart(Workspace& workspace, QString name, Show show, Save save)
         : m_workspace(workspace), m_name(std::move(name)), m_show(std::move(show)), m_save(std::move(save)) {
+        SessionNews::of(workspace);  // hears of the board before anything is saved
         QObject::connect(&workspace, &Workspace::openingBegan, &workspace, [this] { m_isRead = true; });
     }
 
@@ -65,7 +63,7 @@ private:
     QString save(const State& state) {
         const base::Status saved = m_save(m_path, *m_workspace.board()->document, state, &m_known);
         m_isSaved = saved.ok();
-        return saved ? textOfOthers(m_known, m_name)
+        return saved ? SessionNews::of(m_workspace).afterSave(m_known, m_name)
                      : QCoreApplication::translate("SessionPart", "%1. %2 count until another board is opened.")
                            .arg(QString::fromStdString(saved.error().text), m_name);
     }

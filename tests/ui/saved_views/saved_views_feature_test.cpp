@@ -80,6 +80,33 @@ private slots:
         QTRY_COMPARE(names(), (QStringList{"View 1", "View 1"}));
     }
 
+    void whatAnotherWindowSavedOfOtherPartsIsTold() {
+        const std::vector measurements{model::Measurement{"M", "pcb", model::MeasurementKind::Clearance}};
+        QVERIFY(model::session::saveMeasurements(m_job, *window().document(), measurements).ok());
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        QTRY_VERIFY(window().messageBar().isVisible());
+        QVERIFY2(window().error().contains("measurements"), qPrintable(window().error()));
+        window().messageBar().hide();
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY2(!window().messageBar().isVisible(), "what was said once is not said again");
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QCOMPARE(window().measurements().rowCount(), 1);
+    }
+
+    void aDoubleClickGoesThereAndDoesNotRename() {
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        const render::CameraPose kept = solid().camera().pose();
+        solid().zoomAt({300, 200}, 2.5F);
+        const QPoint at = table().visualRect(table().model()->index(0, 0)).center();
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, at);
+        QTest::mouseDClick(table().viewport(), Qt::LeftButton, {}, at);
+        QVERIFY(isNear(solid().camera().pose(), kept));
+        QVERIFY(table().findChild<QLineEdit*>() == nullptr);
+        rename(0, "By F2");
+        QTRY_COMPARE(names(), QStringList{"By F2"});
+    }
+
     void whatIsForgottenComesBackByUndo() {
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <thread>
 
+#include "model/session/session_news.h"
 #include "tests/unit/model/session/session_board.h"
 
 using namespace session_board;
@@ -125,6 +126,20 @@ private slots:
         QVERIFY(saveViews(location.board, *location.document, {viewNamed("b"), viewNamed("d")}, &known).ok());
         QVERIFY((location.load().session.views == std::vector{viewNamed("b"), viewNamed("d"), viewNamed("c")}));
         QVERIFY(known.keepsOthers);
+    }
+
+    /// Of one window, which saves two parts, while another one saves a third.
+    void aSaveTellsWhichOtherPartsOthersChanged() {
+        const Location location;
+        KnownPart views;
+        KnownPart thicknesses;
+        QVERIFY(saveViews(location.board, *location.document, {viewNamed("a")}, &views).ok());
+        QVERIFY(model::session::otherNews(views, nullptr).empty());
+        QVERIFY(model::session::saveMeasurements(location.board, *location.document, {measured("M")}).ok());
+        QVERIFY(location.save(kOneThickness, &thicknesses).ok());
+        QCOMPARE(model::session::otherNews(thicknesses, views.file.get()), std::vector<std::string>{"measurements"});
+        QVERIFY(saveViews(location.board, *location.document, {}, &views).ok());
+        QVERIFY(model::session::otherNews(views, thicknesses.file.get()).empty());
     }
 
     void rulesAreReplacedAsAWhole() {
