@@ -31,6 +31,7 @@
 #include "ui/shell/message_bar.h"
 #include "ui/shell/recent_boards.h"
 #include "ui/shell/status_line.h"
+#include "ui/shell/wheel_guard.h"
 #include "ui/theme/theme.h"
 #include "ui/views/height_controls.h"
 #include "ui/workspace/board_watch.h"
@@ -168,6 +169,7 @@ void MainWindow::createCentre() {
     setCentralWidget(centre);
     setAcceptDrops(true);
     installEventFilter(&m_dropTarget);
+    new WheelGuard(this);
     for (BoardView* view : m_views->both()) {
         view->canvas().installEventFilter(&m_dropTarget);
     }
