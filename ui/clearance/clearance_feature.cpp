@@ -130,7 +130,8 @@ void ClearanceFeature::connectWaivers(FeatureContext& context) {
     connect(m_panel, &ClearancePanel::withdrawalAsked, this,
             [this](int row) { m_waivers.withdraw({*m_locations.location(row).waiver}); });
     connect(m_panel, &ClearancePanel::goneWaiversAsked, this, [this] {
-        if (const std::vector<std::size_t> rows = goneWaivers(m_result); !rows.empty()) {
+        const auto& checked = answerOf(ClearancePanel::What::Rules);
+        if (const auto rows = checked ? goneWaivers(checked->result) : std::vector<std::size_t>{}; !rows.empty()) {
             m_waivers.withdraw(rows);
         }
     });
@@ -150,7 +151,7 @@ void ClearanceFeature::connectWaivers(FeatureContext& context) {
 
 QStringList ClearanceFeature::exportFilters() const {
     QStringList filters{tr("Text (*.txt)"), tr("Tables (*.csv)"), tr("JSON (*.json)")};
-    if (m_requested && m_requested->isOfRules) {
+    if (m_panel->what() == ClearancePanel::What::Rules) {
         filters += {tr("Page with drawings (*.html)"), tr("JUnit (*.xml)"), tr("SARIF (*.sarif)")};
     }
     return filters;
@@ -158,6 +159,7 @@ QStringList ClearanceFeature::exportFilters() const {
 
 void ClearanceFeature::connectPanel(FeatureContext& context) {
     connect(m_panel, &ClearancePanel::chosen, this, &ClearanceFeature::show);
+    connect(m_panel, &ClearancePanel::whatChanged, this, &ClearanceFeature::list);
     connect(m_panel, &ClearancePanel::lensMoved, &m_lens, &Lens::setReach);
     connect(&m_lens, &Lens::reported, m_panel, &ClearancePanel::showLens);
     m_lens.setReach(m_panel->lensReach());
@@ -179,16 +181,13 @@ model::LayerId ClearanceFeature::mappedLayer() const {
 }
 
 void ClearanceFeature::setBoard(const LoadedBoard& board) {
-    m_requested.reset();
-    m_result = {};
-    m_shown.end();
-    m_locations.setSpacings(nullptr, {}, {}, true);
+    m_answers = {};
+    list();
     if (m_savedRules.open()) {
         setRules(rulesOf(board));
     }
     m_waivers.open(board);
     m_rules.setResults({});
-    m_panel->setNotes({});
 }
 
 void ClearanceFeature::setUnit(LengthUnit unit) {
@@ -274,10 +273,10 @@ void ClearanceFeature::search() {
 }
 
 void ClearanceFeature::checkAnew() {
-    if (m_requested && m_requested->isOfRules) {
-        const int row = m_panel->currentRow();
+    if (const auto& checked = answerOf(ClearancePanel::What::Rules)) {
+        const int row = m_locations.isOfRules() ? m_panel->currentRow() : -1;
         m_current = row < 0 ? std::nullopt : std::optional(m_locations.location(row));
-        ClearanceRequest again = *m_requested;
+        ClearanceRequest again = checked->request;
         again.waivers = m_waivers.list();
         run(std::move(again));
     }
@@ -297,26 +296,42 @@ void ClearanceFeature::take() {
         m_workspace.reportError(QString::fromStdString(result.error().text));
         return;
     }
-    m_shown.end();
-    m_requested = m_wanted;
-    m_result = std::move(*result);
-    if (m_wanted.throughStackup) {
-        m_locations.setThroughStackup(m_searched, m_result.throughStackup, m_result.names, m_result.isCut);
-    } else {
-        m_locations.setSpacings(m_searched, spacingsOf(m_result),
-                                m_wanted.isOfRules ? m_wanted.rules : model::RuleTable{}, isComplete(m_result),
-                                m_result.isCut);
-    }
+    const auto kind = m_wanted.isOfRules        ? ClearancePanel::What::Rules
+                      : m_wanted.throughStackup ? ClearancePanel::What::ThroughStackup
+                                                : ClearancePanel::What::Smallest;
+    m_answers[static_cast<std::size_t>(kind)] = ClearanceAnswer{m_wanted, m_searched, std::move(*result)};
     if (m_wanted.isOfRules && m_rules.rules() == m_wanted.rules) {
-        m_rules.setResults(resultsOf(m_wanted.rules, m_result));
+        m_rules.setResults(resultsOf(m_wanted.rules, answerOf(kind)->result));
     }
+    if (kind != m_panel->what()) {
+        return;  // it is listed when it is asked for again
+    }
+    list();
     if (m_current) {
         m_panel->setCurrentRow(m_locations.rowOf(*m_current));
     }
-    const QStringList notes = textsOf(m_result.notes);
-    m_panel->setNotes(notes.join('\n'));
-    m_workspace.report(
-        tr("Clearances: %1").arg((QStringList{m_locations.summary()} + notes).join(QStringLiteral("; "))));
+    const QStringList told = QStringList{m_locations.summary()} + textsOf(answer()->result.notes);
+    m_workspace.report((m_wanted.isOfRules ? tr("Rules: %1") : tr("Clearances: %1")).arg(told.join("; ")));
+}
+
+void ClearanceFeature::list() {
+    m_shown.end();
+    if (answer()) {
+        listAnswer();
+    } else {
+        m_locations.setSpacings(nullptr, {}, {}, true);
+    }
+    m_panel->setNotes(answer() ? textsOf(answer()->result.notes).join('\n') : QString());
+}
+
+void ClearanceFeature::listAnswer() {
+    const auto& [request, board, result] = *answer();
+    if (request.throughStackup) {
+        m_locations.setThroughStackup(board, result.throughStackup, result.names, result.isCut);
+    } else {
+        m_locations.setSpacings(board, spacingsOf(result), request.isOfRules ? request.rules : model::RuleTable{},
+                                isComplete(result), result.isCut);
+    }
 }
 
 void ClearanceFeature::step(int by) {
@@ -418,11 +433,12 @@ void ClearanceFeature::editRules(QWidget& parent) {
 
 base::Status ClearanceFeature::exportReport(const QString& path) const {
     const auto format = model::reportFormatOf(toPath(path).extension().string());
-    if (!m_requested) {
+    if (!answer()) {
         return base::Error{base::ErrorCode::BadUsage,
                            "Nothing was measured or checked yet, so there is nothing to export."};
     }
-    if (!format || (!m_requested->isOfRules && model::isOfRulesAlone(*format))) {
+    const auto& [request, board, result] = *answer();
+    if (!format || (!request.isOfRules && model::isOfRulesAlone(*format))) {
         return base::Error{base::ErrorCode::BadUsage,
                            "A report is written as .txt, .csv or .json, on rules also as .html, .xml or .sarif."};
     }
@@ -430,9 +446,9 @@ base::Status ClearanceFeature::exportReport(const QString& path) const {
     const model::ReportContext context{m_workspace.board()->request.path,
                                        QCoreApplication::applicationVersion().toStdString()};
     const std::string report =
-        m_requested->isOfRules        ? model::ruleReport(m_requested->rules, m_result.rules, *format, most, context)
-        : m_requested->throughStackup ? model::stackupClearanceReport(*m_searched, m_result.throughStackup, *format)
-                                      : model::clearanceReport(m_result.clearances, *format);
+        request.isOfRules        ? model::ruleReport(request.rules, result.rules, *format, most, context)
+        : request.throughStackup ? model::stackupClearanceReport(*board, result.throughStackup, *format)
+                                 : model::clearanceReport(result.clearances, *format);
     return writeFile(path, QByteArray::fromStdString(report));
 }
 

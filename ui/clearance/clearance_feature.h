@@ -1,6 +1,9 @@
 #pragma once
 
 #include <QObject>
+#include <array>
+#include <memory>
+#include <optional>
 
 #include "model/clearance/rule_file.h"
 #include "ui/clearance/clearance_map_overlay.h"
@@ -16,6 +19,13 @@
 
 namespace ui {
 
+/// What a search found, and how it was asked for.
+struct ClearanceAnswer {
+    ClearanceRequest request;
+    std::shared_ptr<const model::Document> board;
+    ClearanceResult result;
+};
+
 /// The smallest clearances of the copper, from the search to the location on the screen: searches in the background, a
 /// panel to step through what was found, rules and waivers in the session, with their files and on the history, the
 /// lens and the clearance map. Waivers change what a check found, so it is made anew. While a location is shown both
@@ -27,7 +37,7 @@ class ClearanceFeature : public QObject {
 public:
     explicit ClearanceFeature(FeatureContext& context);
 
-    /// Writes what the last search found, as the command line does, in the format of the name's ending (.txt, .csv,
+    /// Writes what is listed, as the command line does, in the format of the name's ending (.txt, .csv,
     /// .json, of rules also .xml, .sarif, .html with drawings of the worst locations). Errors: BadUsage for another
     /// ending or without a search, OutputFailed.
     [[nodiscard]] base::Status exportReport(const QString& path) const;
@@ -48,6 +58,10 @@ private:
     /// Checks again what was checked last, with the waivers of now; the current row stays.
     void checkAnew();
     void run(ClearanceRequest request);
+    [[nodiscard]] const std::optional<ClearanceAnswer>& answerOf(ClearancePanel::What what) const {
+        return m_answers[static_cast<std::size_t>(what)];
+    }
+    [[nodiscard]] const std::optional<ClearanceAnswer>& answer() const { return answerOf(m_panel->what()); }
     [[nodiscard]] QStringList exportFilters() const;
     void setUnit(LengthUnit unit);
     /// Searches for what the panel requests.
@@ -61,6 +75,9 @@ private:
     [[nodiscard]] std::optional<ClearanceRequest> throughStackup(ClearanceRequest request);
     void reportNoTwoNets();
     void take();
+    /// Lists what was found of the kind that the panel asks for: rows of another question would read as an answer.
+    void list();
+    void listAnswer();
     /// Until something else is selected.
     void show(const ClearanceModel::Location& location);
     void showPlain(const ClearanceModel::Location& location);
@@ -92,9 +109,8 @@ private:
     Lens m_lens;
     ClearanceMapOverlay m_distances;
     ClearancePanel* m_panel;
-    std::optional<ClearanceRequest> m_requested;  ///< what was found last, and how it was asked for
-    ClearanceResult m_result;
-    std::optional<ClearanceModel::Location> m_current;  ///< to be the current row again after a check
+    std::array<std::optional<ClearanceAnswer>, 3> m_answers;  ///< the last ones, by ClearancePanel::What
+    std::optional<ClearanceModel::Location> m_current;        ///< to be the current row again after a check
 };
 
 }  // namespace ui

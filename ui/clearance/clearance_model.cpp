@@ -33,6 +33,7 @@ void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, s
                                  model::RuleTable rules, bool isComplete, bool isCut) {
     beginResetModel();
     setBoard(std::move(board));
+    m_shownRule.reset();
     m_rules = std::move(rules);
     m_isComplete = isComplete;
     m_isCut = isCut;
@@ -65,6 +66,7 @@ void ClearanceModel::setThroughStackup(std::shared_ptr<const model::Document> bo
                                        std::vector<std::shared_ptr<const model::SideNames>> names, bool isCut) {
     beginResetModel();
     setBoard(std::move(board));
+    m_shownRule.reset();
     m_rules = {};
     m_isComplete = true;
     m_isCut = isCut;
@@ -80,9 +82,29 @@ QString ClearanceModel::summary() const {
     if (!m_board) {
         return tr("No search yet");
     }
-    return m_rules.rules.empty() ? found()
-                                 : tr("%1; tolerance of limits %2")
-                                       .arg(found(), lengthText(static_cast<double>(m_rules.tolerance), unit()));
+    if (m_rules.rules.empty()) {
+        return found();
+    }
+    const QString all =
+        tr("%1; tolerance of limits %2").arg(found(), lengthText(static_cast<double>(m_rules.tolerance), unit()));
+    return m_shownRule ? tr("%1; %2").arg(shownText(), all) : all;
+}
+
+QString ClearanceModel::shownText() const {
+    const auto shown = std::ranges::count(m_locations, *m_shownRule, [](const Location& p) { return p.found.rule; });
+    return tr("Shown: %L1 of %L2, of “%3” alone")
+        .arg(shown)
+        .arg(m_locations.size())
+        .arg(QString::fromStdString(model::titleOf(m_rules.rules[*m_shownRule])));
+}
+
+void ClearanceModel::showRule(std::optional<std::size_t> rule) {
+    m_shownRule = rule && *rule < m_rules.rules.size() ? rule : std::nullopt;
+}
+
+int ClearanceModel::rankOf(int row) const {
+    const bool isOfOther = m_shownRule && location(row).found.rule != *m_shownRule;
+    return isOfOther ? -1 : location(row).waiver ? 0 : 1;
 }
 
 QString ClearanceModel::found() const {
@@ -99,9 +121,9 @@ QString ClearanceModel::foundOf(std::span<const Location> locations) const {
                                      : tr("No rule is broken, but not everything could be checked");
     }
     if (!m_rules.rules.empty()) {  // a smallest value of widths, rings and spacings would say nothing
-        return (m_isCut                 ? tr("at least %L1 locations break a rule")
-                : locations.size() == 1 ? tr("%L1 location breaks a rule")
-                                        : tr("%L1 locations break a rule"))
+        return (m_isCut                 ? tr("FAIL: at least %L1 locations break a rule")
+                : locations.size() == 1 ? tr("FAIL: %L1 location breaks a rule")
+                                        : tr("FAIL: %L1 locations break a rule"))
             .arg(locations.size());
     }
     const auto smallest =

@@ -60,14 +60,20 @@ public:
     [[nodiscard]] bool isOfRules() const { return !m_rules.rules.empty(); }
     /// Waived ones are the last rows.
     [[nodiscard]] bool hasWaived() const { return !m_locations.empty() && m_locations.back().waiver; }
-    [[nodiscard]] int rankOf(int row) const override { return location(row).waiver ? 0 : 1; }
+    /// Locations of other rules get a rank below all others; none: all rules count. Who filters rows has to do so anew.
+    void showRule(std::optional<std::size_t> rule);
+    /// What the locations break; without rules for a search without them.
+    [[nodiscard]] const model::RuleTable& rules() const { return m_rules; }
+    [[nodiscard]] int rankOf(int row) const override;
     /// "12 locations, the smallest spacing 0.1 mm", "at least 500 locations, …" of those that are cut, of rules with
-    /// their tolerance, or that no search was made yet.
+    /// the verdict, their tolerance and which of them is shown alone, or that no search was made yet.
     [[nodiscard]] QString summary() const;
 
 private:
     /// The summary without the tolerance.
     [[nodiscard]] QString found() const;
+    /// "Shown: 16 of 3,050, of “track width” alone"
+    [[nodiscard]] QString shownText() const;
     [[nodiscard]] QString foundOf(std::span<const Location> locations) const;
     [[nodiscard]] int rows() const override { return static_cast<int>(m_locations.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
@@ -82,6 +88,7 @@ private:
     std::shared_ptr<const model::Document> m_board;
     model::StepTree m_tree;
     model::RuleTable m_rules;
+    std::optional<std::size_t> m_shownRule;  ///< row of the table; none: all
     bool m_isComplete = true;
     bool m_isCut = false;
     std::vector<std::shared_ptr<const model::SideNames>> m_names;  ///< by step of the tree

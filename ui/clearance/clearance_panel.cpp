@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QSlider>
 #include <QSplitter>
 #include <QToolButton>
@@ -54,6 +55,7 @@ void fit(TableView& table, std::initializer_list<int> longColumns) {
 ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, const ActionSet& actions, QWidget* parent)
     : QWidget(parent),
       m_locations(locations),
+      m_rules(rules),
       m_what(new QComboBox),
       m_where(new QComboBox),
       m_summary(new ElidedLabel),
@@ -81,7 +83,14 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
         m_ruleTable->setColumnHidden(column, true);  // the title says them
     }
     m_tables->addWidget(m_ruleTable);
-    connect(m_ruleTable, &QAbstractItemView::clicked, this, [this](const QModelIndex& at) { showRule(at.row()); });
+    m_ruleTable->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_ruleTable->setObjectName(QStringLiteral("rules"));
+    m_ruleTable->setToolTip(tr("A click lists the locations of a rule alone, another one those of all rules"));
+    m_ruleTable->viewport()->installEventFilter(this);
+    connect(m_ruleTable->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        listRule();
+        showFirst();
+    });
     m_tables->addWidget(m_table);
     m_tables->setStretchFactor(0, 1);
     m_tables->setStretchFactor(1, 1);
@@ -98,7 +107,9 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
     connect(m_table, &TableView::rowChosen, this, [this](int at) { emit chosen(m_locations.location(at)); });
     connect(&locations, &QAbstractItemModel::modelReset, this, &ClearancePanel::onReset);
     connect(&rules, &QAbstractItemModel::dataChanged, this, &ClearancePanel::fitTables);
+    connect(&rules, &QAbstractItemModel::dataChanged, this, &ClearancePanel::listRule);
     connect(&rules, &QAbstractItemModel::modelReset, this, &ClearancePanel::fitTables);
+    connect(&rules, &QAbstractItemModel::modelReset, this, &ClearancePanel::listRule);
     onWhat();
     onReset();
     onMapReach();
@@ -134,10 +145,9 @@ QToolButton* ClearancePanel::waiverButton() {
     button->setObjectName(QStringLiteral("waivers"));
     button->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(button);
-    QAction* show = menu->addAction(tr("&Show waived locations"), this,
-                                    [this](bool isShown) { m_rows->setLeastRank(isShown ? 0 : 1); });
-    show->setCheckable(true);
-    show->setChecked(true);
+    m_showWaived = menu->addAction(tr("&Show waived locations"), this, &ClearancePanel::listRule);
+    m_showWaived->setCheckable(true);
+    m_showWaived->setChecked(true);
     menu->addSeparator();
     menu->addAction(tr("&Open waivers…"), this, &ClearancePanel::waiversAsked);
     menu->addAction(tr("Save &waivers…"), this, &ClearancePanel::waiversSaved);
@@ -165,11 +175,35 @@ void ClearancePanel::setCurrentRow(int row) {
     }
 }
 
-void ClearancePanel::showRule(int rule) {
-    const int row = m_locations.firstOf(static_cast<std::size_t>(rule));
+void ClearancePanel::listRule() {
+    const std::vector<int> selected = m_ruleTable->selectedRows();
+    // Rules that were edited since have other rows.
+    const bool isOfThese = m_locations.isOfRules() && m_locations.rules() == m_rules.rules();
+    m_locations.showRule(selected.empty() || !isOfThese ? std::nullopt
+                                                        : std::optional(static_cast<std::size_t>(selected.front())));
+    m_rows->setLeastRank(m_showWaived->isChecked() ? 0 : 1);
+    m_summary->setText(m_locations.summary());
+}
+
+void ClearancePanel::showFirst() {
+    const std::vector<int> selected = m_ruleTable->selectedRows();
+    const int row = selected.empty() ? -1 : m_locations.firstOf(static_cast<std::size_t>(selected.front()));
     if (row >= 0) {
         setCurrentRow(row);
     }
+}
+
+bool ClearancePanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonPress) {
+        const auto& press = static_cast<const QMouseEvent&>(*event);
+        const QModelIndex at = m_ruleTable->indexAt(press.position().toPoint());
+        const bool isOfRow = at.isValid() && at.column() != RuleModel::On && press.button() == Qt::LeftButton;
+        if (isOfRow && m_ruleTable->selectionModel()->isRowSelected(at.row())) {
+            m_ruleTable->clearSelection();
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void ClearancePanel::onCurrent() {
@@ -266,10 +300,11 @@ void ClearancePanel::onWhat() {
     m_saveRules->setVisible(isOfRules);
     m_waivers->setVisible(isOfRules);
     fitTables();
+    emit whatChanged();
 }
 
 void ClearancePanel::onReset() {
-    m_summary->setText(m_locations.summary());
+    listRule();
     m_table->setColumnHidden(ClearanceModel::Rule, !m_locations.isOfRules());
     m_table->setColumnHidden(ClearanceModel::Waived, !m_locations.hasWaived());
     onCurrent();

@@ -20,8 +20,9 @@ class SortedRows;
 class TableView;
 
 /// The smallest clearances or broken rules, one row each, to step through; and the sliders of the lens and the
-/// clearance map. A row that becomes the current one is shown, so the arrow keys walk through all locations. In a
-/// narrow column controls and tables lie below each other, else side by side.
+/// clearance map. While a rule is selected only its locations are listed; a second click on it lists all again. A row
+/// that becomes the current one is shown, so the arrow keys walk through all locations. In a narrow column controls and
+/// tables lie below each other, else side by side.
 class ClearancePanel : public QWidget {
     Q_OBJECT
 
@@ -51,6 +52,8 @@ public:
     void setCurrentRow(int row);
 
 signals:
+    /// Something else is looked for: what is listed answers another question.
+    void whatChanged();
     void chosen(const ClearanceModel::Location& location);
     void lensMoved(double nm);
     void mapReachChanged(double nm);
@@ -63,6 +66,8 @@ signals:
     void goneWaiversAsked();
 
 protected:
+    /// A click on the selected rule takes it out of the selection.
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -72,12 +77,15 @@ private:
     void addWaiverCommands();
     void onReset();
     void onCurrent();
-    void showRule(int rule);
+    /// Lists the locations of the selected rule, all if there is none.
+    void listRule();
+    void showFirst();
     void fitTables();
     void onWhat();
     void onMapReach();
 
     ClearanceModel& m_locations;
+    const RuleModel& m_rules;
     LengthUnit m_unit = LengthUnit::Millimetre;
     QComboBox* m_what;
     QComboBox* m_where;
@@ -86,6 +94,7 @@ private:
     TableView* m_ruleTable;
     QAction* m_openRules;
     QAction* m_saveRules;
+    QAction* m_showWaived;
     QAction* m_waivers;  ///< the button with the menu
     QAction* m_waive;    ///< of the current row
     QAction* m_withdraw;

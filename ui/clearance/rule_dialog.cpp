@@ -52,7 +52,7 @@ QWidget* boxOf(const QString& title, TableView* table, std::initializer_list<std
 }  // namespace
 
 RuleDialog::RuleDialog(const model::RuleTable& rules, std::vector<std::string> nets, LengthUnit unit, QWidget* parent)
-    : QDialog(parent), m_classes(m_rules, std::move(nets)), m_hint(new QLabel) {
+    : QDialog(parent), m_classes(m_rules, std::move(nets)), m_tolerance(new QLineEdit), m_hint(new QLabel) {
     setWindowTitle(tr("Rules"));
     m_rules.setRules(rules);
     m_rules.setUnit(unit);
@@ -111,18 +111,41 @@ QWidget* RuleDialog::rulesBox() {
 }
 
 QWidget* RuleDialog::toleranceRow() {
-    auto* line = new QLineEdit(m_rules.tolerance());
-    line->setObjectName(QStringLiteral("tolerance"));
-    line->setToolTip(tr("How far a distance may be below its limit and still pass, 0 to 10 µm"));
+    m_tolerance->setText(m_rules.tolerance());
+    m_tolerance->setObjectName(QStringLiteral("tolerance"));
+    m_tolerance->setToolTip(tr("How far a distance may be below its limit and still pass, 0 to 10 µm"));
     auto* row = new QWidget;
     auto* form = new QFormLayout(row);
     form->setContentsMargins({});
-    form->addRow(tr("&Tolerance of limits"), line);
-    connect(line, &QLineEdit::editingFinished, this, [this, line] {
-        m_rules.setTolerance(line->text());
-        line->setText(m_rules.tolerance());
+    form->addRow(tr("&Tolerance of limits"), m_tolerance);
+    connect(m_tolerance, &QLineEdit::editingFinished, this, &RuleDialog::takeTolerance);
+    connect(&m_rules, &RuleModel::edited, this, [this] {  // presets have one of their own
+        if (!m_isToleranceRefused) {
+            m_tolerance->setText(m_rules.tolerance());
+        }
     });
     return row;
+}
+
+bool RuleDialog::takeTolerance() {
+    const bool wasRefused = std::exchange(m_isToleranceRefused, false);
+    m_isToleranceRefused = !m_rules.setTolerance(m_tolerance->text());
+    if (!m_isToleranceRefused) {
+        m_tolerance->setText(m_rules.tolerance());
+        if (wasRefused) {
+            m_hint->clear();
+        }
+    }
+    return !m_isToleranceRefused;
+}
+
+void RuleDialog::accept() {
+    if (takeTolerance()) {
+        QDialog::accept();
+    } else {
+        m_tolerance->setFocus();
+        m_tolerance->selectAll();
+    }
 }
 
 QWidget* RuleDialog::classesBox() {

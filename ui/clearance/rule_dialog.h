@@ -6,6 +6,7 @@
 #include "ui/clearance/rule_model.h"
 
 class QLabel;
+class QLineEdit;
 
 namespace ui {
 
@@ -21,6 +22,8 @@ public:
                QWidget* parent = nullptr);
 
     [[nodiscard]] RuleModel& rules() { return m_rules; }
+    /// Stays open while the tolerance is none, and says why.
+    void accept() override;
 
 private:
     QWidget* presetRow();
@@ -28,6 +31,8 @@ private:
     QWidget* rulesBox();
     QWidget* classesBox();
     QWidget* toleranceRow();
+    /// False if the text is none; it stays to be mended.
+    bool takeTolerance();
     void addRule();
     void removeRule();
     void moveRule(int by);
@@ -38,6 +43,8 @@ private:
     NetClassModel m_classes;
     TableView* m_ruleTable;
     TableView* m_classTable;
+    QLineEdit* m_tolerance;
+    bool m_isToleranceRefused = false;
     QLabel* m_hint;  ///< why the last edit was refused; empty if it was not
 };
 

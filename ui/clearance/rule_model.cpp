@@ -284,10 +284,14 @@ Cell RuleModel::resultOf(std::size_t row) const {
     if (result.verdict == model::Verdict::Incomplete) {
         return {.text = withWaived(tr("incomplete, see below"), result), .colour = kIncomplete};
     }
+    const auto whole = [&result](const QString& count) {
+        const QString text = withWaived(count, result);
+        return result.unchecked == 0 ? text : tr("%1; incomplete").arg(text);
+    };
     const QString count =
         result.count == 1 ? tr("FAIL, in 1 location") : tr("FAIL, in %L1 locations").arg(result.count);
-    const QString text = withWaived(count, result);
-    return {.text = result.unchecked == 0 ? text : tr("%1; incomplete").arg(text), .colour = kBroken};
+    // A narrow panel shows the beginning: the verdict and its number.
+    return {.text = whole(tr("FAIL: %L1").arg(result.count)), .colour = kBroken, .tip = whole(count)};
 }
 
 Cell RuleModel::cell(int row, int column) const {

@@ -2,11 +2,15 @@
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSlider>
+#include <QWheelEvent>
 #include <QtTest>
 
 #include "model/design_rules/design_rule_check.h"
@@ -75,6 +79,92 @@ private slots:
         rules->scrollTo(row);
         QTest::mouseClick(rules->viewport(), Qt::LeftButton, {}, rules->visualRect(row).center());
         QCOMPARE(panel().currentRow(), locations.firstOf(last));
+    }
+
+    void aSelectedRuleListsItsOwnLocationsAlone() {
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        ui::RuleModel& model = window().find<ui::RuleModel>();
+        const model::RuleTable before = model.rules();
+        QVERIFY(model.setData(model.index(0, ui::RuleModel::Least), "5 mm", Qt::EditRole));
+        measure();
+        const ClearanceModel& locations = window().find<ui::ClearanceModel>();
+        const std::size_t last = locations.location(locations.rowCount() - 1).found.rule;
+        QVERIFY(last != locations.location(0).found.rule);
+        const QAbstractItemModel& listed = *panel().table().model();
+        auto& rules = *panel().findChild<ui::TableView*>("rules");
+        const auto click = [&] {
+            const QModelIndex row = model.index(static_cast<int>(last), ui::RuleModel::Result);
+            rules.scrollTo(row);
+            QTest::mouseClick(rules.viewport(), Qt::LeftButton, {}, rules.visualRect(row).center());
+        };
+        click();
+        QVERIFY(listed.rowCount() > 0 && listed.rowCount() < locations.rowCount());
+        QCOMPARE(panel().currentRow(), locations.firstOf(last));
+        QVERIFY2(label("summary").startsWith("Shown: "), qPrintable(label("summary")));
+        click();
+        QCOMPARE(listed.rowCount(), locations.rowCount());
+        QVERIFY2(label("summary").startsWith("FAIL: "), qPrintable(label("summary")));
+        model.replaceRules(before);
+    }
+
+    /// Rows of another question would read as the answer to this one.
+    void eachQuestionListsItsOwnAnswer() {
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
+        measure();
+        const ClearanceModel& locations = window().find<ui::ClearanceModel>();
+        const int smallest = locations.rowCount();
+        QVERIFY(smallest > 0 && !locations.isOfRules());
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        QCOMPARE(locations.rowCount(), 0);
+        QCOMPARE(label("summary"), "No search yet");
+        measure();
+        QVERIFY(locations.isOfRules());
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
+        QCOMPARE(locations.rowCount(), smallest);
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        QVERIFY(locations.isOfRules());
+    }
+
+    void aToleranceThatIsNoneKeepsTheDialogOpen() {
+        window().actions()[ui::ActionId::EditRules].trigger();
+        QPointer<ui::RuleDialog> dialog = window().findChild<ui::RuleDialog*>();
+        auto& line = *dialog->findChild<QLineEdit*>("tolerance");
+        line.selectAll();
+        QTest::keyClicks(&line, "xyz");
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        QVERIFY(dialog && dialog->isVisible());
+        QCOMPARE(line.text(), "xyz");
+        const auto labels = dialog->findChildren<QLabel*>();
+        QVERIFY(std::ranges::any_of(labels, [](QLabel* each) { return each->text().contains("xyz"); }));
+        line.setText("1,5 um");
+        dialog->accept();
+        QVERIFY(!dialog || !dialog->isVisible());
+        QCOMPARE(window().find<ui::RuleModel>().rules().tolerance, model::Nm{1'500});
+        window().actions()[ActionId::Undo].trigger();
+        QTRY_VERIFY(!dialog);
+        window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+    }
+
+    /// The wheel over a box that one scrolls past.
+    void theWheelChangesNothingWithoutTheKeyboard() {
+        const auto turn = [](QWidget& over) {
+            const QPointF at = over.rect().center();
+            QWheelEvent wheel(at, over.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(&over, &wheel);
+        };
+        QComboBox& where = box("where");
+        QVERIFY(where.focusPolicy() != Qt::WheelFocus);
+        const int reach = lensSlider().value();
+        panel().table().setFocus();
+        turn(where);
+        turn(lensSlider());
+        QCOMPARE(where.currentIndex(), 0);
+        QCOMPARE(lensSlider().value(), reach);
+        where.setFocus();
+        turn(where);
+        QCOMPARE(where.currentIndex(), 1);
+        where.setCurrentIndex(0);
     }
 
     void theNarrowestIsShownInBothViewsAndWalkedThrough() {
@@ -373,7 +463,7 @@ private slots:
             QVERIFY(left(ui::RuleModel::Title) < left(ui::RuleModel::Least));
             QVERIFY(left(ui::RuleModel::Least) < left(ui::RuleModel::Result));
             QCOMPARE(left(ui::RuleModel::Least), left(ui::RuleModel::Title) + rules->columnWidth(ui::RuleModel::Title));
-            const int verdict = rules->fontMetrics().horizontalAdvance("FAIL,");
+            const int verdict = rules->fontMetrics().horizontalAdvance("FAIL: 12");
             QVERIFY2(left(ui::RuleModel::Result) + verdict < rules->viewport()->width(),
                      qPrintable(QString::number(width)));
         }
