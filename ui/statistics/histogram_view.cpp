@@ -93,10 +93,37 @@ void HistogramView::paintBar(QPainter& painter, std::size_t bar, std::uint32_t h
     painter.setPen(palette().color(QPalette::Text));
     const QRectF above(column.left(), filled.top() - line, column.width(), line);
     painter.drawText(above, Qt::AlignCenter, QLocale().toString(values.elements.count));
-    const QRectF below(column.left(), column.bottom(), column.width(), line);
-    const QString lengths = lengthsText(values).remove(QStringLiteral(" ") + QLatin1String(unitName(m_unit)));
-    painter.drawText(below, Qt::AlignCenter,
-                     fontMetrics().elidedText(lengths, Qt::ElideRight, static_cast<int>(column.width())));
+    // The least one alone stands where the bar begins.
+    const QString label = labelUnder(bar);
+    const bool isWhole =
+        label == numbersText(lengthsText(values)) && fontMetrics().horizontalAdvance(label) <= column.width();
+    const QRectF below(column.left(), column.bottom(), isWhole ? column.width() : width() - column.left(), line);
+    painter.drawText(below, isWhole ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter, label);
+}
+
+QString HistogramView::numbersText(const QString& lengths) const {
+    return QString(lengths).remove(QStringLiteral(" ") + QLatin1String(unitName(m_unit)));
+}
+
+QString HistogramView::labelUnder(std::size_t bar) const {
+    const std::vector<model::HistogramBar>& bars = histogram().bars;
+    const double room = columnRect(bar).width();
+    const double space = fontMetrics().averageCharWidth();
+    const auto widest = [&](const auto& textOf) {
+        double most = 0.0;
+        for (const model::HistogramBar& each : bars) {
+            most = std::max(most, fontMetrics().horizontalAdvance(numbersText(textOf(each))) + space);
+        }
+        return most;
+    };
+    const auto whole = [this](const model::HistogramBar& each) { return lengthsText(each); };
+    if (widest(whole) <= room) {
+        return numbersText(whole(bars[bar]));
+    }
+    const auto least = [this](const model::HistogramBar& each) { return lengthText(each.least, m_unit); };
+    const auto every = static_cast<std::size_t>(std::max(1.0, std::ceil(widest(least) / room)));
+    const double end = columnRect(bar).left() + widest(least);
+    return bar % every == 0 && end <= width() ? numbersText(least(bars[bar])) : QString();
 }
 
 std::size_t HistogramView::barAt(QPointF at) const {

@@ -25,6 +25,9 @@ public:
     [[nodiscard]] const model::Histogram& histogram() const;
     /// The room of a bar from the top of the plot to its foot, pixels.
     [[nodiscard]] QRectF columnRect(std::size_t bar) const;
+    /// What stands under a bar: its lengths; where bars are too narrow for that its least one, and under some bars
+    /// alone where even those have no room side by side. Empty for none, and never cut: a part of a number is another.
+    [[nodiscard]] QString labelUnder(std::size_t bar) const;
 
 signals:
     void chosen(const std::vector<model::ElementId>& elements);
@@ -40,6 +43,8 @@ private:
     void choose(std::size_t bar);
     [[nodiscard]] std::size_t barAt(QPointF at) const;
     [[nodiscard]] QString lengthsText(const model::HistogramBar& bar) const;
+    /// Without the unit.
+    [[nodiscard]] QString numbersText(const QString& lengths) const;
     void paintBar(QPainter& painter, std::size_t bar, std::uint32_t highest) const;
 
     std::shared_ptr<const model::Document> m_document;

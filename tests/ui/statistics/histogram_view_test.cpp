@@ -43,6 +43,27 @@ private slots:
         QCOMPARE(window().selection().selected().size(), std::size_t{plot().histogram().bars[0].elements.count});
     }
 
+    /// "0.…" under every bar says nothing.
+    void numbersUnderNarrowBarsAreWholeOrNotThere() {
+        ui::HistogramView narrow;
+        narrow.setDocument(window().workspace().board()->document);
+        for (const int width : {150, 250, 400, 4000}) {
+            narrow.resize(width, 120);
+            double end = 0.0;
+            for (std::size_t bar = 0; bar < narrow.histogram().bars.size(); ++bar) {
+                const QString label = narrow.labelUnder(bar);
+                QVERIFY2(!label.contains(QChar(0x2026)), qPrintable(label));
+                if (!label.isEmpty()) {
+                    QVERIFY(narrow.columnRect(bar).left() >= end);
+                    end = narrow.columnRect(bar).left() + narrow.fontMetrics().horizontalAdvance(label);
+                    QVERIFY(end <= narrow.width());
+                }
+            }
+            QVERIFY2(!narrow.labelUnder(0).isEmpty(), "the axis begins with a number");
+            QVERIFY(width < 4000 || !narrow.labelUnder(1).isEmpty());
+        }
+    }
+
     void anotherMeasureIsChosen() {
         const std::size_t tracks = plot().histogram().elements.size();
         window().panel("statistics").findChild<QComboBox*>()->setCurrentIndex(1);
