@@ -260,7 +260,9 @@ private:
                                                         ", and the board has no nets that tell whether they are its"});
         } else {
             m_context.report().notes.push_back(
-                std::to_string(others) + " copper elements of no net lie beyond the board outline on layer " + name);
+                std::to_string(others) +
+                (others == 1 ? " copper element of no net lies" : " copper elements of no net lie") +
+                " beyond the board outline on layer " + name);
         }
     }
 

@@ -123,7 +123,7 @@ private slots:
         const RuleReport report = check(*board.builder.finish(), RuleKind::CopperToEdge, 200 * kUm);
         QVERIFY(report.isPassed() && report.isComplete());
         QVERIFY(std::ranges::any_of(report.notes, [](const std::string& note) {
-            return note == "1 copper elements of no net lie beyond the board outline on layer top";
+            return note == "1 copper element of no net lies beyond the board outline on layer top";
         }));
     }
 
