@@ -99,7 +99,7 @@ set(architecture_rows
     "app/step_reader               | app             | app/verify | occt"
     "app/bench                     | app tri::bench  | app/common model/board model/formats model/text render/backends render/calibration render/frame render/gpu render/modelling render/scene render/standard tri tri/gpu | json"
     "app/clearance                 | app             | app/common model/board model/clearance model/design_rules model/export model/text render/frame render/scene | "
-    "app/commands                  | app             | app/bench app/clearance app/common app/reports app/verify model/agreement model/board model/clearance model/export model/export/files model/export/solids model/formats model/formats/common model/formats/gerber model/generate model/measure model/text render/frame render/gpu render/scene render/standard render/tiles ui/shell | cli json"
+    "app/commands                  | app             | app/bench app/clearance app/common app/reports app/verify model/agreement model/board model/clearance model/export model/export/files model/export/solids model/formats model/formats/common model/formats/gerber model/generate model/index model/measure model/text render/frame render/gpu render/scene render/standard render/tiles ui/shell | cli json"
     "app/manual                    | app             | | cli"
     "app                           |                 | app/commands app/common app/manual | log"
 )

@@ -407,7 +407,9 @@ private slots:
         const QTemporaryDir folder;
         QFile board(folder.filePath("layers.kicad_pcb"));
         QVERIFY(board.open(QFile::WriteOnly));
-        board.write("(kicad_pcb (version 20241229) (layers (0 \"F.Cu\" signal \"Sig\") (2 \"B.Cu\" signal \"Sig\")))");
+        board.write(
+            "(kicad_pcb (version 20241229) (layers (0 \"F.Cu\" signal \"Sig\") (2 \"B.Cu\" signal \"Sig\")) (net 1 "
+            "\"GND\"))");
         board.close();
         const QStringList measure{"measure", board.fileName(), "--from", "at:1mm,1mm,Sig", "--to", "at:2mm,1mm"};
         const QStringList section{"section", board.fileName(), "--line", "0,0,9,0", "--layers", "Sig"};

@@ -57,11 +57,12 @@ struct Rgb {
 }  // namespace render::test
 
 /// As QTEST_GUILESS_MAIN (with <QtTest>), and the device is closed before the end.
-#define GPU_TEST_MAIN(TestObject)                           \
-    int main(int argc, char** argv) {                       \
-        const QCoreApplication application(argc, argv);     \
-        TestObject test;                                    \
-        const int status = QTest::qExec(&test, argc, argv); \
-        render::test::Gpu::close();                         \
-        return status;                                      \
+#define GPU_TEST_MAIN(TestObject)                                \
+    int main(int argc, char** argv) {                            \
+        const QCoreApplication application(argc, argv);          \
+        auto test = std::make_unique<TestObject>();              \
+        const int status = QTest::qExec(test.get(), argc, argv); \
+        test.reset();                                            \
+        render::test::Gpu::close();                              \
+        return status;                                           \
     }

@@ -21,10 +21,15 @@ using ui::ActionId;
 
 namespace {
 
-void search(Driver& driver, ui::ClearancePanel::What what) {
+/// Each question has a list of findings of its own.
+template <ui::ClearancePanel::What What>
+void choose(Driver& driver) {
     QWidget& panel = driver.window().panel("clearances");
-    panel.findChild<QComboBox*>("what")->setCurrentIndex(static_cast<int>(what));
+    panel.findChild<QComboBox*>("what")->setCurrentIndex(static_cast<int>(What));
     panel.findChild<QComboBox*>("where")->setCurrentIndex(static_cast<int>(ui::ClearancePanel::Where::Board));
+}
+
+void search(Driver& driver) {
     driver.trigger(ActionId::SearchClearances);
 }
 
@@ -42,13 +47,14 @@ void exportAs(Driver& driver, const char* format, const char* name) {
 struct Work {
     const char* name;
     void (*begin)(Driver& driver);
+    void (*prepare)(Driver& driver) = [](Driver&) {};  ///< what is no part of it
 };
 // clang-format off
 constexpr Work kWorks[] = {
     {"load", [](Driver& driver) { driver.open(1); }},
-    {"search", [](Driver& driver) { search(driver, ui::ClearancePanel::What::Smallest); }},
-    {"rules", [](Driver& driver) { search(driver, ui::ClearancePanel::What::Rules); }},
-    {"through stackup", [](Driver& driver) { search(driver, ui::ClearancePanel::What::ThroughStackup); }},
+    {"search", search, choose<ui::ClearancePanel::What::Smallest>},
+    {"rules", search, choose<ui::ClearancePanel::What::Rules>},
+    {"through stackup", search, choose<ui::ClearancePanel::What::ThroughStackup>},
     {"netlist check", [](Driver& driver) { driver.trigger(ActionId::CheckNets); }},
     {"export STEP", [](Driver& driver) { exportAs(driver, "STEP", "a.step"); }},
     {"export GLB", [](Driver& driver) { exportAs(driver, "GLB", "a.glb"); }},
@@ -135,6 +141,7 @@ private:
         for (std::size_t i = 0; i < std::size(kWorks); ++i) {
             QElapsedTimer clock;
             clock.start();
+            kWorks[i].prepare(m_driver);
             kWorks[i].begin(m_driver);
             m_driver.settle();
             m_times[i].wholeMs = static_cast<int>(clock.elapsed());
@@ -149,6 +156,7 @@ private:
 
     bool cancelOne(std::size_t row) {
         ActionLog::instance().add(std::string(kWorks[row].name) + " (cancel " + std::to_string(m_cancelled) + ")");
+        kWorks[row].prepare(m_driver);
         const State before = stateOf(m_driver);
         kWorks[row].begin(m_driver);
         m_driver.rest(m_dice.between(0, m_times[row].wholeMs));

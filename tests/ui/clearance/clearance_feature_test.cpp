@@ -92,6 +92,7 @@ private slots:
         QVERIFY(last != locations.location(0).found.rule);
         const QAbstractItemModel& listed = *panel().table().model();
         auto& rules = *panel().findChild<ui::TableView*>("rules");
+        rules.clearSelection();
         const auto click = [&] {
             const QModelIndex row = model.index(static_cast<int>(last), ui::RuleModel::Result);
             rules.scrollTo(row);
@@ -384,6 +385,7 @@ private slots:
     void theLensFollowsSliderAndSelection() {
         measure();
         const model::RuleFinding found = window().find<ui::ClearanceModel>().location(0).found;
+        panel().setCurrentRow(0);  // in the middle of the views
         window().selection().select({{0, found.a}});
         m_fixture->key(Qt::Key_L);
         QVERIFY(window().find<ui::Lens>().isOn());

@@ -174,8 +174,8 @@ private slots:
                           {Verdict::Passed, 0, 0},
                           {Verdict::Passed, 0, 0}});
         QCOMPARE(text(rules, 0, RuleModel::Result), "pass");
-        QCOMPARE(text(rules, 1, RuleModel::Result), "FAIL, in 1 location");
-        QCOMPARE(text(rules, 2, RuleModel::Result), "FAIL, in 2 locations; incomplete");
+        QCOMPARE(text(rules, 1, RuleModel::Result), "FAIL: 1");
+        QCOMPARE(text(rules, 2, RuleModel::Result), "FAIL: 2; incomplete");
         QCOMPARE(text(rules, 3, RuleModel::Result), "incomplete, see below");
         QVERIFY(set(rules, 3, RuleModel::Least, "1 um"));
         QCOMPARE(text(rules, 0, RuleModel::Result), "not checked");
