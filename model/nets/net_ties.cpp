@@ -179,13 +179,14 @@ private:
         if (tied.groups.empty()) {
             return;
         }
-        m_isAssumed = tied.claim != TieClaim::Declared;
+        m_isAssumed = tied.claim == TieClaim::Jumper || tied.claim == TieClaim::NetTie;
         if (m_isAssumed) {
             std::erase_if(joints.own, [&](const Joint& joint) { return !isWithin(joint, joints.pads); });
         }
         for (const std::vector<NetId>& nets : tied.groups) {
             const bool isJoined = addOwn(component, joints.own, nets);
-            if (!isJoined && nets.size() == 2 && tied.claim != TieClaim::Jumper) {
+            const bool isTie = tied.claim == TieClaim::NetTie || tied.claim == TieClaim::Declared;
+            if (!isJoined && nets.size() == 2 && isTie) {
                 addForeign(component, nets, joints.foreign);
             }
         }

@@ -1,8 +1,11 @@
 #include "model/nets/tie_claims.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "model/index/attributes.h"
 #include "model/index/pin_names.h"
@@ -68,6 +71,52 @@ std::vector<NetId> netsOf(const Document& document, const PinGroup& pins) {
     return nets;
 }
 
+/// "unconnected-(U3-NC-Pad15)_7" without its number; empty for nets of other names.
+std::string_view unconnectedPin(std::string_view net) {
+    if (!net.starts_with("unconnected-(")) {
+        return {};
+    }
+    const std::size_t end = net.rfind(')');
+    return end == std::string_view::npos ? net : net.substr(0, end + 1);
+}
+
+/// Groups that share a net become one.
+void addGroup(std::vector<NetId> nets, std::vector<std::vector<NetId>>& groups) {
+    std::erase_if(groups, [&](const std::vector<NetId>& other) {
+        std::vector<NetId> both;
+        std::ranges::set_union(nets, other, std::back_inserter(both));
+        const bool isShared = both.size() < nets.size() + other.size();
+        if (isShared) {
+            nets = std::move(both);
+        }
+        return isShared;
+    });
+    groups.push_back(std::move(nets));
+}
+
+/// Nets of pads that are one pin.
+std::vector<std::vector<NetId>> netsOfOnePin(const Document& document, const Component& component) {
+    std::map<std::string, PinGroup> pins;
+    for (std::size_t row = component.firstPin; row < component.firstPin + component.pinCount; ++row) {
+        const PinId pin{row};
+        const NetId net = document.pins[row].net;
+        const std::string_view unconnected = net.isValid() ? unconnectedPin(document.nets[net.row()].name) : "";
+        if (!unconnected.empty()) {
+            pins[std::string(unconnected)].push_back(pin);
+        }
+        if (const std::string name = pinName(document, pin); !name.empty()) {
+            pins["pin " + name].push_back(pin);
+        }
+    }
+    std::vector<std::vector<NetId>> groups;
+    for (const auto& [name, group] : pins) {
+        if (std::vector<NetId> nets = netsOf(document, group); nets.size() > 1) {
+            addGroup(std::move(nets), groups);
+        }
+    }
+    return groups;
+}
+
 }  // namespace
 
 TiedNets tiedNetsOf(const Document& document, ComponentId id) {
@@ -82,7 +131,11 @@ TiedNets tiedNetsOf(const Document& document, ComponentId id) {
         tied.claim = claimByName(document, component);
         tied.groups.push_back(tied.claim != TieClaim::None ? model::netsOf(document, component) : std::vector<NetId>());
     }
+    std::ranges::move(netsOfOnePin(document, component), std::back_inserter(tied.groups));
     std::erase_if(tied.groups, [](const std::vector<NetId>& nets) { return nets.size() < 2; });
+    if (tied.claim == TieClaim::None && !tied.groups.empty()) {
+        tied.claim = TieClaim::OnePin;
+    }
     return tied;
 }
 

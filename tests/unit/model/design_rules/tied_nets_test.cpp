@@ -136,6 +136,34 @@ private slots:
         QCOMPARE(model::smallestClearances(*document, closest, progress)->size(), static_cast<std::size_t>(shorts));
     }
 
+    void padsOfOnePinAreNoShort_data() {
+        QTest::addColumn<QString>("first");
+        QTest::addColumn<QString>("second");
+        QTest::addColumn<bool>("isOne");
+        QTest::newRow("one pin in several pads") << "unconnected-(U1-EP-Pad9)"
+                                                 << "unconnected-(U1-EP-Pad9)_7" << true;
+        QTest::newRow("two pins") << "unconnected-(U1-A-Pad1)"
+                                  << "unconnected-(U1-B-Pad2)" << false;
+    }
+    /// KiCad makes a net for each pad of a pin that is not connected.
+    void padsOfOnePinAreNoShort() {
+        QFETCH(QString, first);
+        QFETCH(QString, second);
+        QFETCH(bool, isOne);
+        Board board;
+        model::Component part;
+        part.refdes = "U1";
+        const NetId a = board.builder.addNet(first.toStdString());
+        const NetId b = board.builder.addNet(second.toStdString());
+        board.builder.beginLayer(board.top);
+        addPart(board, part, {{a, {0, 0}}, {b, {50 * kUm, 0}}});
+        const auto document = board.builder.finish();
+        base::Progress progress;
+        const model::NetReport nets = model::checkAllNets(*document, progress)->front().report;
+        QCOMPARE(nets.shorts.empty(), isOne);
+        QCOMPARE(check(*document, RuleKind::CopperToCopper, 50 * kUm).isPassed(), isOne);
+    }
+
     void whatABoardOfKiCadDeclaresIsATieAndNothingElse_data() {
         QTest::addColumn<QString>("group");
         QTest::addColumn<QStringList>("ties");
