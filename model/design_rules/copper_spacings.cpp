@@ -196,6 +196,11 @@ private:
     NetPairs m_apart;  ///< nets with a location for each two elements
 };
 
+/// "$7", as withInferredNets calls a net without a name.
+bool isNumbered(const std::string& net) {
+    return net.size() > 1 && net.front() == '$' && net.find_first_not_of("0123456789", 1) == std::string::npos;
+}
+
 /// The distances of a layer's copper to the edge of the board. Copper beyond it, also in a cut-out, has none.
 class EdgeSpacings {
 public:
@@ -227,8 +232,24 @@ private:
     }
     [[nodiscard]] bool isOff(std::uint32_t row) const { return !m_area.holds(m_copper.figures()[row].anchor); }
 
-    /// What of it belongs to a net or is a pad is of the board. The rest may be a frame, a coupon or a text: it is only
-    /// counted, or without any net nobody knows.
+    /// Pads are, and what has a net. One that nobody named ($7) follows from the copper alone: it may be a text or a
+    /// frame, unless some of it lies on the board.
+    [[nodiscard]] bool isOfBoard(ElementId element) const {
+        const NetId net = m_context.netOf(element);
+        if (!net.isValid() || m_context.isLand(element)) {
+            return m_context.isLand(element);
+        }
+        const Document& document = m_context.document();
+        return !isNumbered(document.nets[net.row()].name) ||
+               std::ranges::any_of(document.elementsOf(net), [&](ElementId each) {
+                   const Box box = document.boxOf(each);
+                   return m_area.holds({static_cast<double>(box.min.x + box.max.x) / 2,
+                                        static_cast<double>(box.min.y + box.max.y) / 2});
+               });
+    }
+
+    /// What is not of the board may be a frame, a coupon or a text: it is only counted, or without any net nobody
+    /// knows.
     void addBeyond(const std::set<ElementId>& touching) {
         std::size_t others = 0;
         std::optional<std::size_t> ruleOfOthers;
@@ -239,7 +260,7 @@ private:
                 continue;
             }
             last = element;
-            if (m_context.netOf(element).isValid() || m_context.isLand(element)) {
+            if (isOfBoard(element)) {
                 const PointD at = m_copper.figures()[row].anchor;
                 m_context.add(*rule(row), m_layer, element, {}, {0.0, at, at});
             } else {
@@ -261,7 +282,7 @@ private:
         } else {
             m_context.report().notes.push_back(
                 std::to_string(others) +
-                (others == 1 ? " copper element of no net lies" : " copper elements of no net lie") +
+                (others == 1 ? " copper element of no named net lies" : " copper elements of no named net lie") +
                 " beyond the board outline on layer " + name);
         }
     }

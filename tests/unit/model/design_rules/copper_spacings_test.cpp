@@ -123,8 +123,24 @@ private slots:
         const RuleReport report = check(*board.builder.finish(), RuleKind::CopperToEdge, 200 * kUm);
         QVERIFY(report.isPassed() && report.isComplete());
         QVERIFY(std::ranges::any_of(report.notes, [](const std::string& note) {
-            return note == "1 copper element of no net lies beyond the board outline on layer top";
+            return note == "1 copper element of no named net lies beyond the board outline on layer top";
         }));
+    }
+
+    /// Names of nets that follow from the copper say nothing: a text has one, too.
+    void copperOfANumberedNetCountsWhereSomeOfItIsOnTheBoard() {
+        for (const bool isOnBoard : {false, true}) {
+            Board board;
+            addOutline(board);
+            const model::NetId net = board.builder.addNet("$7");
+            board.builder.beginLayer(board.top);
+            board.builder.addLine({{-kMm, -kMm}, {21 * kMm, -kMm}, 100 * kUm, 0}, of(net));
+            if (isOnBoard) {
+                board.builder.addCircle({{2 * kMm, 2 * kMm}, 100 * kUm, 0}, of(net));
+            }
+            const RuleReport report = check(*board.builder.finish(), RuleKind::CopperToEdge, 200 * kUm);
+            QCOMPARE(report.findings.size(), isOnBoard ? std::size_t{1} : std::size_t{0});
+        }
     }
 
     void withoutNetsNobodyKnowsWhoseItIs() {
