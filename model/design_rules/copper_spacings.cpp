@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
-#include "model/design_rules/board_area.h"
 #include "model/design_rules/bridged.h"
+#include "model/geometry/discretise.h"
+#include "model/solids/region_distance.h"
 
 namespace model {
 
 namespace {
 
+/// The edge of the board is so near to its chords, nm: within that a point may be on the other side.
+constexpr double kEdgeChord = 2000.0;
 constexpr Nm kConcentric = 1000;  ///< holes this near to each other's middle have one middle
 
 bool areConcentric(const Box& a, const Box& b) {
@@ -205,7 +209,7 @@ bool isNumbered(const std::string& net) {
 class EdgeSpacings {
 public:
     EdgeSpacings(RuleContext& context, LayerId layer, const LayerGeometry& copper)
-        : m_context(context), m_layer(layer), m_copper(copper), m_area(context.document()) {}
+        : m_context(context), m_layer(layer), m_copper(copper), m_area(boardArea(context.document())) {}
 
     void check() {
         const LayerGeometry edge = edgeGeometry(m_context.document());
@@ -214,7 +218,7 @@ public:
         request.isWanted = [&](std::uint32_t a, std::uint32_t) { return isHeld(a); };
         std::set<ElementId> touching;
         for (const FigurePair& pair : closestPairs(m_copper, edge, request, m_context.progress())) {
-            const bool isBeyond = pair.spacing.distance > BoardArea::kUnsure && isOff(pair.a);
+            const bool isBeyond = pair.spacing.distance > kEdgeChord && isOff(pair.a);
             if (!isBeyond) {
                 touching.insert(m_copper.elementOf(pair.a));
                 m_context.add(*rule(pair.a), m_layer, m_copper.elementOf(pair.a), edge.elementOf(pair.b), pair.spacing);
@@ -230,22 +234,29 @@ private:
     [[nodiscard]] bool isHeld(std::uint32_t row) const {
         return rule(row).has_value() && !isInPad(m_context, m_copper, row);
     }
-    [[nodiscard]] bool isOff(std::uint32_t row) const { return !m_area.holds(m_copper.figures()[row].anchor); }
+    [[nodiscard]] bool isOff(std::uint32_t row) const {
+        const PointD at = m_copper.figures()[row].anchor;
+        return !m_area.contains({static_cast<Nm>(std::lround(at.x)), static_cast<Nm>(std::lround(at.y))});
+    }
+    static PolygonSet boardArea(const Document& document) {
+        return discretise(document.shapes, document.profile, {.chordToleranceNm = kEdgeChord});
+    }
 
     /// Pads are, and what has a net. One that nobody named ($7) follows from the copper alone: it may be a text or a
     /// frame, unless some of it lies on the board.
-    [[nodiscard]] bool isOfBoard(ElementId element) const {
+    [[nodiscard]] bool isOfBoard(ElementId element) {
         const NetId net = m_context.netOf(element);
         if (!net.isValid() || m_context.isLand(element)) {
             return m_context.isLand(element);
         }
         const Document& document = m_context.document();
-        return !isNumbered(document.nets[net.row()].name) ||
-               std::ranges::any_of(document.elementsOf(net), [&](ElementId each) {
-                   const Box box = document.boxOf(each);
-                   return m_area.holds({static_cast<double>(box.min.x + box.max.x) / 2,
-                                        static_cast<double>(box.min.y + box.max.y) / 2});
-               });
+        const auto [known, isNew] = m_isOfBoard.try_emplace(net, true);
+        if (isNew && isNumbered(document.nets[net.row()].name)) {
+            known->second = std::ranges::any_of(document.elementsOf(net), [&](ElementId each) {
+                return m_area.contains(document.boxOf(each).middle());
+            });
+        }
+        return known->second;
     }
 
     /// What is not of the board may be a frame, a coupon or a text: it is only counted, or without any net nobody
@@ -290,7 +301,8 @@ private:
     RuleContext& m_context;
     LayerId m_layer;
     const LayerGeometry& m_copper;
-    BoardArea m_area;
+    EdgeStrips m_area;
+    std::map<NetId, bool> m_isOfBoard;
 };
 
 /// The same copper, where each edge of a trail is a figure of its own.

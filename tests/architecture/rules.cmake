@@ -20,7 +20,7 @@ set(architecture_rows
     "model/nets                    | model           | model/board model/figures model/geometry model/index model/statistics model/text |"
     "model/measure                 | model           | model/board model/figures model/geometry model/index model/statistics model/text |"
     "model/clearance               | model           | model/board model/figures model/geometry model/index model/nets model/text | json"
-    "model/design_rules            | model           | model/board model/clearance model/figures model/geometry model/nets model/text |"
+    "model/design_rules            | model           | model/board model/clearance model/figures model/geometry model/nets model/solids model/text |"
     "model/section                 | model           | model/board model/figures model/geometry model/index model/measure model/packages model/text |"
     "model/agreement               | model           | model/board model/figures model/geometry model/text |"
     "model/export                  | model           | model/board model/clearance model/figures model/geometry model/index model/measure model/section model/text | json"
@@ -99,7 +99,7 @@ set(architecture_rows
     "app/step_reader               | app             | app/verify | occt"
     "app/bench                     | app tri::bench  | app/common model/board model/formats model/text render/backends render/calibration render/frame render/gpu render/modelling render/scene render/standard tri tri/gpu | json"
     "app/clearance                 | app             | app/common model/board model/clearance model/design_rules model/export model/text render/frame render/scene | "
-    "app/commands                  | app             | app/bench app/clearance app/common app/reports app/verify model/agreement model/board model/clearance model/export model/export/files model/export/solids model/formats model/formats/common model/formats/gerber model/generate model/index model/measure model/text render/frame render/gpu render/scene render/standard render/tiles ui/shell | cli json"
+    "app/commands                  | app             | app/bench app/clearance app/common app/reports app/verify model/agreement model/board model/clearance model/export model/export/files model/export/solids model/formats model/formats/common model/formats/gerber model/generate model/index model/measure model/solids model/text render/frame render/gpu render/scene render/standard render/tiles ui/shell | cli json"
     "app/manual                    | app             | | cli"
     "app                           |                 | app/commands app/common app/manual | log"
 )
