@@ -11,7 +11,6 @@
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
 #include "app/common/memory_limit.h"
-#include "app/common/milled_elements.h"
 #include "model/board/copies.h"
 #include "render/frame/transparent.h"
 #include "render/gpu/check.h"
@@ -154,9 +153,10 @@ render::ViewSettings settingsFor(const RenderArguments& arguments) {
     return settings;
 }
 
-/// None if the board is to be whole.
+/// None if the board is to be whole. `milled` of its elements is milled away.
 Result<std::shared_ptr<const render::SectionCut>> cutOf(const RenderArguments& arguments,
-                                                        const std::shared_ptr<const Document>& document) {
+                                                        const std::shared_ptr<const Document>& document,
+                                                        const std::vector<model::ElementId>& milled) {
     if (arguments.clip.empty()) {
         return std::shared_ptr<const render::SectionCut>();
     }
@@ -165,12 +165,8 @@ Result<std::shared_ptr<const render::SectionCut>> cutOf(const RenderArguments& a
     const auto location = [&](std::size_t i) {
         return base::PointD{arguments.clip[i] * base::kNmPerMm, arguments.clip[i + 1] * base::kNmPerMm};
     };
-    std::vector<model::ElementId> milled;
-    if (settingsFor(arguments).isFabricated) {
-        milled = milledElementsOf(*document).elements;
-    }
     ASSIGN_OR_RETURN(render::SectionCut cut, render::makeSectionCut(*index, render::frameOf(*document).origin,
-                                                                    location(0), location(2), std::move(milled)));
+                                                                    location(0), location(2), milled));
     return std::make_shared<const render::SectionCut>(std::move(cut));
 }
 
@@ -272,16 +268,20 @@ Result<render::Image> drawFlat(const RenderArguments& arguments, const std::shar
     return picture ? std::move(picture) : draw(arguments, *board, scenery, opening);
 }
 
-Result<render::Image> modelAndDraw(const RenderArguments& arguments, const Document& document, const Scenery& scenery,
-                                   std::future<Result<Painter>>& opening) {
+Result<render::Image> modelAndDraw(const RenderArguments& arguments, const std::shared_ptr<const Document>& document,
+                                   Scenery scenery, std::future<Result<Painter>>& opening) {
     ConsoleProgress console;
     if (arguments.pipeline == "standard") {
         const model::Discretisation how = discretisationOf(arguments.board);
-        ASSIGN_OR_RETURN(const auto board, render::buildStandardModel(document, how, console.progress()));
+        ASSIGN_OR_RETURN(const auto board, render::buildStandardModel(*document, how, console.progress()));
+        ASSIGN_OR_RETURN(scenery.cut, cutOf(arguments, document, {}));  // it draws the board as designed
         return draw(arguments, board, scenery, opening);
     }
-    ASSIGN_OR_RETURN(render::BoardModel made, modelBoard(document, arguments.board, console.progress()));
+    ASSIGN_OR_RETURN(render::BoardModel made, modelBoard(*document, arguments.board, console.progress()));
     const auto board = std::make_shared<const render::BoardModel>(std::move(made));
+    const bool isFabricated = settingsFor(arguments).isFabricated;
+    ASSIGN_OR_RETURN(scenery.cut,
+                     cutOf(arguments, document, isFabricated ? board->milled : std::vector<model::ElementId>()));
     return mayBeFlat(arguments) ? drawFlat(arguments, board, scenery, opening)
                                 : draw(arguments, *board, scenery, opening);
 }
@@ -299,9 +299,8 @@ base::Status renderToFile(const RenderArguments& arguments) {
     ASSIGN_OR_RETURN(const std::vector<render::LayerStyle> styles, chooseLayers(*document, arguments));
     RETURN_IF_ERROR(checkDrawn(arguments, *document, styles));
     ASSIGN_OR_RETURN(const Highlights highlight, elementsOfNets(*document, arguments.nets));
-    ASSIGN_OR_RETURN(const std::shared_ptr<const render::SectionCut> cut, cutOf(arguments, document));
     ASSIGN_OR_RETURN(const render::Image image,
-                     modelAndDraw(arguments, *document, {styles, highlight, view, cut}, opening));
+                     modelAndDraw(arguments, document, {styles, highlight, view, nullptr}, opening));
     return render::writePng(image, arguments.output);
 }
 

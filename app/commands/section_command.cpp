@@ -1,12 +1,14 @@
 #include "app/commands/section_command.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/common/console_progress.h"
-#include "app/common/milled_elements.h"
 #include "model/export/section_export.h"
+#include "model/solids/milling.h"
 #include "model/text/json_text.h"
 #include "render/scene/layer_style.h"
 
@@ -83,8 +85,9 @@ std::string sectionJson(const model::BoardIndex& index, const Section& section) 
 
 /// As the board is made, unless it is to be as designed.
 base::Result<Section> sectionOf(const model::BoardIndex& index, model::SectionRequest request, bool isAsDesigned) {
-    const MilledElements milled = isAsDesigned ? MilledElements{} : milledElementsOf(*index.board);
-    request.milled = milled.elements;
+    const model::MilledBoard milled =
+        isAsDesigned ? model::MilledBoard{} : model::findMilled(*index.board, {}, base::Progress());
+    std::ranges::transform(milled.elements, std::back_inserter(request.milled), &model::MilledElement::element);
     ASSIGN_OR_RETURN(Section section, model::makeSection(index, request));
     if (milled.isOutlineDoubtful) {
         section.notes.emplace_back(
