@@ -57,7 +57,7 @@ base::Result<model::ClearanceRequest> requestFor(const Document& document, const
         if (!request.layer.isValid() || !document.layer(request.layer).isCopper()) {
             return unknown("copper layer", arguments.layer);
         }
-        ASSIGN_OR_RETURN(request.layer, findLayer(document, arguments.layer));
+        RETURN_IF_ERROR(checkOnlyOne(document, request.layer, arguments.layer));
     }
     ASSIGN_OR_RETURN(request.between, netsOf(document, arguments.nets));
     return request;
@@ -70,7 +70,7 @@ base::Result<model::RuleScope> scopeFor(const Document& document, const Clearanc
         if (!scope.layer.isValid() || !model::isRuled(document.layer(scope.layer))) {
             return unknown("copper, solder mask or silkscreen layer", arguments.layer);
         }
-        ASSIGN_OR_RETURN(scope.layer, findLayer(document, arguments.layer));
+        RETURN_IF_ERROR(checkOnlyOne(document, scope.layer, arguments.layer));
     }
     ASSIGN_OR_RETURN(scope.between, netsOf(document, arguments.nets));
     return scope;

@@ -51,7 +51,8 @@ base::Result<model::LayerId> layerOf(const model::Document& board, const std::st
     if (!layer.isValid() || !board.layer(layer).isCopper()) {
         return refused("the board has no copper layer " + name);
     }
-    return findLayer(board, name);
+    RETURN_IF_ERROR(checkOnlyOne(board, layer, name));
+    return layer;
 }
 
 base::Result<double> reachOf(const std::string& text) {

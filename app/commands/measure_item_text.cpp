@@ -181,7 +181,8 @@ Result<MeasureItem> parseAt(const BoardIndex& index, const InCopy& at) {
         ASSIGN_OR_RETURN(const std::size_t layer,
                          findNamed("layer", at.text.substr(second + 1), layers.size(),
                                    [&](std::size_t i) -> const std::string& { return layers[i].name; }));
-        ASSIGN_OR_RETURN(location.layer, findLayer(*index.board, layers[layer].name));
+        location.layer = model::LayerId{layer};
+        RETURN_IF_ERROR(checkOnlyOne(*index.board, location.layer, layers[layer].name));
     }
     return MeasureItem(location);
 }

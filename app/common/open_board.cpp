@@ -139,9 +139,6 @@ base::Result<CountedBoard> countBoard(const BoardArguments& arguments) {
     return CountedBoard{board.document, std::move(counts), how, board.format};
 }
 
-namespace {
-
-/// Is it the only one that the name may mean? What is written alike to the letter goes before what differs in case.
 base::Status checkOnlyOne(const model::Document& document, model::LayerId layer, const std::string& name) {
     const bool isExact = document.layer(layer).name == name;
     const auto alike = std::ranges::count_if(document.layers, [&](const model::Layer& other) {
@@ -153,8 +150,6 @@ base::Status checkOnlyOne(const model::Document& document, model::LayerId layer,
     }
     return base::Done{};
 }
-
-}  // namespace
 
 base::Result<model::LayerId> findLayer(const model::Document& document, const std::string& name) {
     constexpr std::string_view kOld = " coat";

@@ -25,8 +25,8 @@ struct BoardArguments {
 /// Errors: BadUsage if a layer map is named and the board is none of Gerber, which alone has a use for it.
 [[nodiscard]] base::Status checkLayerMap(const model::OpenedBoard& board);
 
-/// Says on stderr what of the job could not be read, with file and line, and so is not on the board, or not as it should
-/// be. What else was noticed is for `info`.
+/// Says on stderr what of the job could not be read, with file and line, and so is not on the board, or not as it
+/// should be. What else was noticed is for `info`.
 void sayErrors(const model::Document& document);
 
 /// model::openBoard; what of the job could not be read (sayErrors) and what of the session is not used is said on
@@ -57,8 +57,12 @@ struct CountedBoard {
 [[nodiscard]] base::Result<CountedBoard> countBoard(const BoardArguments& arguments);
 
 /// The layer of that name; the names that solder masks had in older versions work too, with a note on stderr. Errors:
-/// BadUsage.
+/// BadUsage, also where several layers have it.
 [[nodiscard]] base::Result<model::LayerId> findLayer(const model::Document& document, const std::string& name);
+
+/// Is the layer that was found the only one that the name may mean? What is written alike to the letter goes before
+/// what differs in case. Errors: BadUsage.
+[[nodiscard]] base::Status checkOnlyOne(const model::Document& document, model::LayerId layer, const std::string& name);
 
 /// What `--lod` says: "error" or "paper".
 [[nodiscard]] render::LevelOfDetail levelsOf(const std::string& name);
