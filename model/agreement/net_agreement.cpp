@@ -66,7 +66,10 @@ using Partners = std::map<std::int32_t, std::map<std::int32_t, Point>>;
 class NetComparer {
 public:
     NetComparer(const FlatBoard& a, const FlatBoard& b, std::vector<Probe> probes, const AgreementRequest& request)
-        : m_boards{&a, &b}, m_probes(std::move(probes)), m_most(request.most) {}
+        : m_boards{&a, &b},
+          m_names{std::set(a.nets.begin(), a.nets.end()), std::set(b.nets.begin(), b.nets.end())},
+          m_probes(std::move(probes)),
+          m_most(request.most) {}
 
     std::vector<Comparison> run() {
         dropSingles();
@@ -193,10 +196,11 @@ private:
     }
 
     [[nodiscard]] bool hasNet(int side, const std::string& name) const {
-        return std::ranges::count(m_boards[static_cast<std::size_t>(side)]->nets, name) > 0;
+        return m_names[static_cast<std::size_t>(side)].contains(name);
     }
 
     std::array<const FlatBoard*, 2> m_boards;
+    std::array<std::set<std::string_view>, 2> m_names;  ///< of all nets
     std::vector<Probe> m_probes;
     std::size_t m_most;
     std::array<Partners, 2> m_partners;

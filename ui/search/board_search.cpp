@@ -106,10 +106,11 @@ public:
             if (fitOf(component.refdes, part) != Fit::Whole) {
                 continue;
             }
+            std::unordered_set<std::string> seen;  // a pin of several pads is found once
             for (std::uint32_t row = component.firstPin; row < component.firstPin + component.pinCount; ++row) {
-                const model::PinId id{std::size_t{row}};
-                const Fit fit = fitOf(model::pinName(board, id), pin);
-                if ((fit == Fit::Whole || fit == Fit::Begins) && model::pinsNamedAs(board, id).front() == id) {
+                const std::string name = model::pinName(board, model::PinId{std::size_t{row}});
+                const Fit fit = fitOf(name, pin);
+                if ((fit == Fit::Whole || fit == Fit::Begins) && (name.empty() || seen.insert(name).second)) {
                     m_matches.push_back({fit, board.text(board.pins[row].name), {FoundKind::Pin, row, m_step, {}}});
                 }
             }
