@@ -20,7 +20,7 @@ constexpr double kWidth = 1.6;
 /// would take too long.
 constexpr std::size_t kMostToUnite = 4000;
 /// Of an element that is outlined finely (kMostFine).
-constexpr std::size_t kMostFineNodes = 5000;
+constexpr std::size_t kMostFineNodes = 500;
 constexpr int kRestMs = 150;
 constexpr int kSmall = 256 * 256;  // pixels of the box of strokes that are painted every time
 

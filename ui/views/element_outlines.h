@@ -25,7 +25,8 @@ public:
     static constexpr std::size_t kMostOutlined = 500;
     /// Nodes of all that is selected. Elements beyond this go without an outline, those before them have theirs.
     static constexpr std::size_t kMostNodes = 400'000;
-    /// So few have chords as short as can be: who looks at a narrow gap sees by how much usual ones miss their curves.
+    /// So few have chords as short as can be: who looks at a small clearance sees how far usual ones are off their
+    /// curves.
     static constexpr std::size_t kMostFine = 8;
     /// Points of all that is selected. Where there are more, their outlines come right after the frame in which it
     /// stands out: they take half as long as that frame.
