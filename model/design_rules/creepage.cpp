@@ -102,7 +102,7 @@ private:
         return m_context.isBetween(m_copper.elementOf(a), m_copper.elementOf(b)) && ruleOf(a, b);
     }
 
-    /// Copper without a net shortens a way by what of it lies on that copper.
+    /// Copper without a net shortens a path by what of it lies on that copper.
     void followFloating() {
         std::set<Nm> slots;
         for (const std::size_t rule : m_context.choice().rowsOf(RuleKind::Creepage)) {
@@ -112,12 +112,12 @@ private:
         const FloatingLinks links(m_context, m_copper, reach);
         std::size_t count = 0;
         for (const Nm slot : slots) {
-            for (const FloatingLinks::Way& way :
-                 links.ways([&](const FigurePair& gap) { return lengthOf(gap, slot, reach); })) {
-                const bool isOfSlot = isHeld(way.a, way.b) && slotOf(*ruleOf(way.a, way.b)) == slot;
-                const bool isBelow = isOfSlot && isBroken(m_context.table().rules[*ruleOf(way.a, way.b)],
-                                                          m_context.table().tolerance, way.spacing.distance);
-                count += isBelow && keep({way.a, way.b, way.spacing}) ? 1 : 0;
+            for (const FloatingLinks::Path& path :
+                 links.paths([&](const FigurePair& pair) { return lengthOf(pair, slot, reach); })) {
+                const bool isOfSlot = isHeld(path.a, path.b) && slotOf(*ruleOf(path.a, path.b)) == slot;
+                const bool isBelow = isOfSlot && isBroken(m_context.table().rules[*ruleOf(path.a, path.b)],
+                                                          m_context.table().tolerance, path.spacing.distance);
+                count += isBelow && keep({path.a, path.b, path.spacing}) ? 1 : 0;
             }
         }
         if (count > 0) {
@@ -128,12 +128,12 @@ private:
     }
 
     /// Along the face.
-    [[nodiscard]] double lengthOf(const FigurePair& gap, Nm slot, double limit) {
+    [[nodiscard]] double lengthOf(const FigurePair& pair, Nm slot, double limit) {
         const SurfacePaths& paths = pathsWith(slot);
-        if (paths.isClear(gap.spacing.from, gap.spacing.to)) {
-            return gap.spacing.distance;
+        if (paths.isClear(pair.spacing.from, pair.spacing.to)) {
+            return pair.spacing.distance;
         }
-        const std::optional<Spacing> way = paths.between(m_copper.figures(), gap.a, gap.b, limit);
+        const std::optional<Spacing> way = paths.between(m_copper.figures(), pair.a, pair.b, limit);
         return way ? way->distance : std::numeric_limits<double>::infinity();
     }
 

@@ -34,39 +34,39 @@ FloatingLinks::FloatingLinks(RuleContext& context, const LayerGeometry& copper, 
 void FloatingLinks::add(const FigurePair& pair) {
     const Spacing& s = pair.spacing;
     const FigurePair back{pair.b, pair.a, {s.distance, s.to, s.from}};
-    for (const FigurePair& gap : {pair, back}) {
-        const ElementId from = m_copper.elementOf(gap.a);
+    for (const FigurePair& nearest : {pair, back}) {
+        const ElementId from = m_copper.elementOf(nearest.a);
         const std::uint32_t owner = m_context.owners().of(from);
-        m_links[owner].push_back({m_context.owners().of(m_copper.elementOf(gap.b)), gap});
+        m_links[owner].push_back({m_context.owners().of(m_copper.elementOf(nearest.b)), nearest});
         m_isFloating[owner] = !m_context.netOf(from).isValid();
     }
 }
 
-std::vector<FloatingLinks::Way> FloatingLinks::ways(const GapLength& lengthOf) const {
+std::vector<FloatingLinks::Path> FloatingLinks::paths(const LinkLength& lengthOf) const {
     std::map<std::uint64_t, double> lengths;  // by the owners on either side
     for (const auto& [owner, links] : m_links) {
         for (const Link& link : links) {
             if (!lengths.contains(keyOf(owner, link.to)) && !m_context.progress().isCancelled()) {
-                lengths[keyOf(owner, link.to)] = lengthOf(link.gap);
+                lengths[keyOf(owner, link.to)] = lengthOf(link.nearest);
             }
         }
     }
-    std::vector<Way> ways;
+    std::vector<Path> paths;
     for (const auto& [owner, isFloating] : m_isFloating) {
         if (!isFloating && !m_context.progress().isCancelled()) {
-            addWaysFrom(owner, lengths, ways);
+            addPathsFrom(owner, lengths, paths);
         }
     }
-    return ways;
+    return paths;
 }
 
-/// From piece to piece, the nearest one first; a way ends at the first net it comes to.
-void FloatingLinks::addWaysFrom(std::uint32_t net, const std::map<std::uint64_t, double>& lengths,
-                                std::vector<Way>& ways) const {
+/// From piece to piece, the nearest one first; a path ends at the first net it comes to.
+void FloatingLinks::addPathsFrom(std::uint32_t net, const std::map<std::uint64_t, double>& lengths,
+                                 std::vector<Path>& paths) const {
     using Step = std::tuple<double, std::uint32_t>;  // length so far, owner
     std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
     std::map<std::uint32_t, Reached> reached;
-    std::map<std::uint32_t, Way> ends;  // by net
+    std::map<std::uint32_t, Path> ends;  // by net
     open.emplace(0.0, net);
     reached[net] = {};
     while (!open.empty()) {
@@ -77,24 +77,24 @@ void FloatingLinks::addWaysFrom(std::uint32_t net, const std::map<std::uint64_t,
         }
         for (const Link& link : m_links.at(owner)) {
             const double whole = length + lengths.at(keyOf(owner, link.to));
-            const Reached way = owner == net ? Reached{whole, link.gap.a, link.gap.spacing.from}
-                                             : Reached{whole, reached[owner].start, reached[owner].from};
+            const Reached path = owner == net ? Reached{whole, link.nearest.a, link.nearest.spacing.from}
+                                              : Reached{whole, reached[owner].start, reached[owner].from};
             if (!(whole < m_reach)) {
                 continue;
             }
             if (m_isFloating.at(link.to)) {
                 const auto found = reached.find(link.to);
                 if (found == reached.end() || whole < found->second.length) {
-                    reached[link.to] = way;
+                    reached[link.to] = path;
                     open.emplace(whole, link.to);
                 }
             } else if (link.to > net && (!ends.contains(link.to) || whole < ends[link.to].spacing.distance)) {
-                ends[link.to] = {way.start, link.gap.b, {whole, way.from, link.gap.spacing.to}};
+                ends[link.to] = {path.start, link.nearest.b, {whole, path.from, link.nearest.spacing.to}};
             }
         }
     }
-    for (const auto& [end, way] : ends) {
-        ways.push_back(way);
+    for (const auto& [end, path] : ends) {
+        paths.push_back(path);
     }
 }
 

@@ -12,26 +12,26 @@ namespace model {
 /// on either side of it counts (IEC 60664-1, floating conductive parts).
 class FloatingLinks {
 public:
-    /// A way between two nets over one piece of floating copper or several.
-    struct Way {
+    /// A path between two nets over one piece of floating copper or several.
+    struct Path {
         std::uint32_t a = 0;  ///< rows of the copper: where it begins, and where it ends
         std::uint32_t b = 0;
         Spacing spacing;  ///< `distance` without what lies on copper
     };
-    /// The length along the face of the gap between two figures, nm; infinite if it is longer than any limit.
-    using GapLength = std::function<double(const FigurePair&)>;
+    /// The length along the face between two figures, nm; infinite if it is longer than any limit.
+    using LinkLength = std::function<double(const FigurePair&)>;
 
-    /// Gaps of `reach` nm at most.
+    /// Pieces at most `reach` nm apart are linked.
     FloatingLinks(RuleContext& context, const LayerGeometry& copper, double reach);
 
-    /// The shortest ways from each net to every other one within reach, each pair of nets once.
-    [[nodiscard]] std::vector<Way> ways(const GapLength& lengthOf) const;
+    /// The shortest paths from each net to every other one within reach, each pair of nets once.
+    [[nodiscard]] std::vector<Path> paths(const LinkLength& lengthOf) const;
 
 private:
-    /// From one piece of copper to another, `gap.a` on the first one.
+    /// From one piece of copper to another, `nearest.a` on the first one.
     struct Link {
         std::uint32_t to = 0;  ///< owner
-        FigurePair gap;
+        FigurePair nearest;
     };
     struct Reached {
         double length = 0.0;
@@ -40,7 +40,8 @@ private:
     };
 
     void add(const FigurePair& pair);
-    void addWaysFrom(std::uint32_t net, const std::map<std::uint64_t, double>& lengths, std::vector<Way>& ways) const;
+    void addPathsFrom(std::uint32_t net, const std::map<std::uint64_t, double>& lengths,
+                      std::vector<Path>& paths) const;
 
     const RuleContext& m_context;
     const LayerGeometry& m_copper;

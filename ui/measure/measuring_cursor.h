@@ -53,7 +53,8 @@ public:
         return pointedAt(view, position, Catch::Points).has_value();
     }
     /// See model::spacingAt: on the layer of the pad or track under the cursor. Elsewhere, also over a plane, which may
-    /// be what is seen through a gap, all visible layers count, and so they do where solder mask or dielectric is seen.
+    /// be what is seen between copper, all visible layers count, and so they do where solder mask or dielectric is
+    /// seen.
     [[nodiscard]] std::optional<model::LocalSpacing> spacingAt(const BoardView& view, QPointF position);
 
 private:

@@ -14,8 +14,8 @@
 namespace ui {
 
 /// One part of a board's session file as its editor sees it: edits are undone on the history, saved and shown. What
-/// another window saved of this part or another one stays in the file, is told (SessionNews), and is not shown before
-/// the board is read again: the history here knows nothing of it.
+/// another window saved of this part or another one stays in the file, is reported (SessionNews), and is not shown
+/// before the board is read again: the history here knows nothing of it.
 template <class State>
 class SessionPart {
 public:
