@@ -1,0 +1,197 @@
+// Holes of whole jobs: what drill files, netlists and pairs of layers together tell of them.
+
+#include <QtTest>
+#include <algorithm>
+#include <numeric>
+
+#include "model/board/holes.h"
+#include "model/formats/gerber/gerber_reader.h"
+#include "model/nets/net_statistics.h"
+#include "tests/unit/model/formats/gerber/gerber_testing.h"
+
+using namespace gerber_testing;
+
+namespace {
+
+/// How many holes of this size and kind there are.
+std::uint32_t holesOf(const model::Document& board, model::Nm diameter, model::HoleKind kind) {
+    std::uint32_t count = 0;
+    for (const model::DrillRow& row : model::drillTable(board)) {
+        count += row.diameter == diameter && row.kind == kind ? row.count : 0;
+    }
+    return count;
+}
+
+bool hasBackDrills(const model::Document& board) {
+    return std::ranges::any_of(model::drillTable(board),
+                               [](const model::DrillRow& row) { return row.span == model::HoleSpan::Backdrill; });
+}
+
+std::uint32_t viasOfNets(const model::Document& board) {
+    const std::vector<std::uint32_t> counts = model::viaCounts(board);
+    return std::accumulate(counts.begin(), counts.end(), 0U);
+}
+
+}  // namespace
+
+class GerberJobDrillsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void functionsOfAperturesTellWhatHolesAre() {
+        const std::string mixed =
+            "%FSLAX46Y46*%%MOMM*%%TF.FileFunction,MixedPlating,1,2*%%TA.AperFunction,ViaDrill*%%ADD10C,0.8*%"
+            "%TA.AperFunction,NonPlated,NPTH,MechanicalDrill*%%ADD11C,0.4*%%TD*%"
+            "D10*X2000000Y2000000D03*D11*X8000000Y8000000D03*M02*";
+        const Job job({{"b.gtl", image(kCopper)}, {"b.gbl", image(kCopper)}, {"b-drl.gbr", mixed}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(holesOf(**board, 800'000, model::HoleKind::Via), 1U);
+        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::NonPlated), 1U);
+    }
+
+    void filesOfBackDrillsTakeThePlatingOfTheirSpan() {
+        const auto open = [](const std::string& backDrills) {
+            const auto copper = [](const char* function) { return image(kCopper, function); };
+            const Job job(
+                {{"b.gtl", copper("Copper,L1,Top")},
+                 {"b.g1", copper("Copper,L2,Inr")},
+                 {"b.g2", copper("Copper,L3,Inr")},
+                 {"b.gbl", copper("Copper,L4,Bot")},
+                 {"b.drl",
+                  "; #@! TF.FileFunction,Plated,1,4,PTH\nM48\nMETRIC\n; #@! TA.AperFunction,Plated,PTH,ViaDrill\n"
+                  "T1C0.4\n%\nT1\nX2.0Y2.0\nM30\n"},
+                 {"b-back.drl", backDrills}});
+            return job.open();
+        };
+        const std::string back =
+            "M48\nMETRIC\n; #@! TA.AperFunction,NonPlated,Blind,BackDrill\nT1C0.8\n%\nT1\nX2.0Y2.0\nM30\n";
+        const Board board = open("; #@! TF.FileFunction,NonPlated,4,3,Blind\n" + back);
+        QVERIFY(board.ok());
+        QVERIFY(hasBackDrills(**board));
+        QVERIFY(isReported(**board, "takes the plating"));
+
+        const Board noSpan = open("; #@! TF.FileFunction,NonPlated\n" + back);
+        QVERIFY(noSpan.ok());
+        QVERIFY(!hasBackDrills(**noSpan));
+        QCOMPARE(holesOf(**noSpan, 800'000, model::HoleKind::NonPlated), 1U);
+        QVERIFY(isReported(**noSpan, "does not say which layers they pass"));
+    }
+
+    /// Altium tells in an export of layer pairs which copper layers the drills of a file pass.
+    void layerPairsTellTheSpansOfDrills() {
+        const std::string pairs =
+            "Layer Pairs Export File for PCB: C:\\b.PcbDoc\r\n"
+            "LayersSetName=Blind|DrillFile=B-Blind.TXT|DrillLayers=gtl,g1\r\n"
+            "LayersSetName=Buried|DrillFile=b-buried.txt|DrillLayers=g1,g2\r\n"
+            "LayersSetName=Lost|DrillFile=b-lost.txt|DrillLayers=gtl,g9\r\n"
+            "LayersSetName=Broken|DrillFile=|DrillLayers=\r\n";
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.G1", image(kCopper)},
+                       {"b.G2", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {"b-Blind.TXT", kDrills},
+                       {"b-Buried.TXT", "M48\nMETRIC\nT1C0.5\n%\nT1\nX2.0Y2.0\nM30\n"},
+                       {"b-Lost.TXT", "M48\nMETRIC\nT1C0.6\n%\nT1\nX8.0Y8.0\nM30\n"},
+                       {"b.LDP", pairs}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        const auto spanOf = [&](const std::string& file) {
+            const auto layer =
+                std::ranges::find_if((*board)->layers, [&](const model::Layer& row) { return row.file == file; });
+            if (layer == (*board)->layers.end()) {
+                return std::pair<std::string, std::string>();
+            }
+            return std::pair((*board)->layer(layer->spanTop).file, (*board)->layer(layer->spanBottom).file);
+        };
+        QCOMPARE(spanOf("b-Blind.TXT"), (std::pair<std::string, std::string>("b.GTL", "b.G1")));
+        QCOMPARE(spanOf("b-Buried.TXT"), (std::pair<std::string, std::string>("b.G1", "b.G2")));
+        QCOMPARE(spanOf("b-Lost.TXT"), (std::pair<std::string, std::string>("b.GTL", "b.GBL")));
+        QVERIFY(isReported(**board, "of which the job has no image"));
+        QVERIFY(!isReported(**board, "no part of a Gerber job"));
+    }
+
+    /// Allegro writes routs without sizes of tools; its netlist has the holes.
+    void aNetlistTellsTheSizesOfTools() {
+        const std::string netlist =
+            "P  UNITS CUST 1\n"
+            "317A                J1    -1     D0800PA00X+002000Y+002000X1500Y0000R000 S0\n"
+            "317A                J1    -2     D0800PA00X+008000Y+002000X1500Y0000R000 S0\n"
+            "317B                J1    -3     D0800PA00X+008000Y+008000X1500Y0000R000 S0\n"
+            "367                       -      D2000UA00X+005000Y+005000X4000Y2000R000 S3\n999\n";
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {"b.drl", kDrills},
+                       {"b.rou", "M48\nMETRIC,TZ\n%\nG90\nT01\nG00X004000Y005000\nM15\nG01X006000Y005000\nM16\nM30\n"},
+                       {"b.ipc", netlist}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "size of a tool is that of the netlist's holes"));
+        const auto tool = std::ranges::find_if(
+            (*board)->tools, [&](const model::DrillTool& row) { return (*board)->layer(row.layer).file == "b.rou"; });
+        QVERIFY(tool != (*board)->tools.end());
+        QCOMPARE(tool->drillSize, 2'000'000);
+        QVERIFY(!isReported(**board, "A tool has no size"));
+    }
+
+    void aToolWithoutASizeIsReportedWhereItDrills() {
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {"b.drl", "M48\nMETRIC\nT1\n%\nT1\nX2.0Y2.0\nX8.0Y2.0\nX8.0Y8.0\nM30\n"}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(std::ranges::any_of((*board)->diagnostics.entries(), [](const auto& entry) {
+            return entry.text.starts_with("A tool has no size, and no netlist tells it") && entry.file == "b.drl" &&
+                   entry.line == 6;
+        }));
+        QVERIFY(!isReported(**board, "are taken to make vias"));
+    }
+
+    /// Holes of 0.4 mm in pads and one beside them, one of 0.3 mm beside pads, and one of 3 mm in pads.
+    void toolsThatMostlyDrillPadsMakeVias() {
+        const std::string drills =
+            "M48\nMETRIC\nT1C0.4\nT2C3.0\nT3C0.3\n%\nT1\nX2.0Y2.0\nX5.0Y5.0\nX8.0Y2.0\nT2\nX8.0Y8.0\nT3\nX5.0Y6."
+            "0\nM30\n";
+        const Files copper = {{"b.GTL", image(kCopper)}, {"b.GBL", image(kCopper)}};
+        for (const char* name : {"b-PTH.drl", "b.drl"}) {
+            Files files = copper;
+            files[name] = drills;
+            const Job job(files);
+            const Board board = job.open();
+            QVERIFY(board.ok());
+            QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Via), 3U);
+            QCOMPARE(holesOf(**board, 300'000, model::HoleKind::Plated), 1U);
+            QCOMPARE(holesOf(**board, 3'000'000, model::HoleKind::Plated), 1U);
+            QCOMPARE(viasOfNets(**board), 3U);
+            QVERIFY(std::ranges::any_of((*board)->diagnostics.entries(), [name](const auto& entry) {
+                return entry.text.find("are taken to make vias") != std::string::npos && entry.file == name &&
+                       entry.line == 8;
+            }));
+        }
+        Files files = copper;
+        files["b-NPTH.drl"] = drills;
+        const Job unplated(files);
+        const Board board = unplated.open();
+        QVERIFY(board.ok());
+        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::NonPlated), 3U);
+        QVERIFY(!isReported(**board, "are taken to make vias"));
+    }
+
+    /// The netlist knows one of the holes as a pin; the others are none, and no vias either.
+    void wherePinsAreKnownNoHoleIsTakenAsAVia() {
+        const Job job(
+            {{"b.GTL", image(kCopper)},
+             {"b.GBL", image(kCopper)},
+             {"b-PTH.drl", "M48\nMETRIC\nT1C0.4\n%\nT1\nX2.0Y2.0\nX8.0Y2.0\nX8.0Y8.0\nM30\n"},
+             {"b.ipc",
+              "P  UNITS CUST 1\n317A                J1    -1     D0400PA00X+002000Y+002000X1500Y0000R000 S0\n999\n"}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Component), 1U);
+        QCOMPARE(holesOf(**board, 400'000, model::HoleKind::Plated), 2U);
+        QVERIFY(!isReported(**board, "are taken to make vias"));
+    }
+};
+
+QTEST_APPLESS_MAIN(GerberJobDrillsTest)
+#include "gerber_job_drills_test.moc"
