@@ -16,6 +16,7 @@
 #include "model/base/units.h"
 #include "model/clearance/kicad_rules.h"
 #include "model/clearance/rule_choice.h"
+#include "model/text/formatting.h"
 #include "model/text/json_lines.h"
 #include "model/text/json_reading.h"
 #include "model/text/s_expression.h"
@@ -192,11 +193,13 @@ private:
         }
     }
 
-    /// Nets named one by one, and those that fit patterns. Of several classes the first one counts.
+    /// Nets named one by one, and those that fit patterns. A net may be in several classes.
     void assignNets() {
         for (const auto& [net, value] : member(m_nets, "netclass_assignments").items()) {
-            const bool isList = value.is_array() && !value.empty();
-            addNet(textOf(isList ? value.front() : value), net);
+            addNet(textOf(value), net);  // KiCad 7 and 8
+            for (const json& name : value.is_array() ? value : json::array()) {
+                addNet(textOf(name), net);
+            }
         }
         for (const json& pattern : member(m_nets, "netclass_patterns")) {
             addNet(textOf(member(pattern, "netclass")), textOf(member(pattern, "pattern")));
@@ -310,15 +313,27 @@ bool isOldBoard(const fs::path& board) {
     return head.find("(kicad_pcb") != std::string::npos && count > 0 && (count < 8 || digits.substr(0, 4) < "2020");
 }
 
+/// A class of custom rules with the nets of those that KiCad takes its name for: small and capital letters are alike
+/// to it, * stands for any text and ? for any letter.
+NetClass withNetsOf(const std::vector<NetClass>& classes, NetClass one) {
+    for (const NetClass& known : classes) {
+        if (fitsWildcard(lowered(known.name), lowered(one.name))) {
+            one.nets.insert(one.nets.end(), known.nets.begin(), known.nets.end());
+        }
+    }
+    return one;
+}
+
 /// Adds rules that go before those that are there, with what they say of net classes that are there already.
 void append(RuleFile& file, RuleFile others) {
+    const std::vector<NetClass> classes = file.table.classes;
     std::ranges::move(others.table.rules, std::back_inserter(file.table.rules));
     std::ranges::move(others.leftOut, std::back_inserter(file.leftOut));
     std::ranges::move(others.unused, std::back_inserter(file.unused));
     for (NetClass& one : others.table.classes) {
         const bool isNew = std::ranges::find(file.table.classes, one.name, &NetClass::name) == file.table.classes.end();
         if (isNew && file.table.classes.size() < kMostNetClasses) {
-            file.table.classes.push_back(std::move(one));
+            file.table.classes.push_back(withNetsOf(classes, std::move(one)));
         }
     }
 }

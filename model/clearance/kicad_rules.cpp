@@ -1,11 +1,10 @@
 #include "model/clearance/kicad_rules.h"
 
 #include <algorithm>
-#include <optional>
-#include <regex>
+#include <iterator>
 
 #include "model/base/thickness_units.h"
-#include "model/text/formatting.h"
+#include "model/clearance/kicad_conditions.h"
 #include "model/text/s_expression.h"
 
 namespace model {
@@ -21,40 +20,6 @@ constexpr Constraint kConstraints[] = {
     {"hole_clearance", RuleKind::CopperToHole}, {"hole_to_hole", RuleKind::HoleToHole},
     {"annular_width", RuleKind::AnnularRing},   {"track_width", RuleKind::TrackWidth},
     {"silk_clearance", RuleKind::SilkToPad},    {"creepage", RuleKind::Creepage}};
-
-constexpr std::pair<const char*, CopperObject> kTypes[] = {{"track", CopperObject::Track},
-                                                           {"via", CopperObject::Via},
-                                                           {"pad", CopperObject::Pad},
-                                                           {"zone", CopperObject::Plane}};
-
-/// One term of a condition; false if it has no counterpart.
-bool applyTerm(const std::string& term, Rule& rule) {
-    static const std::regex kTerm(R"(^\s*([AB])\.(NetClass|NetName|Type)\s*==\s*'([^']*)'\s*$)");
-    std::smatch match;
-    if (!std::regex_match(term, match, kTerm)) {
-        return false;
-    }
-    const std::size_t side = match[1] == "A" ? 0 : 1;
-    const RuleSide kind = sidesOf(rule.kind)[side];
-    if (match[2] == "Type") {
-        const auto* const type =
-            std::ranges::find_if(kTypes, [&](const auto& known) { return lowered(match[3].str()) == known.first; });
-        const bool isKnown = type != std::end(kTypes) && kind == RuleSide::Copper;
-        rule.objects[side] = isKnown ? type->second : CopperObject::Any;
-        return isKnown || (rule.kind == RuleKind::TrackWidth && lowered(match[3].str()) == "track");
-    }
-    if (kind == RuleSide::None || !rule.classes[side].empty()) {
-        return false;
-    }
-    rule.classes[side] = (match[2] == "NetName" ? std::string(kNetPrefix) : "") + match[3].str();
-    return true;
-}
-
-bool applyCondition(const std::string& condition, Rule& rule) {
-    static const std::regex kAnd("&&");
-    return std::all_of(std::sregex_token_iterator(condition.begin(), condition.end(), kAnd, -1), {},
-                       [&](const auto& term) { return applyTerm(term.str(), rule); });
-}
 
 class Importer {
 public:
@@ -104,14 +69,15 @@ private:
         }
         Rule rule{known->kind, *least, {}, !isIgnored};
         rule.layer = layer == nullptr ? "" : layer->at(1);
-        if ((!rule.layer.empty() && !hasLayer(rule.kind)) ||
-            (condition != nullptr && !applyCondition(condition->at(1), rule))) {
-            const bool isOfLayer = condition == nullptr;
-            return leaveOut(isOfLayer ? *layer : *condition,
-                            name + (isOfLayer ? "layer " + rule.layer : "condition " + condition->at(1)));
+        if (!rule.layer.empty() && !hasLayer(rule.kind)) {
+            return leaveOut(*layer, name + "layer " + rule.layer);
         }
-        addClasses(rule);
-        m_file.table.rules.push_back(std::move(rule));
+        std::vector<Rule> rules = condition == nullptr ? std::vector{rule} : rulesUnder(rule, condition->at(1));
+        if (rules.empty()) {
+            return leaveOut(*condition, name + "condition " + condition->at(1));
+        }
+        std::ranges::for_each(rules, [this](const Rule& one) { addClasses(one); });
+        std::ranges::move(rules, std::back_inserter(m_file.table.rules));
     }
 
     void addClasses(const Rule& rule) {

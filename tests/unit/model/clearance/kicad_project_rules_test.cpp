@@ -104,7 +104,7 @@ private slots:
         const std::vector<NetClass> expected = {{"Power", {"GND", "VCC"}},
                                                 {"Fine", {"/A", "USB_*"}},
                                                 {"Finer", {"F?"}},
-                                                {"Wide", {"W"}},
+                                                {"Wide", {"GND", "W"}},
                                                 {"Colour", {}},
                                                 {"Odd", {}}};
         QVERIFY(import(kProject).table.classes == expected);
@@ -173,6 +173,15 @@ private slots:
         const auto file = model::kicadRulesOf(board);
         QCOMPARE(file->table.rules.size(), count + 1);
         QCOMPARE(file->table.rules.back().least, 2000 * kUm);
+        write(
+            fs::path(board).replace_extension(".kicad_dru"),
+            "(rule x (condition \"A.hasNetclass('*E*') && B.NetClass == 'power'\") (constraint clearance (min 2mm)))");
+        const auto named = model::kicadRulesOf(board);
+        QVERIFY(named->table.classes.back() == (NetClass{"power", {"GND", "VCC"}}));
+        QVERIFY(named->table.classes[6] == (NetClass{"*E*", {"GND", "VCC", "/A", "USB_*", "F?", "GND", "W"}}));
+        QCOMPARE(named->table.rules.back().classes, (std::array<std::string, 2>{"*E*", "power"}));
+        write(fs::path(board).replace_extension(".kicad_dru"),
+              "(version 1)\n(rule x (condition \"A.NetClass == 'Power'\") (constraint clearance (min 2mm)))\n(sheet)");
         QCOMPARE(file->table.classes.size(), std::size_t{6});
         QCOMPARE(model::readRules(board)->table.rules.size(), count + 1);
         QCOMPARE(file->leftOut.front().file, fs::path(board).replace_extension(".kicad_pro"));
@@ -193,8 +202,8 @@ private slots:
         write(board, "(kicad_pcb (version 20241229))");
         write(fs::path(board).replace_extension(".kicad_pro"), kProject);
         const std::size_t count = model::kicadRulesOf(board)->table.rules.size();
-        write(custom, "(version 1)\n(rule a (condition \"A.hasNetclass('HV')\") (constraint clearance (min 1mm)))");
-        const model::LeftOutRule none{"rule a, condition A.hasNetclass('HV') is left out", 2, custom};
+        write(custom, "(version 1)\n(rule a (condition \"A.insideArea('HV')\") (constraint clearance (min 1mm)))");
+        const model::LeftOutRule none{"rule a, condition A.insideArea('HV') is left out", 2, custom};
         QCOMPARE(model::readRules(board)->leftOut.back(), none);
         QCOMPARE(model::readRules(board)->table.rules.size(), count);
 

@@ -72,6 +72,72 @@ private slots:
                 "line 9: rule f, clearance 0mm is left out", "line 10: (sheet) is left out"}));
     }
 
+    /// Conditions as fabricators' rules for KiCad have them.
+    void conditionsBecomeSidesOfRules() {
+        using model::CopperObject;
+        using model::HoleClass;
+        const auto of = [](const std::string& constraint, const std::string& condition) {
+            const model::RuleFile file =
+                import("(rule x (constraint " + constraint + " (min 0.2mm)) (condition \"" + condition + "\"))");
+            return file.table.rules;
+        };
+        const auto is = [](const std::vector<Rule>& rules, const std::vector<Rule>& expected) {
+            return rules == expected;
+        };
+        const Rule between{RuleKind::CopperToCopper, 200 * kUm, {}};
+        Rule one = between;
+        one.classes = {"HV", ""};
+        QVERIFY(is(of("clearance", "A.hasNetclass('HV')"), {one}));
+        QVERIFY(is(of("clearance", " ( A.NetClass=='HV' ) "), {one}));
+        one.classes = {"HV", "LV"};
+        QVERIFY(is(of("clearance", "A.hasNetclass('HV') && B.hasExactNetclass('LV') && A.Net != B.Net"), {one}));
+        one = between;
+        one.objects = {CopperObject::Track, CopperObject::Track};
+        one.layer = "F.Cu";
+        QVERIFY(is(of("clearance", "A.Type == 'track' && B.Type == A.Type && A.Layer == 'F.Cu'"), {one}));
+        Rule pad = between;
+        Rule via = between;
+        pad.isSameNet = via.isSameNet = true;
+        pad.objects = {CopperObject::Via, CopperObject::Pad};
+        via.objects = {CopperObject::Via, CopperObject::Via};
+        QVERIFY(is(of("clearance", "A.Type == 'Via' && (B.Type == 'Pad' || B.Type == 'Via') && A.NetName == B.NetName"),
+                   {pad, via}));
+        Rule hole{RuleKind::CopperToHole, 200 * kUm, {}, true, {HoleClass::NonPlated}, {CopperObject::Track}};
+        QVERIFY(is(of("hole_clearance", "!A.isPlated() && B.Type == 'Track'"), {hole}));
+        Rule micro = hole;
+        hole.holes = {HoleClass::Plated};
+        micro.holes = {HoleClass::Microvia};
+        QVERIFY(is(of("hole_clearance", "A.isPlated() && B.Type == 'Track' && A.Net != B.Net"), {hole, micro}));
+        const Rule silk{RuleKind::SilkToPad, 200 * kUm, {}};
+        QVERIFY(is(of("silk_clearance", "A.Type == 'pad' && B.Layer == '?.Silkscreen'"), {silk}));
+    }
+
+    void conditionsWithoutACounterpartAreNotCutShort() {
+        for (const char* condition :
+             {"A.hasNetclass('HV') || A.insideArea('x')", "A.hasNetclass('Default')", "!A.hasNetclass('HV')",
+              "A.NetClass != 'HV'", "A.Type == 'Via' && A.Type == 'Pad'", "A.isPlated()", "A.Type == B.Type",
+              "A.Width > 1mm", "(A.Type == 'Via'", "A.Type == 'Via')", "A.Type = 'Via'", "A.Type == A.Type", "", "A.",
+              "A.Type == 'Via' &&", "A.Net == 'GND' B", "!(A.Type == 'Via')",
+              "A.Layer == 'F.Cu' && A.Layer == 'B.Cu'"}) {
+            const model::RuleFile file =
+                import("(rule x (constraint clearance (min 0.2mm)) (condition \"" + std::string(condition) + "\"))");
+            QVERIFY2(file.table.rules.empty() && file.leftOut.size() == 1, condition);
+        }
+        for (const char* condition : {"A.Type == 'Via' && B.Type == 'Track'", "A.Net == B.Net"}) {  // holes of vias
+            QVERIFY2(import("(rule x (constraint hole_clearance (min 0.2mm)) (condition \"" + std::string(condition) +
+                            "\"))")
+                         .table.rules.empty(),
+                     condition);
+        }
+        std::string deep(10'000, '(');
+        QVERIFY(import("(rule x (constraint clearance (min 1mm)) (condition \"" + deep + "\"))").table.rules.empty());
+        std::string many = "(A.Type == 'Via' || A.Type == 'Pad')";
+        for (int i = 0; i < 10; ++i) {
+            many += " && (B.NetName == 'A' || B.NetName == 'B')";
+        }
+        QVERIFY(import("(rule x (constraint clearance (min 1mm)) (condition \"" + many + "\"))").table.rules.empty());
+    }
+
     void rulesThatKicadIgnoresAreNamed() {
         const model::RuleFile file =
             import("(version 1)\n(rule a (severity ignore) (constraint clearance (min 0.2mm)))\n");
@@ -92,9 +158,9 @@ private slots:
         QVERIFY(!errorOf("").empty());
         QVERIFY(!errorOf("(rule").empty());
         QCOMPARE(errorOf("(version 1)\n(rule x (constraint length (min 1mm)))\n"
-                         "(rule y (condition \"A.hasNetclass('HV')\") (constraint clearance (min 1mm)))"),
+                         "(rule y (condition \"A.insideArea('HV')\") (constraint clearance (min 1mm)))"),
                  std::string("the rules cannot be used: no minimum in KiCad's files has a counterpart; line 2: rule x, "
-                             "length 1mm is left out; line 3: rule y, condition A.hasNetclass('HV') is left out"));
+                             "length 1mm is left out; line 3: rule y, condition A.insideArea('HV') is left out"));
         std::string many;
         for (int i = 0; i < 30; ++i) {
             many += "(sheet)\n";
