@@ -160,6 +160,14 @@ void FigureTable::addOutline(const ShapeTable& shapes, ShapeId shape) {
     }
 }
 
+void FigureTable::addTrack(ElementId element, std::span<const Edge> edges, const Placement& placement) {
+    m_placement = placement;
+    begin(element, false);
+    m_edges.insert(m_edges.end(), edges.begin(), edges.end());
+    finish();
+    m_placement = {};
+}
+
 void FigureTable::addDisc(Point centre, double radius) {
     addTrack(base::toDouble(centre), base::toDouble(centre), radius);
 }

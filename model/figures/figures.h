@@ -37,6 +37,8 @@ public:
     void addEdgewise(const Document& document, ElementId element);
     /// Adds the contours of a shape as lines without width, a figure each: an outline that covers nothing.
     void addOutline(const ShapeTable& shapes, ShapeId shape);
+    /// Adds one figure of an element, a track along these middle lines, which have pens.
+    void addTrack(ElementId element, std::span<const Edge> edges, const Placement& placement = {});
     /// Adds a disc that belongs to no element; radius 0 is a point.
     void addDisc(Point centre, double radius);
     /// The same for a straight track; pen radius 0 is a line without width.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/figures/severed_tracks.h"
 #include "model/index/copper_kind.h"
 #include "model/index/pin_names.h"
 #include "model/text/formatting.h"
@@ -233,6 +234,23 @@ void addLocation(const BoardIndex& index, const Location& location, Pieces& piec
     pieces.pieces.push_back(piece);
 }
 
+/// Calls `add(figures, copy, element)` for each element to have its figures.
+template <class Add>
+Pieces gathered(const BoardIndex& index, std::span<const BoardElement> elements, const Add& add) {
+    Pieces pieces;
+    pieces.elements.assign(elements.begin(), elements.end());
+    for (const BoardElement at : elements) {
+        const std::size_t before = pieces.figures.size();
+        add(pieces.figures, index.tree.copies[at.copy], at.element);
+        if (pieces.figures.size() == before) {
+            pieces.empty.push_back(at);
+        } else {
+            pieces.pieces.resize(pieces.figures.size(), pieceOf(index, at));
+        }
+    }
+    return pieces;
+}
+
 }  // namespace
 
 std::vector<BoardElement> elementsOf(const BoardIndex& index, const MeasureItem& item) {
@@ -276,19 +294,16 @@ std::string kindOf(const BoardIndex& index, BoardElement at) {
 }
 
 Pieces piecesOf(const BoardIndex& index, std::span<const BoardElement> elements) {
-    Pieces pieces;
-    pieces.elements.assign(elements.begin(), elements.end());
-    for (const BoardElement at : elements) {
-        const StepCopy& copy = index.tree.copies[at.copy];
-        const std::size_t before = pieces.figures.size();
-        pieces.figures.add(*index.tree.steps[copy.step], at.element, copy.placement);
-        if (pieces.figures.size() == before) {
-            pieces.empty.push_back(at);
-        } else {
-            pieces.pieces.resize(pieces.figures.size(), pieceOf(index, at));
-        }
-    }
-    return pieces;
+    return gathered(index, elements, [&](FigureTable& figures, const StepCopy& copy, ElementId element) {
+        figures.add(*index.tree.steps[copy.step], element, copy.placement);
+    });
+}
+
+Pieces connectedPiecesOf(const BoardIndex& index, NetOfCopy net) {
+    const SeveringHoles holes(index.stepOf(net.copy));
+    return gathered(index, elementsOf(index, net), [&](FigureTable& figures, const StepCopy& copy, ElementId element) {
+        holes.addTo(figures, element, copy.placement);
+    });
 }
 
 Pieces piecesOf(const BoardIndex& index, const MeasureItem& item) {

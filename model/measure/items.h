@@ -76,5 +76,7 @@ struct Pieces {
 };
 [[nodiscard]] Pieces piecesOf(const BoardIndex& index, const MeasureItem& item);
 [[nodiscard]] Pieces piecesOf(const BoardIndex& index, std::span<const BoardElement> elements);
+/// Of a net, tracks that holes sever in their parts (SeveringHoles).
+[[nodiscard]] Pieces connectedPiecesOf(const BoardIndex& index, NetOfCopy net);
 
 }  // namespace model

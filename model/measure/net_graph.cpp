@@ -7,7 +7,7 @@
 
 namespace model {
 
-NetGraph::NetGraph(const BoardIndex& index, NetOfCopy net) : m_index(index), m_pieces(piecesOf(index, net)) {
+NetGraph::NetGraph(const BoardIndex& index, NetOfCopy net) : m_index(index), m_pieces(connectedPiecesOf(index, net)) {
     for (std::size_t row = 0; row < m_pieces.pieces.size(); ++row) {
         m_carriers.push_back(carrierOf(row));
     }

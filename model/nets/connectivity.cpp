@@ -6,6 +6,7 @@
 #include "model/base/disjoint_sets.h"
 #include "model/base/parallel.h"
 #include "model/figures/distance.h"
+#include "model/figures/severed_tracks.h"
 
 namespace model {
 
@@ -40,12 +41,13 @@ void Connectivity::makeLayers(const Document& document) {
         }
     }
     m_layers.emplace_back();
+    const SeveringHoles holes(document);
     base::parallelFor(m_layers.size(), [&](std::size_t row) {
         LayerGeometry& plane = m_layers[row];
         const auto add = [&](const Layer& layer, auto isWanted) {
             for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
                 if (isWanted(document.elements.flags[i])) {
-                    plane.figures.add(document, ElementId{i});
+                    holes.addTo(plane.figures, ElementId{i});
                 }
             }
         };

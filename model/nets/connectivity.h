@@ -22,9 +22,10 @@ struct Contact {
 /// What copper of a document is connected, by geometry alone: copper of one layer that touches (spacing 0, arcs and
 /// areas taken exactly), and plated holes that touch copper of the layers they pass.
 ///
-/// The unit is the piece: an element, or one island of an area that has several. Pieces are numbered layer by layer in
-/// document order, element by element; those of plated holes come last. Copper without width, and what an NPTH cuts
-/// away, is left out of account. Copies of other steps are not part of it: they have a document of their own.
+/// The unit is the piece: an element, one island of an area that has several, or one part of a track that holes sever
+/// (SeveringHoles). Pieces are numbered layer by layer in document order, element by element; those of plated holes
+/// come last. Copper without width, and what else holes without plating and cut-outs take away, is left out of account.
+/// Copies of other steps are not part of it: they have a document of their own.
 class Connectivity {
 public:
     /// Errors: Cancelled.

@@ -165,8 +165,7 @@ private:
             const NetId net = m_nets[piece];
             NetId& known = nets[element.row()];
             if (known.isValid() && known != net) {
-                report(Severity::Info, "the islands of an area are in several nets; it is listed in that of the first",
-                       element);
+                report(Severity::Info, "its pieces are in several nets; it is listed in that of the first", element);
                 continue;
             }
             known = net;

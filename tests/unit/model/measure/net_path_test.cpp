@@ -84,6 +84,24 @@ private slots:
         QVERIFY(isNear(b.path(from, to)->length, 2 * std::hypot(5e6, 5e6)));
     }
 
+    void pathsGoAroundHolesWithoutPlating() {
+        NetBoard b;
+        b.on(Top);
+        const ElementId from = b.pad({0, 0});
+        const ElementId to = b.pad({10 * kMm, 0});
+        const ElementId lost = b.pad({20 * kMm, 0});
+        b.line({0, 0}, {10 * kMm, 0});
+        b.line({10 * kMm, 0}, {20 * kMm, 0});
+        b.line({0, 0}, {5 * kMm, 5 * kMm});
+        b.line({5 * kMm, 5 * kMm}, {10 * kMm, 0});
+        b.on(Drill);
+        for (const Nm x : {5 * kMm, 15 * kMm}) {
+            b.builder.addCircle({{x, 0}, kMm, kMm}, of({}, kHole));
+        }
+        QVERIFY(isNear(b.path(from, to)->length, 2 * std::hypot(5e6, 5e6)));
+        QVERIFY(!b.path(from, lost));
+    }
+
     void crossingStrokesAreJoinedWhereTheyCross() {
         NetBoard b;
         b.on(Top);

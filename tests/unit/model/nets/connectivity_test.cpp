@@ -50,6 +50,16 @@ public:
         return m_builder.addCircle({p, size, size}, of(net, flags));
     }
     ElementId line(Point a, Point b, NetId net = {}) { return m_builder.addLine({a, b, 200'000, 0}, of(net, 0)); }
+    ElementId chain(std::span<const Point> points, NetId net) {
+        std::vector<model::PathNode> nodes;
+        for (const Point point : points) {
+            nodes.push_back({point, {}, model::EdgeKind::Line});
+        }
+        return m_builder.addTrail(nodes, std::vector<Nm>(points.size() - 1, 200'000), of(net, 0));
+    }
+    ElementId arc(Point a, Point b, Point centre, NetId net) {
+        return m_builder.addArc({{a, centre, model::EdgeKind::ArcClockwise}, b, 200'000}, of(net, 0));
+    }
     ElementId twoIslands(Point p, NetId net = {}) {
         model::ShapeSketch sketch;
         sketch.addCircle(p, kMm, false);
@@ -141,6 +151,73 @@ class ConnectivityTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Tracks are 0.2 mm wide.
+    void holesWithoutPlatingSeverTracks() {
+        Board board;
+        const NetId cut = board.net("CUT");
+        const NetId bent = board.net("BENT");
+        const NetId beside = board.net("BESIDE");
+        const NetId narrow = board.net("NARROW");
+        const NetId blind = board.net("BLIND");
+        const NetId around = board.net("AROUND");
+        board.on(0);
+        const auto rowOf = [](int row) { return row * 10 * kMm; };
+        const auto lead = [&](NetId net, int row) {
+            board.pad({-5 * kMm, rowOf(row)}, net);
+            board.pad({5 * kMm, rowOf(row)}, net);
+            return board.line({-5 * kMm, rowOf(row)}, {5 * kMm, rowOf(row)}, net);
+        };
+        const ElementId track = lead(cut, 0);
+        lead(beside, 1);
+        lead(narrow, 2);
+        lead(around, 3);
+        board.line({-5 * kMm, rowOf(3)}, {0, rowOf(3) + 4 * kMm}, around);
+        board.line({0, rowOf(3) + 4 * kMm}, {5 * kMm, rowOf(3)}, around);
+        board.pad({-5 * kMm, rowOf(4)}, bent);  // two tracks that end in a hole
+        board.pad({0, rowOf(4) + 5 * kMm}, bent);
+        board.line({-5 * kMm, rowOf(4)}, {0, rowOf(4)}, bent);
+        board.line({0, rowOf(4)}, {0, rowOf(4) + 5 * kMm}, bent);
+        board.on(2);
+        board.pad({-5 * kMm, rowOf(5)}, blind);
+        board.pad({5 * kMm, rowOf(5)}, blind);
+        board.line({-5 * kMm, rowOf(5)}, {5 * kMm, rowOf(5)}, blind);
+        board.onDrill();
+        board.hole({0, 0}, false);
+        board.hole({0, rowOf(1) + 151'000}, false);     // leaves 1 µm of the track
+        board.hole({0, rowOf(2)}, false, {}, 200'000);  // as wide as the track: its sides are left as points
+        board.hole({0, rowOf(3)}, false);
+        board.hole({0, rowOf(4)}, false);
+        board.onBlind();
+        board.hole({0, rowOf(5)}, false);
+        const auto document = board.finish();
+        QCOMPARE(opensOf(*document), (QStringList{"CUT", "BENT"}));
+        const Connectivity c = connectivityOf(*document);
+        int parts = 0;
+        for (std::uint32_t piece = 0; piece < c.pieceCount(); ++piece) {
+            parts += c.element(piece) == track ? 1 : 0;
+        }
+        QCOMPARE(parts, 2);
+    }
+
+    void holesWithoutPlatingSeverTrackChainsAndArcs() {
+        Board board;
+        const NetId chain = board.net("CHAIN");
+        const NetId arc = board.net("ARC");
+        board.on(0);
+        const std::vector<Point> bends{{0, 0}, {kMm, 0}, {kMm, kMm}, {2 * kMm, kMm}};
+        board.chain(bends, chain);
+        board.pad({0, 0}, chain);
+        board.pad({2 * kMm, kMm}, chain);
+        board.arc({0, 10 * kMm}, {10 * kMm, 10 * kMm}, {5 * kMm, 10 * kMm}, arc);
+        board.pad({0, 10 * kMm}, arc);
+        board.pad({10 * kMm, 10 * kMm}, arc);
+        board.onDrill();
+        board.hole({kMm, kMm}, false);  // at a bend
+        board.hole({5 * kMm, 15 * kMm}, false);
+        board.hole({5 * kMm, 5 * kMm}, false);
+        QCOMPARE(opensOf(*board.finish()), (QStringList{"CHAIN", "ARC"}));
+    }
+
     void copperOfOneLayerThatTouchesHangsTogether() {
         Board board;
         board.on(0);
