@@ -40,6 +40,9 @@ public:
     /// Back to the state of a first start, except for the board.
     void resetSettings();
 
+signals:
+    void newWindowRequested();
+
 protected:
     void closeEvent(QCloseEvent* event) override;
 
