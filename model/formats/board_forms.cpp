@@ -4,6 +4,7 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "model/base/limits.h"
@@ -107,7 +108,7 @@ base::Result<std::vector<BoardForm>> formsIn(BoardInput& input, base::Progress& 
         }
     }
     std::ranges::stable_sort(forms, {}, [](const BoardForm& form) {
-        return std::pair(form.isEmpty, form.format);  // rows of one table
+        return std::tuple(form.isEmpty, !form.format->isDesign, form.format);  // rows of one table
     });
     return forms;
 }

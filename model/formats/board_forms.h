@@ -11,9 +11,9 @@
 /// saved; sometimes several boards.
 namespace model {
 
-/// All forms in the folder or archive of the input and in archives in it, the richest format first, within a format
-/// what lies open before what is packed once more, empty boards last. Safety copies of CAD systems do not count.
-/// Archives that cannot be unpacked hold nothing. Errors: Cancelled. What was not looked into is reported in
+/// All forms in the folder or archive of the input and in archives in it, designs first, then the richest format,
+/// within a format what lies open before what is packed once more, empty boards last. Safety copies of CAD systems do
+/// not count. Archives that cannot be unpacked hold nothing. Errors: Cancelled. What was not looked into is reported in
 /// `input.unpacking`.
 [[nodiscard]] base::Result<std::vector<BoardForm>> formsIn(BoardInput& input, base::Progress& progress);
 

@@ -170,6 +170,9 @@ base::Error unknown(const BoardInput& input) {
     }
     std::error_code error;
     const bool isFolder = fs::is_directory(input.path, error);
+    if (isFolder && fs::is_empty(input.path, error)) {
+        return badInput(input.path, "the folder is empty");
+    }
     std::string kind = isFolder                                  ? "a folder"
                        : isArchive(input.head) || !input.archive ? likelyKind(input.head)
                                                                  : "an archive";
@@ -327,7 +330,7 @@ std::span<const BoardFormat> knownFormats() {
                     readIpc,
                     "ipc2581",
                     ipc2581::filesIn},
-        BoardFormat{"KiCad board", {".kicad_pcb"}, "a KiCad board", isKicad, readKicad, "kicad", kicad::boardsOf},
+        BoardFormat{"KiCad board", {".kicad_pcb"}, "a KiCad board", isKicad, readKicad, "kicad", kicad::boardsOf, true},
         BoardFormat{"Gerber job",
                     {".zip", ".gbrjob", ".gbr", ".ger", ".gtl", ".gbl", ".art", ".pho", ".gdo", ".drl", ".xln"},
                     "Gerber images",

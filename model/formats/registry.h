@@ -42,6 +42,7 @@ struct BoardFormat {
     std::string_view key{};  ///< for the command line and reports: "odb"; one word, each its own
     /// Its boards in a folder or archive; null: it is in files alone.
     std::vector<formats::FormPart> (*parts)(const formats::Archive& archive) = nullptr;
+    bool isDesign = false;  ///< what is edited: it has rules, and exports beside it may be older
 };
 
 /// A board in one of the forms that lie in a folder or archive, as it can be opened by itself.
@@ -61,7 +62,8 @@ struct ReadBoard {
     std::vector<BoardForm> forms{};
 };
 
-/// Those that say more of a board come first: of several forms in one folder or archive the first is read.
+/// Those that say more of a board come first. Of several forms in one folder or archive the first is read, designs
+/// before exports.
 [[nodiscard]] std::span<const BoardFormat> knownFormats();
 [[nodiscard]] std::vector<std::string> formatKeys();
 /// Their extensions as file dialogs want them: "*.tgz *.txt".

@@ -70,21 +70,21 @@ private slots:
     }
     void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
-    void enterTakesTheRichestForm() {
+    void enterTakesTheFirstForm() {
         fillWithForms();
         window().open(m_folder);
         QTRY_VERIFY(chooser() != nullptr);
         const auto& list = *chooser()->findChild<QTreeWidget*>();
         QCOMPARE(list.topLevelItemCount(), 3);
-        QCOMPARE(list.topLevelItem(0)->text(0), "ODB++ job");
-        QCOMPARE(list.topLevelItem(1)->text(0), "KiCad board");
-        QCOMPARE(list.topLevelItem(1)->text(1), "small.kicad_pcb");
+        QCOMPARE(list.topLevelItem(0)->text(0), "KiCad board");
+        QCOMPARE(list.topLevelItem(0)->text(1), "small.kicad_pcb");
+        QCOMPARE(list.topLevelItem(1)->text(0), "ODB++ job");
         QCOMPARE(list.topLevelItem(2)->text(2), "1 image");
         QVERIFY(window().document() == nullptr);
         QTest::keyClick(chooser()->findChild<QTreeWidget*>(), Qt::Key_Return);
         QTRY_VERIFY(window().document() != nullptr);
-        QCOMPARE(window().workspace().board()->format, std::string("odb"));
-        QCOMPARE(window().windowTitle(), "sync.tgz – Copperscope");
+        QCOMPARE(window().workspace().board()->format, std::string("kicad"));
+        QCOMPARE(window().windowTitle(), "small.kicad_pcb – Copperscope");
     }
 
     void anotherFormIsChosenByTheKeyboard() {
@@ -94,12 +94,12 @@ private slots:
         QTest::keyClick(chooser()->findChild<QTreeWidget*>(), Qt::Key_Down);
         QTest::keyClick(chooser()->findChild<QTreeWidget*>(), Qt::Key_Return);
         QTRY_VERIFY(window().document() != nullptr);
-        QCOMPARE(window().workspace().board()->format, std::string("kicad"));
-        QCOMPARE(window().windowTitle(), "small.kicad_pcb – Copperscope");
+        QCOMPARE(window().workspace().board()->format, std::string("odb"));
+        QCOMPARE(window().windowTitle(), "sync.tgz – Copperscope");
         window().workspace().reload();
         QTRY_VERIFY(!window().loader().isLoading());
         QVERIFY(chooser() == nullptr);
-        QCOMPARE(window().workspace().board()->format, std::string("kicad"));
+        QCOMPARE(window().workspace().board()->format, std::string("odb"));
     }
 
     void aChoiceThatIsNotMadeOpensNothing() {

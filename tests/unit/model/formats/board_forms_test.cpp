@@ -72,13 +72,13 @@ class BoardFormsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theFormsInAFolderAreListedTheRichestFirst() {
+    void theFormsInAFolderAreListedTheDesignFirstThenTheRichest() {
         Folder folder;
         fill(folder.path());
-        const QStringList expected{
-            "odb: out/odb.tgz: 15 layers, 4 of copper", "ipc2581: board-c.xml: revision C, by Maker",
-            "ipc2581: board-b.xml: revision B, by Maker", "kicad: board.kicad_pcb: by KiCad 9.0, format 20241229",
-            "gerber: gerber.zip: 1 image"};
+        const QStringList expected{"kicad: board.kicad_pcb: by KiCad 9.0, format 20241229",
+                                   "odb: out/odb.tgz: 15 layers, 4 of copper",
+                                   "ipc2581: board-c.xml: revision C, by Maker",
+                                   "ipc2581: board-b.xml: revision B, by Maker", "gerber: gerber.zip: 1 image"};
         QCOMPARE(textsOf(formsOf(folder.path()), folder.path()), expected);
     }
 
@@ -100,18 +100,19 @@ private slots:
         }
     }
 
-    void theRichestIsReadAndTheOthersAreNamed() {
+    void theFirstIsReadAndTheOthersAreNamed() {
         Folder folder;
         fill(folder.path());
         const base::Result<model::ReadBoard> board = open(folder.path());
         QVERIFY2(board.ok(), board ? "" : board.error().text.c_str());
-        QCOMPARE(board->format->key, std::string_view("odb"));
-        QCOMPARE(board->document->elements.size(), read(dataJob("drills"))->elements.size());
+        QCOMPARE(board->format->key, std::string_view("kicad"));
         QVERIFY(saysOthers(*board,
-                           "Read as ODB++ job, out/odb.tgz; what else is there: IPC-2581 (board-c.xml, "
-                           "--input-format ipc2581), IPC-2581 (board-b.xml), KiCad board (board.kicad_pcb, "
-                           "--input-format kicad), Gerber job (gerber.zip, --input-format gerber)"));
+                           "Read as KiCad board, board.kicad_pcb; what else is there: ODB++ job (out/odb.tgz, "
+                           "--input-format odb), IPC-2581 (board-c.xml, --input-format ipc2581), IPC-2581 "
+                           "(board-b.xml), Gerber job (gerber.zip, --input-format gerber)"));
         model::ReadOptions options;
+        options.format = "odb";
+        QCOMPARE(open(folder.path(), options)->document->elements.size(), read(dataJob("drills"))->elements.size());
         options.format = "gerber";
         const base::Result<model::ReadBoard> other = open(folder.path(), options);
         QVERIFY2(other.ok(), other ? "" : other.error().text.c_str());
@@ -125,7 +126,7 @@ private slots:
         const fs::path all = folder.path() / "all.zip";
         writeArchive(all, Container::Zip, Packing::Plain, membersOf(folder.path() / "in", "StickHub/"));
         const std::vector<BoardForm> forms = formsOf(all);
-        QCOMPARE(textsOf(forms, all).first(), "odb: StickHub/out/odb.tgz: 15 layers, 4 of copper");
+        QCOMPARE(textsOf(forms, all).first(), "kicad: StickHub/board.kicad_pcb: by KiCad 9.0, format 20241229");
         QCOMPARE(textsOf(forms, all).last(), "gerber: StickHub/gerber.zip: 1 image");
         QCOMPARE(forms.size(), std::size_t(5));
         for (const BoardForm& form : forms) {
@@ -136,7 +137,7 @@ private slots:
             const base::Result<model::ReadBoard> board = open(all, options);
             QVERIFY(form.format->key == "ipc2581" || (board.ok() && board->format == form.format));
         }
-        QCOMPARE(open(all)->format->key, std::string_view("odb"));
+        QCOMPARE(open(all)->format->key, std::string_view("kicad"));
     }
 
     void ofSeveralFilesOfOneFormatTheNamedOneIsRead() {

@@ -108,6 +108,9 @@ private slots:
     void aFolderWithoutABoardIsNamed() {
         QTemporaryDir folder;
         base::Progress progress;
+        const auto empty = model::readBoard(folder.path().toStdString(), {}, progress);
+        QVERIFY(empty.error().text.ends_with(": the folder is empty"));
+        write(folder, "diary.txt", "Dear diary\n");
         const auto result = model::readBoard(folder.path().toStdString(), {}, progress);
         QVERIFY(!result);
         QVERIFY(result.error().text.find("a folder without an ODB++ matrix") != std::string::npos);
