@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "model/figures/distance.h"
 #include "model/figures/severed_tracks.h"
+#include "model/geometry/vectors.h"
 #include "model/index/copper_kind.h"
 #include "model/index/pin_names.h"
 #include "model/text/formatting.h"
@@ -212,10 +214,7 @@ struct NameNoter {
 };
 
 void addEdge(const BoardIndex& index, Pieces& pieces) {
-    if (!index.board->profile.isValid()) {
-        return;
-    }
-    pieces.figures.addOutline(index.board->shapes, index.board->profile);
+    pieces.figures = boardEdgeOf(*index.board);
     Piece edge;
     edge.hasHeights = true;
     edge.z = {base::kMaxCoordinate * -1, base::kMaxCoordinate};
@@ -291,6 +290,28 @@ std::string kindOf(const BoardIndex& index, BoardElement at) {
     }
     const PinId pin = pinOf(step, index.pinsOf(at.copy), at.element);
     return copperKind(step, at.element) + (pin.isValid() ? " " + fullPinName(step, pin) : "");
+}
+
+FigureTable boardEdgeOf(const Document& board) {
+    FigureTable edge;
+    if (board.profile.isValid()) {
+        edge.addOutline(board.shapes, board.profile);
+    }
+    return edge;
+}
+
+std::optional<PointD> nearestOnEdge(const FigureTable& boardEdge, PointD location, double reach) {
+    std::optional<PointD> nearest;
+    for (std::size_t row = 0; row < boardEdge.size(); ++row) {
+        visitEdges(boardEdge, row, boxAround(location, reach), [&](const Edge& edge) {
+            const PointD on = nearestOn(edge, location);
+            if (const double beside = distance(on, location); beside <= reach) {
+                nearest = on;
+                reach = beside;
+            }
+        });
+    }
+    return nearest;
 }
 
 Pieces piecesOf(const BoardIndex& index, std::span<const BoardElement> elements) {

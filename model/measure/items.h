@@ -52,6 +52,12 @@ using MeasureItem = std::variant<BoardElement, NetOfCopy, PartOfCopy, PinOfCopy,
 /// Nothing if one is none or is not in the stackup.
 [[nodiscard]] std::optional<double> heightBetween(const Document& board, LayerId a, LayerId b);
 
+/// The board's edge with its cut-outs: a figure per contour; none without a profile.
+[[nodiscard]] FigureTable boardEdgeOf(const Document& board);
+
+/// The point of the board's edge nearest to a location, if one is within `reach`, nm.
+[[nodiscard]] std::optional<PointD> nearestOnEdge(const FigureTable& boardEdge, PointD location, double reach);
+
 /// One connected piece of an item: an upright prism over a figure.
 struct Piece {
     BoardElement at;  ///< element none: of the board's edge or a location

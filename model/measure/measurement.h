@@ -11,6 +11,9 @@
 
 namespace model {
 
+/// MeasuredEnd::item of what lies on the board's edge or a cut-out.
+inline constexpr const char* kBoardEdgeItem = "board's edge";
+
 /// Where a measurement begins or ends.
 struct MeasuredEnd {
     double x = 0.0;  ///< nm of the board

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 
 #include "model/figures/distance.h"
 #include "model/geometry/vectors.h"
-#include "model/measure/items.h"
 
 namespace model {
 
@@ -48,16 +48,18 @@ std::optional<PointD> centreOf(const Document& step, ElementId element) {
 /// Visits everything near one location and weighs the points that it offers.
 class Search {
 public:
-    Search(const BoardIndex& index, FigureCache& figures, PointD location, double reach,
+    Search(const BoardIndex& index, FigureCache& figures, const FigureTable& outline, PointD location, double reach,
            std::span<const PickLayer> layers, bool isFromBelow)
         : m_index(index),
           m_figures(figures),
+          m_outline(outline),
           m_position(location),
           m_reach(reach),
           m_layers(layers),
           m_isFromBelow(isFromBelow) {}
 
     SnapPoint run(std::size_t skip) {
+        offerOutline();
         forEachNear(m_position, m_reach, [&](const Placed& near, const Box& box) { offerPointsOf(near, box); });
         offerCrossings();
         const auto tried = static_cast<std::ptrdiff_t>(std::min(m_points.size(), kMostTried));
@@ -75,7 +77,11 @@ private:
         }
     }
 
+    /// The board's edge is on all layers, so nothing lies over it.
     [[nodiscard]] double depthOf(LayerId layer) const {
+        if (!layer.isValid()) {
+            return -std::numeric_limits<double>::infinity();
+        }
         return m_isFromBelow ? m_layers[layer.row()].bottom : -m_layers[layer.row()].top;
     }
 
@@ -115,6 +121,9 @@ private:
     /// Of copper over a point: is it nearer to the viewer, or on the layer of an edge that is none then?
     [[nodiscard]] Cover coverOf(const SnapPoint& point) {
         Cover cover = Cover::Seen;
+        if (!point.layer.isValid()) {
+            return cover;
+        }
         forEachNear(point.at, kSameLocationNm, [&](const Placed& near, const Box&) {
             const bool isNearer =
                 depthOf(near.layer) < depthOf(point.layer) && !m_layers[near.layer.row()].isSeenThrough;
@@ -224,6 +233,21 @@ private:
         }
     }
 
+    void offerOutline() {
+        m_onOutline = nearestOnEdge(m_outline, m_position, m_reach);
+        for (std::size_t row = 0; m_onOutline && row < m_outline.size(); ++row) {
+            visitEdges(m_outline, row, boxAround(m_position, m_reach), [&](const Edge& edge) {
+                offerEdge({edge, {}, {}}, false, false);
+            });
+        }
+    }
+
+    /// Is it a side of the pen that draws the board's edge?
+    [[nodiscard]] bool isBesideOutline(const NearEdge& near, PointD rim) const {
+        return m_onOutline && near.edge.pen > 0 && !m_index.board->layer(near.layer).isCopper() &&
+               distance(*m_onOutline, rim) <= near.edge.pen + kSameLocationNm;
+    }
+
     /// The nearest point of the edge that is seen: a boundary itself, or the rim of a track.
     void offerRim(const NearEdge& near, PointD onMiddle, double beside) {
         PointD rim = onMiddle;
@@ -231,7 +255,7 @@ private:
             const double part = near.edge.pen / beside;
             rim = {onMiddle.x + (m_position.x - onMiddle.x) * part, onMiddle.y + (m_position.y - onMiddle.y) * part};
         }
-        if (near.edge.pen == 0 || beside > 0) {
+        if ((near.edge.pen == 0 || beside > 0) && !isBesideOutline(near, rim)) {
             offer(SnapKind::Edge, rim, near.element, near.layer);
         }
     }
@@ -253,10 +277,12 @@ private:
 
     const BoardIndex& m_index;
     FigureCache& m_figures;
+    const FigureTable& m_outline;
     PointD m_position;
     double m_reach;
     std::span<const PickLayer> m_layers;
     bool m_isFromBelow;
+    std::optional<PointD> m_onOutline;  ///< nearest, within reach
     std::vector<SnapPoint> m_points;
     std::vector<NearEdge> m_near;
 };
@@ -277,7 +303,7 @@ PointD straightened(PointD from, PointD location, double stepDeg) {
 
 SnapPoint Snapper::at(PointD location, double reach, std::span<const PickLayer> layers, bool isFromBelow,
                       std::size_t skip) {
-    return Search(*m_index, m_figures, location, reach, layers, isFromBelow).run(skip);
+    return Search(*m_index, m_figures, m_outline, location, reach, layers, isFromBelow).run(skip);
 }
 
 }  // namespace model

@@ -4,6 +4,7 @@
 
 #include "model/index/figure_cache.h"
 #include "model/index/picking.h"
+#include "model/measure/items.h"
 
 namespace model {
 
@@ -22,8 +23,8 @@ enum class SnapKind : std::uint8_t {
 struct SnapPoint {
     SnapKind kind = SnapKind::Free;
     PointD at;              ///< nm of the board
-    BoardElement element;   ///< whose point it is; none: of nothing
-    LayerId layer;          ///< of the board; of a hole: its drill layer
+    BoardElement element;   ///< whose point it is; none: of the board's edge, or of nothing
+    LayerId layer;          ///< of the board; of a hole: its drill layer; none: of the board's edge
     double missedBy = 0.0;  ///< nm from the location requested
 };
 
@@ -33,12 +34,14 @@ struct SnapPoint {
 /// Finds what is near a pointer. One thread at a time.
 class Snapper {
 public:
-    explicit Snapper(std::shared_ptr<const BoardIndex> index) : m_index(std::move(index)) {}
+    explicit Snapper(std::shared_ptr<const BoardIndex> index)
+        : m_index(std::move(index)), m_outline(boardEdgeOf(*m_index->board)) {}
 
     /// The best point within `reach` nm that is seen: the kind decides, then how near it is; of points as near that of
     /// a net, then that of the layer nearer to the viewer, then the lower element. Only visible layers count (`layers`
     /// has one entry per layer of the board); what copper nearer to the viewer covers is not seen. Edges are those of
-    /// all copper of a layer together: the edge of a track within a pad is none.
+    /// all copper of a layer together: the edge of a track within a pad is none. The board's edge counts with its
+    /// cut-outs, whether or not a layer draws it; where one does, the sides of its pen are none.
     ///
     /// `skip`: that many points are passed over, those that are covered coming after all that are seen, and then the
     /// first again. A Free point where nothing is near, or nothing that is seen with `skip` 0: the location itself.
@@ -48,6 +51,7 @@ public:
 private:
     std::shared_ptr<const BoardIndex> m_index;
     FigureCache m_figures;
+    FigureTable m_outline;  ///< the board's edge
 };
 
 }  // namespace model

@@ -1,5 +1,7 @@
 #include "ui/common/panel_parts.h"
 
+#include <QKeyEvent>
+
 #include "ui/common/sorted_rows.h"
 
 namespace ui {
@@ -31,8 +33,29 @@ QToolBar* toolBar(std::initializer_list<QAction*> actions) {
     return bar;
 }
 
+namespace {
+
+/// Esc empties it, and leaves it once it is empty, so that keys are commands again.
+class FilterEdit : public QLineEdit {
+protected:
+    bool event(QEvent* event) override {
+        const bool isEscape = (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) &&
+                              static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+        if (!isEscape) {
+            return QLineEdit::event(event);
+        }
+        if (event->type() == QEvent::KeyPress) {
+            text().isEmpty() ? clearFocus() : clear();
+        }
+        event->accept();
+        return true;
+    }
+};
+
+}  // namespace
+
 QLineEdit* filterEdit(SortedRows& rows, const QString& hint) {
-    auto* line = new QLineEdit;
+    auto* line = new FilterEdit;
     line->setPlaceholderText(hint);
     line->setClearButtonEnabled(true);
     QObject::connect(line, &QLineEdit::textChanged, &rows, &SortedRows::setWords);

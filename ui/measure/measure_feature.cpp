@@ -38,8 +38,8 @@ constexpr ToolFacts kTools[] = {
      QT_TRANSLATE_NOOP("ui::Measuring", "Click on the board")},
     {Catch::Elements,
      2,
-     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the first element to measure the clearance"),
-      QT_TRANSLATE_NOOP("ui::Measuring", "Click the second element")},
+     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the first element or the board's edge; Alt takes the hole in a pad"),
+      QT_TRANSLATE_NOOP("ui::Measuring", "Click the second element or the board's edge")},
      QT_TRANSLATE_NOOP("ui::Measuring", "There is no element under the pointer")},
     {Catch::Points,
      3,
@@ -68,6 +68,14 @@ constexpr int kRestMs = 80;
 
 const ToolFacts& factsOf(MeasureFeature::Tool tool) {
     return kTools[static_cast<std::size_t>(tool)];
+}
+
+/// Measured twice in a row.
+bool isSame(const Measurement& entry, Measurement measurement) {
+    measurement.name = entry.name;
+    measurement.step = entry.step;
+    measurement.isShown = entry.isShown;
+    return entry == measurement;
 }
 
 void showCursor(BoardView& view, Qt::CursorShape shape) {
@@ -145,7 +153,9 @@ void MeasureFeature::deleteAll() {
     if (rows.empty()) {
         m_workspace.report(tr("There are no measurements"));
     } else {
+        const auto count = rows.size();
         m_saved.remove(tr("deleting measurements"), std::move(rows));
+        m_workspace.report(count == 1 ? tr("1 measurement deleted") : tr("%L1 measurements deleted").arg(count));
     }
 }
 
@@ -377,7 +387,7 @@ void MeasureFeature::measure(const std::vector<Caught>& clicked) {
         return;
     }
     base::Result<Measurement> measurement = measured(clicked);
-    if (m_tool == Tool::Objects && measurement) {
+    if (m_tool == Tool::Objects && measurement && clicked[0].element && clicked[1].element) {
         noteOnNets(clicked, *measurement);
     }
     save(measurement);
@@ -396,7 +406,7 @@ void MeasureFeature::noteOnNets(const std::vector<Caught>& clicked, Measurement&
 
 base::Result<Measurement> MeasureFeature::measured(const std::vector<Caught>& clicked) const {
     switch (m_tool) {
-        case Tool::Objects: return edgeToEdge(*m_index, *clicked[0].element, *clicked[1].element);
+        case Tool::Objects: return edgeToEdge(*m_index, clicked[0], clicked[1]);
         case Tool::Angle: return angleAt(*m_index, clicked[0], clicked[1], clicked[2]);
         case Tool::Lines: return angleOfLines(*m_index, clicked[0], clicked[1]);
         case Tool::Radius: return radiusOf(*m_index, clicked[0]);
@@ -424,7 +434,7 @@ bool MeasureFeature::isQuick(const std::vector<Caught>& clicked) const {
     constexpr std::size_t kMostNodes = 4'000;
     std::size_t nodes = 0;
     for (const Caught& caught : clicked) {
-        if (m_tool == Tool::Objects) {
+        if (m_tool == Tool::Objects && caught.element) {
             nodes += model::nodeCountOf(m_index->stepOf(caught.element->copy), caught.element->element);
         }
     }
@@ -497,6 +507,10 @@ void MeasureFeature::save(const base::Result<Measurement>& measurement) {
     }
     m_isLatestFull = true;
     m_showing->setChecked(true);
+    if (const auto& entries = m_saved.entries(); !entries.empty() && isSame(entries.back(), *measurement)) {
+        m_workspace.report(tr("Measured already: %1").arg(valueText(*measurement, m_workspace.unit())));
+        return;
+    }
     m_saved.add(tr("a measurement"), *measurement, "");
     emit measuredNew();
     m_workspace.report((QStringList{valueText(*measurement, m_workspace.unit())} + textsOf(measurement->notes))
@@ -547,8 +561,8 @@ void MeasureFeature::paintClicks(MeasurementPainter& on, const BoardView& view) 
     const auto mark = [&](const Caught& caught) {
         const model::MeasuredEnd end = endOf(*m_index, caught);
         QStringList words;
-        for (const std::string& word :
-             {caught.kind == SnapKind::Free ? std::string() : end.snap, end.layer, model::readableName(end.net)}) {
+        for (const std::string& word : {caught.kind == SnapKind::Free ? std::string() : end.snap, end.layer,
+                                        model::readableName(end.net), end.item}) {
             words += word.empty() ? QStringList() : QStringList{QString::fromStdString(word)};
         }
         on.paintSnap(end, caught.kind, words.join(QStringLiteral(" · ")));
@@ -557,7 +571,7 @@ void MeasureFeature::paintClicks(MeasurementPainter& on, const BoardView& view) 
         std::ranges::for_each(m_clicked, mark);
     }
     // What is under the cursor is outlined already: elements need no mark of their own.
-    if (m_under && m_hoverView == &view && m_tool != Tool::Objects) {
+    if (m_under && m_hoverView == &view && (m_tool != Tool::Objects || m_under->isOnEdge)) {
         mark(*m_under);
     }
 }

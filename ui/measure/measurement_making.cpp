@@ -32,7 +32,9 @@ Measurement betweenElements(const BoardIndex& index, MeasurementKind kind, const
     Measurement measurement = measurementOf(index, kind, from, to);
     const auto itemOf = [&](const Caught& caught) {
         const bool isElement = caught.element && caught.element->element.isValid();
-        return isElement ? model::kindOf(index, *caught.element) : std::string();
+        return isElement         ? model::kindOf(index, *caught.element)
+               : caught.isOnEdge ? std::string(model::kBoardEdgeItem)
+                                 : std::string();
     };
     measurement.from.item = itemOf(from);
     measurement.to.item = itemOf(to);
@@ -100,6 +102,9 @@ model::MeasuredEnd endOf(const BoardIndex& index, const Caught& caught) {
         const model::Document& step = *index.tree.steps[index.tree.copies[caught.element->copy].step];
         end.net = net.isValid() ? step.nets[net.row()].name : "";
     }
+    if (caught.isOnEdge) {
+        end.item = model::kBoardEdgeItem;
+    }
     return end;
 }
 
@@ -115,16 +120,21 @@ Measurement pointToPoint(const BoardIndex& index, const Caught& from, const Caug
     return measurement;
 }
 
-base::Result<Measurement> edgeToEdge(const BoardIndex& index, BoardElement a, BoardElement b) {
+base::Result<Measurement> edgeToEdge(const BoardIndex& index, const Caught& a, const Caught& b) {
+    const auto itemOf = [](const Caught& caught) {
+        return caught.isOnEdge ? model::MeasureItem(model::BoardEdge{}) : model::MeasureItem(*caught.element);
+    };
     base::Progress progress;
-    ASSIGN_OR_RETURN(const model::Separation separation, model::separationOf(index, a, b, progress));
+    ASSIGN_OR_RETURN(const model::Separation separation, model::separationOf(index, itemOf(a), itemOf(b), progress));
     const model::PieceDistance* nearest = separation.main();
     if (nearest == nullptr) {
         return noNumber(separation.notes.front());
     }
-    Measurement measurement = betweenElements(index, MeasurementKind::Clearance,
-                                              edgeOf(nearest->spacing.from, nearest->from.layer, nearest->from.at),
-                                              edgeOf(nearest->spacing.to, nearest->to.layer, nearest->to.at));
+    Caught from = edgeOf(nearest->spacing.from, nearest->from.layer, nearest->from.at);
+    Caught to = edgeOf(nearest->spacing.to, nearest->to.layer, nearest->to.at);
+    from.isOnEdge = !nearest->from.at.element.isValid();
+    to.isOnEdge = !nearest->to.at.element.isValid();
+    Measurement measurement = betweenElements(index, MeasurementKind::Clearance, from, to);
     measurement.dz = nearest->dz;
     measurement.overlap = nearest->relation == model::Relation::Overlapping ? nearest->overlap : 0.0;
     measurement.notes = separation.notes;

@@ -17,6 +17,9 @@ QString pairText(const std::string& a, const std::string& b, const QString& none
 
 /// "track of GND": a value that holds between two elements must not read as one that holds between their nets.
 QString elementText(const model::MeasuredEnd& end) {
+    if (end.item == model::kBoardEdgeItem) {
+        return QString::fromStdString(end.item);
+    }
     const QString net = end.net.empty() ? MeasurementModel::tr("no net") : QString::fromStdString(end.net);
     return end.item.empty() ? net : MeasurementModel::tr("%1 of %2").arg(QString::fromStdString(end.item), net);
 }

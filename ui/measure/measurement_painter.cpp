@@ -253,7 +253,9 @@ void MeasurementPainter::paintSnap(const MeasuredEnd& end, SnapKind kind, const 
     const QRectF around = mark.boundingRect();
     m_placing.avoid({around.topLeft(), around.bottomRight()});
     m_placing.avoid({around.bottomLeft(), around.topRight()});
-    m_labels.push_back({{word}, *at});
+    if (!word.isEmpty()) {
+        m_labels.push_back({{word}, *at});
+    }
 }
 
 std::vector<QRectF> MeasurementPainter::paintLabels() {

@@ -29,6 +29,7 @@ void MeasuringCursor::setBoard(std::shared_ptr<const model::BoardIndex> index) {
     m_snapper.reset();
     m_picker.reset();
     m_figures = {};
+    m_boardEdge = m_index ? model::boardEdgeOf(*m_index->board) : model::FigureTable();
     if (m_index) {
         m_snapper.emplace(m_index);
         m_picker.emplace(m_index);
@@ -37,9 +38,17 @@ void MeasuringCursor::setBoard(std::shared_ptr<const model::BoardIndex> index) {
 
 std::optional<Caught> MeasuringCursor::at(const BoardView& view, QPointF position, Catch what,
                                           Qt::KeyboardModifiers modifiers, std::optional<base::PointD> from) {
-    const std::optional<Pointed> pointed = m_index ? pointedAt(view, position, what) : std::nullopt;
+    std::optional<Pointed> pointed = m_index ? pointedAt(view, position, what) : std::nullopt;
     if (!pointed) {
         return std::nullopt;
+    }
+    if (what == Catch::Elements) {
+        if (std::optional<Caught> edge = edgeAt(view, *pointed)) {
+            return edge;
+        }
+        if (pointed->hit && !modifiers.testFlag(Qt::AltModifier)) {
+            takePad(view, position, *pointed->hit);
+        }
     }
     if (std::exchange(m_last, position) != position) {
         m_skip = 0;
@@ -63,6 +72,41 @@ std::optional<Caught> MeasuringCursor::at(const BoardView& view, QPointF positio
         caught->isInPlan = view.kind() == BoardView::Kind::Flat;
     }
     return caught;
+}
+
+std::optional<Caught> MeasuringCursor::edgeAt(const BoardView& view, const Pointed& pointed) const {
+    if (view.kind() != BoardView::Kind::Flat) {
+        return std::nullopt;
+    }
+    const auto on = model::nearestOnEdge(m_boardEdge, pointed.location, reachIn(view));
+    const auto isDrawing = [&](const model::Hit& hit) {
+        return !model::heightBetween(*m_index->board, hit.layer, hit.layer).has_value();
+    };
+    const bool isFarther =
+        on && pointed.hit &&
+        pointed.hit->missedBy <= std::hypot(on->x - pointed.location.x, on->y - pointed.location.y) &&
+        !isDrawing(*pointed.hit);
+    if (!on || isFarther) {
+        return std::nullopt;
+    }
+    return Caught{.at = *on, .kind = SnapKind::Edge, .layer = {}, .element = std::nullopt, .isOnEdge = true};
+}
+
+void MeasuringCursor::takePad(const BoardView& view, QPointF position, model::Hit& hole) {
+    const auto flagsOf = [this](const model::BoardElement& at) {
+        return m_index->stepOf(at.copy).elements.flags[at.element.row()];
+    };
+    if (!model::isPlatedHole(flagsOf(hole.at))) {
+        return;
+    }
+    const model::NetId net = model::netOf(*m_index, hole.at);
+    for (const model::Hit& hit : m_probing.hitsAt(view, position)) {
+        if (hit.missedBy == 0.0 && (flagsOf(hit.at) & model::kPad) != 0 && hit.at.copy == hole.at.copy &&
+            m_index->board->layer(hit.layer).isCopper() && model::netOf(*m_index, hit.at) == net) {
+            hole = hit;
+            return;
+        }
+    }
 }
 
 void MeasuringCursor::step(int by) {
@@ -154,8 +198,11 @@ std::optional<Caught> MeasuringCursor::pointAt(const BoardView& view, const Poin
     if (isSnapping) {
         const model::SnapPoint snap =
             m_snapper->at(pointed.location, reachIn(view), layers, pointed.isFromBelow, m_skip);
+        if (snap.kind != SnapKind::Free && !snap.element.element.isValid()) {
+            return Caught{.at = snap.at, .kind = snap.kind, .layer = {}, .element = std::nullopt, .isOnEdge = true};
+        }
         if (snap.kind != SnapKind::Free && (what != Catch::Copper || isNetCopper(snap.element))) {
-            return Caught{snap.at, snap.kind, snap.layer, snap.element};
+            return Caught{.at = snap.at, .kind = snap.kind, .layer = snap.layer, .element = snap.element};
         }
     }
     if (what == Catch::Copper) {

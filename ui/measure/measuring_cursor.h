@@ -13,7 +13,7 @@ namespace ui {
 enum class Catch {
     Points,    ///< centres, ends, middles, crossings and edges nearby, else the location itself
     Copper,    ///< such points on copper and plated holes alone, else the copper under the cursor
-    Elements,  ///< the element under the cursor
+    Elements,  ///< the element under the cursor, of a hole its pad; or the board's edge, in 2D
     Straight,  ///< the straight track or side under the cursor
     Round      ///< the circle or arc under the cursor
 };
@@ -24,6 +24,7 @@ struct Caught {
     model::SnapKind kind = model::SnapKind::Free;
     model::LayerId layer;                        ///< of the board
     std::optional<model::BoardElement> element;  ///< none: a location without one
+    bool isOnEdge = false;                       ///< of the board: such a location
     std::optional<model::Edge> line{};           ///< of Catch::Straight
     std::optional<model::Round> round{};         ///< of Catch::Round
     bool isInPlan = false;                       ///< in a 2D view
@@ -40,7 +41,7 @@ public:
 
     /// Nothing if there is nothing of that kind. Points are those that are seen; a location without one is of the
     /// copper that is seen there. With Alt held no points are snapped to; with a location to come `from`, Shift keeps
-    /// points straight beside or above it, and Ctrl to steps of 45 degrees.
+    /// points straight beside or above it, and Ctrl to steps of 45 degrees. Of elements Alt catches the hole in a pad.
     [[nodiscard]] std::optional<Caught> at(const BoardView& view, QPointF position, Catch what,
                                            Qt::KeyboardModifiers modifiers = {},
                                            std::optional<base::PointD> from = std::nullopt);
@@ -74,6 +75,10 @@ private:
     /// The copper that is seen at a location without a point, in 2D.
     void findCopper(const BoardView& view, QPointF position, Caught& caught);
     [[nodiscard]] Caught elementAt(const Pointed& pointed, double reach, Catch what);
+    /// The board's edge, where nothing but a drawing lies over it.
+    [[nodiscard]] std::optional<Caught> edgeAt(const BoardView& view, const Pointed& pointed) const;
+    /// The pad around a plated hole that is seen.
+    void takePad(const BoardView& view, QPointF position, model::Hit& hole);
     /// On which layers points are snapped to.
     [[nodiscard]] std::vector<model::PickLayer> layersFor(const BoardView& view, const Pointed& pointed,
                                                           Catch what) const;
@@ -86,6 +91,7 @@ private:
     QPointF m_last;          ///< where the cursor was
     std::size_t m_skip = 0;  ///< points better than the one wanted
     model::FigureCache m_figures;
+    model::FigureTable m_boardEdge;
 };
 
 }  // namespace ui

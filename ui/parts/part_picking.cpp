@@ -126,6 +126,7 @@ void PartPicking::selectComponentOf(const model::BoardElement& at) {
     add(at.copy, finderOf(step).elementsOf(component), elements);
     elements.push_back(at);  // stays the one that the element panel shows
     select({partsTitle(*this, parts), parts, {}}, elements);
+    m_workspace.report(tr("%1 is selected").arg(partsTitle(*this, parts)));
 }
 
 void PartPicking::selectPinOf(const model::BoardElement& at) {
@@ -142,6 +143,7 @@ void PartPicking::selectPinOf(const model::BoardElement& at) {
     }
     elements.push_back(at);
     select({pinsTitle(*this, pins), {{step, document(step).pins[found.front().row()].component}}, pins}, elements);
+    m_workspace.report(tr("%1 is selected").arg(pinsTitle(*this, pins)));
 }
 
 std::vector<BoardPin> PartPicking::padsOf(const BoardPin& pin) const {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "model/export/stackup_drawing.h"
+#include "render/scene/element_state.h"
 #include "ui/common/thickness_text.h"
 #include "ui/section/section_view.h"
 
@@ -97,7 +98,8 @@ void SectionView::paintBreaks(QPainter& painter) const {
 }
 
 void SectionView::paintHighlighted(QPainter& painter) const {
-    QColor ink = palette().color(QPalette::Highlight);
+    const glm::vec3& colour = render::kHighlightColours.front();  // as in the views
+    QColor ink = QColor::fromRgbF(colour.r, colour.g, colour.b);
     painter.setPen(QPen(ink, 1.5));
     ink.setAlpha(110);
     painter.setBrush(ink);

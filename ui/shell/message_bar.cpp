@@ -9,7 +9,9 @@ namespace ui {
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
     setObjectName(QStringLiteral("messageBar"));
     setStyleSheet(QStringLiteral(
-        "#messageBar { background: #7d2a22; } #messageBar QLabel, #messageBar QToolButton { color: white; }"));
+        "#messageBar { background: #7d2a22; } #messageBar QLabel, #messageBar QToolButton { color: white; }"
+        "#messageBar QToolButton { border: none; padding: 2px 6px; } #messageBar QToolButton:hover { background: "
+        "#a8463c; }"));
     m_label->setWordWrap(true);
     m_label->setTextFormat(Qt::PlainText);  // reasons hold file names, which may look like markup
     m_label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

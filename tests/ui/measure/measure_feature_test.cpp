@@ -118,6 +118,49 @@ private slots:
         QVERIFY(window().statusBar()->currentMessage().contains("both are the same"));
     }
 
+    void theBoardsEdgeIsMeasuredTo() {
+        const auto index = window().workspace().board()->index;
+        base::Progress progress;
+        const auto expected =
+            *model::separationOf(*index, model::BoardElement{0, m_a}, model::MeasureItem(model::BoardEdge{}), progress);
+        const base::PointD on = expected.main()->spacing.to;
+        const ui::BoardPosition location = window().probing().position();
+        model::Box both = board().boxOf(m_a);
+        both.include(base::Point{static_cast<model::Nm>(on.x), static_cast<model::Nm>(on.y)});
+        flat().controller().show(location.toModel(base::toDouble(both.min)),
+                                 location.toModel(base::toDouble(both.max)));
+        m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+        click(flat(), screenOf(flat(), m_a));
+        click(flat(), *flat().controller().screenOf(location.toModel(on, 0.0)));
+        QCOMPARE(list().size(), std::size_t{1});
+        QVERIFY(std::abs(list()[0].value() - expected.main()->distance) < 1e-3);
+        QCOMPARE(list()[0].to.item, std::string("board's edge"));
+        QVERIFY(table().model()->index(0, ui::MeasurementModel::Nets).data().toString().endsWith("board's edge"));
+    }
+
+    /// To people a pad and the hole in it are one thing.
+    void padsAreCaughtBeforeTheHolesInThem() {
+        model::ElementId pad;
+        for (const model::ElementId id : m_roundPads) {
+            const bool isDrilled = std::ranges::any_of(board().layers, [&](const model::Layer& layer) {
+                return layer.type == model::LayerType::Drill && holeIn(layer, id);
+            });
+            pad = isDrilled ? id : pad;
+        }
+        QVERIFY(pad.isValid());
+        window().actions()[ActionId::ShowAllLayers].trigger();
+        const model::Box box = board().boxOf(pad);
+        const ui::BoardPosition location = window().probing().position();
+        flat().controller().show(location.toModel(base::toDouble(box.min)), location.toModel(base::toDouble(box.max)));
+        m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+        click(flat(), screenOf(flat(), pad));
+        QCOMPARE(window().selection().marked(), std::vector<model::BoardElement>({{0, pad}}));
+        m_fixture->key(Qt::Key_Escape);
+        click(flat(), screenOf(flat(), pad), Qt::AltModifier);
+        QCOMPARE(window().selection().marked().size(), std::size_t{1});
+        QVERIFY(board().elements.flags[window().selection().marked().front().element.row()] & model::kHole);
+    }
+
     void aClearanceNamesItsElementsAndSaysWhereTheirNetsAreNearer() {
         m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
         click(flat(), screenOf(flat(), m_a));
@@ -210,6 +253,11 @@ private slots:
         QVERIFY(list()[0].kind == MeasurementKind::Spacing && list()[0].distance() > 0);
         QCOMPARE(list()[0].from.layer, list()[0].to.layer);
         QVERIFY(list()[0].from.net != list()[0].to.net);
+        m_fixture->key(Qt::Key_R);
+        QCOMPARE(list().size(), std::size_t{1});
+        QVERIFY(window().statusBar()->currentMessage().startsWith("Measured already"));
+        window().actions()[ActionId::DeleteMeasurements].trigger();
+        QCOMPARE(window().statusBar()->currentMessage(), QStringLiteral("1 measurement deleted"));
     }
 
     /// A via has a pad on every layer: that of the layer on top is what is seen and meant.
@@ -371,6 +419,16 @@ private:
             }
         }
         std::tie(m_a, m_b) = m_pair;
+    }
+    [[nodiscard]] bool holeIn(const model::Layer& layer, model::ElementId pad) {
+        for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
+            const bool isRound = board().elements.kind[i] == model::ElementKind::Circle;
+            if (isRound && model::isPlatedHole(board().elements.flags[i]) &&
+                centreOf(model::ElementId{i}) == centreOf(pad)) {
+                return true;
+            }
+        }
+        return false;
     }
     model::Point centreOf(model::ElementId id) { return board().circles[board().elements.geometry[id.row()]].centre; }
     std::string netOf(model::ElementId id) { return board().nets[board().elements.net[id.row()].row()].name; }

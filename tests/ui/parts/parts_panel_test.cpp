@@ -107,7 +107,10 @@ private slots:
         QCOMPARE(window().selection().selected(), before);
         QVERIFY2(!QRegularExpression("[0-9]{2,} without").match(window().label("partsShown")).hasMatch(),
                  qPrintable(window().label("partsShown")));  // of one row, not of the board
-        filter->clear();
+        QTest::keyClick(filter, Qt::Key_Escape);
+        QVERIFY(filter->text().isEmpty() && filter->hasFocus());
+        QTest::keyClick(filter, Qt::Key_Escape);
+        QVERIFY(!filter->hasFocus());
         QCOMPARE(rowsOf(parts()), QStringList{"U1"});
     }
 

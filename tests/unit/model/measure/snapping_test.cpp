@@ -35,6 +35,30 @@ class SnappingTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void theBoardsEdgeIsSnappedToWhateverDrawsIt() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        ShapeSketch outline;
+        outline.addPolygon(std::array{Point{0, 0}, Point{10 * kMm, 0}, Point{10 * kMm, 8 * kMm}, Point{0, 8 * kMm}},
+                           false);
+        builder.setProfile(builder.addShape(outline));
+        builder.beginLayer(LayerId{Top});
+        builder.addLine({{3 * kMm, -kMm}, {3 * kMm, kMm}, 200'000, 0}, of({}));  // copper across the edge
+        builder.beginLayer(LayerId{Drawing});
+        builder.addLine({{0, 0}, {10 * kMm, 0}, 200'000, 0}, of({}));  // the pen that draws the edge
+        const auto index = indexed(builder.finish());
+        Snapper snapper(index);
+        const std::vector<PickLayer> layers = layersOf(*index->board);
+        const SnapPoint side = snapper.at({7e6, -90'000}, 150'000, layers);
+        QVERIFY(side.kind == SnapKind::Edge && isAt(side, 7e6, 0) && !side.element.element.isValid());
+        const SnapPoint corner = snapper.at({10e6, 8e6 + 50'000}, 150'000, layers);
+        QVERIFY(corner.kind == SnapKind::End && isAt(corner, 10e6, 8e6) && !corner.layer.isValid());
+        QCOMPARE(snapper.at({3e6 + 110'000, 500'000}, 50'000, layers).layer, LayerId{Top});  // the copper's own side
+        QCOMPARE(snapper.at({5e6 + 100'000, 4e6}, 50'000, layers).kind, SnapKind::Free);
+        QVERIFY(nearestOnEdge(boardEdgeOf(*index->board), {7e6, 1e6}, 2e6) == PointD(7e6, 0));
+        QVERIFY(!nearestOnEdge(boardEdgeOf(*index->board), {7e6, 3e6}, 2e6));
+    }
+
     void everyKindIsFound_data() {
         QTest::addColumn<double>("x");
         QTest::addColumn<double>("y");
