@@ -29,7 +29,7 @@ void addAttributes(const model::Document& step, const model::Component& componen
 
 }  // namespace
 
-Facts componentFacts(const model::Document& step, model::ComponentId id, LengthUnit unit) {
+Facts componentFacts(const model::Document& step, model::ComponentId id, LengthUnit unit, bool isOneOfSteps) {
     using T = ComponentText;
     const model::Component& component = step.components[id.row()];
     const model::Point at = component.placement.origin;
@@ -42,7 +42,8 @@ Facts componentFacts(const model::Document& step, model::ComponentId id, LengthU
                                              : T::tr("not in the job"));
     facts.emplace_back(T::tr("Side"), component.side == model::LayerSide::Bottom ? T::tr("Bottom") : T::tr("Top"));
     const QString position = positionText(at.x, at.y, unit);
-    facts.emplace_back(T::tr("Position"),
+    const QString ofStep = T::tr("Position in step %1").arg(QString::fromStdString(step.job.step));
+    facts.emplace_back(isOneOfSteps ? ofStep : T::tr("Position"),
                        component.isPlaced ? position : T::tr("%1 (assumed, the middle of its pins)").arg(position));
     facts.emplace_back(T::tr("Rotation"), component.isPlaced
                                               ? T::tr("%1 clockwise").arg(angleText(component.placement.clockwiseDeg))

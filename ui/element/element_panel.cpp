@@ -78,7 +78,8 @@ void ElementPanel::setUnit(LengthUnit unit) {
 void ElementPanel::update() {
     if (const auto part = m_parts.wholePart()) {
         m_heading->setText(tr("Component %1").arg(pinsOfPartsText(m_parts)));
-        fill(componentFacts(m_parts.document(part->step), part->component, m_unit));
+        fill(
+            componentFacts(m_parts.document(part->step), part->component, m_unit, m_selection.tree().steps.size() > 1));
         return;
     }
     const std::size_t count = m_selection.selected().size();
