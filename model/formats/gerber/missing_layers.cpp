@@ -1,6 +1,7 @@
 #include "model/formats/gerber/missing_layers.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -41,23 +42,46 @@ void reportCopper(const std::vector<ReadFile>& files, const BoardFiles& board, D
         }
     }
     if (!missing.empty()) {
-        diagnostics.report(Severity::Warning, last->path, 0,
+        diagnostics.report(Severity::Error, last->path, 0,
                            "the file draws copper layer " + std::to_string(last->role.order) +
                                ", but no file draws copper layer " + listed(missing));
     }
 }
 
-void reportListed(const ReadFile& jobFile, const std::vector<ReadFile>& files, Diagnostics& diagnostics) {
+/// Is the board less without it: what would be held against limits? Fabricators often get no paste, and drawings are no
+/// part of the board.
+bool isOfBoard(const FileRole& role) {
+    using Kind = FileRole::Kind;
+    return role.kind == Kind::Copper || role.kind == Kind::SolderMask || role.kind == Kind::Legend ||
+           role.kind == Kind::Profile || role.kind == Kind::Drill || role.kind == Kind::Rout;
+}
+
+/// Does a file draw it under another name than the job file knows?
+bool isDrawn(const FileRole& listed, const std::vector<ReadFile>& files, const BoardFiles& board) {
+    return std::ranges::any_of(board.files, [&](std::size_t row) {
+        const FileRole& role = files[row].role;
+        const bool isSamePlace = role.side == listed.side && role.plating == listed.plating;
+        const bool isSameCopper = role.order == listed.order || role.order == 0 || !role.isCountedFromTop;
+        return role.kind == listed.kind && isSamePlace && (role.kind != FileRole::Kind::Copper || isSameCopper);
+    });
+}
+
+void reportListed(const ReadFile& jobFile, const std::vector<ReadFile>& files, const BoardFiles& board,
+                  Diagnostics& diagnostics) {
     std::vector<std::string> missing;
+    bool isBoardLess = false;
     for (const auto& [name, function] : jobFile.job.functions) {
         const bool isThere = std::ranges::any_of(
             files, [&, &name = name](const ReadFile& file) { return base::equalsIgnoringCase(file.name(), name); });
-        if (!isThere) {
-            missing.push_back(name);
+        if (isThere) {
+            continue;
         }
+        const std::optional<FileRole> role = roleOfFunction(function);
+        isBoardLess = isBoardLess || (role && isOfBoard(*role) && !isDrawn(*role, files, board));
+        missing.push_back(name);
     }
     if (!missing.empty()) {
-        diagnostics.report(Severity::Warning, jobFile.path, 0,
+        diagnostics.report(isBoardLess ? Severity::Error : Severity::Warning, jobFile.path, 0,
                            "the job file lists images that the job does not hold: " + listed(missing));
     }
 }
@@ -68,7 +92,7 @@ void reportMissingLayers(const std::vector<ReadFile>& files, const BoardFiles& b
     reportCopper(files, board, diagnostics);
     for (const std::size_t row : board.files) {
         if (files[row].kind == ReadFile::Kind::Job) {
-            reportListed(files[row], files, diagnostics);
+            reportListed(files[row], files, board, diagnostics);
         }
     }
 }

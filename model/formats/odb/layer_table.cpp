@@ -22,6 +22,13 @@ void describeFeatures(const StepLayer& source, Layer& layer) {
     layer.featureCount = static_cast<std::uint32_t>(source.features.value.features.size());
 }
 
+/// Is the layer held against limits, so that a board without its features must not pass?
+bool isChecked(const MatrixLayer& layer) {
+    const bool isKind = layer.isCopper() || layer.isHoles() || layer.type == LayerType::SolderMask ||
+                        layer.type == LayerType::SilkScreen;
+    return isKind && layer.context == LayerContext::Board;
+}
+
 }  // namespace
 
 LayerTable::LayerTable(const JobContext& job, const Steps& steps, DocumentBuilder& builder)
@@ -79,12 +86,13 @@ void LayerTable::reportMissing(std::size_t row) {
     }
     const auto anyStep = [this](const auto& holds) { return std::ranges::any_of(m_steps, holds); };
     const std::string folder = "/layers/" + layer.name;
+    const Severity severity = isChecked(layer) ? Severity::Error : Severity::Warning;
     if (!anyStep([&](const StepData& step) { return m_job.tree.hasFolder(step.folder + folder); })) {
         diagnostics().report(
-            Severity::Warning, "matrix/matrix", layer.line,
+            severity, "matrix/matrix", layer.line,
             "layer " + layer.name + " is in the matrix, but the step has no folder for it; it stays empty");
     } else if (!anyStep([row](const StepData& step) { return step.layers[row].features.isPresent(); })) {
-        diagnostics().report(Severity::Warning, m_steps[0].folder + folder, 0,
+        diagnostics().report(severity, m_steps[0].folder + folder, 0,
                              "layer " + layer.name + " has no features file; it stays empty");
     } else if (!anyStep([row](const StepData& step) { return !step.layers[row].features.value.features.empty(); })) {
         m_emptyLayers += (m_emptyLayers.empty() ? "" : ", ") + layer.name;

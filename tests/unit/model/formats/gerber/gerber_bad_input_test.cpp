@@ -139,6 +139,46 @@ private slots:
         }
     }
 
+    /// A board that lacks copper, mask, holes, silkscreen or outline is not all there: rules must know. Paste is not
+    /// sent to everybody, and a file that was renamed is there.
+    void missingImagesOfTheBoardAreErrors_data() {
+        QTest::addColumn<QString>("function");
+        QTest::addColumn<bool>("isError");
+        QTest::newRow("copper") << "Copper,L4,Bot" << true;
+        QTest::newRow("solder mask") << "Soldermask,Bot" << true;
+        QTest::newRow("silkscreen") << "Legend,Bot" << true;
+        QTest::newRow("outline") << "Profile,NP" << true;
+        QTest::newRow("holes") << "Plated,1,2,PTH" << true;
+        QTest::newRow("paste") << "SolderPaste,Bot" << false;
+        QTest::newRow("a drawing") << "AssemblyDrawing,Bot" << false;
+        QTest::newRow("renamed solder mask") << "Soldermask,Top" << false;
+        QTest::newRow("renamed copper") << "Copper,L1,Top" << false;
+    }
+    void missingImagesOfTheBoardAreErrors() {
+        QFETCH(QString, function);
+        QFETCH(bool, isError);
+        const std::string listed =
+            "{\"FilesAttributes\": [{\"Path\": \"gone.gbr\", \"FileFunction\": \"" + function.toStdString() + "\"}]}";
+        const Job job({{"b.GTL", image(kCopper)}, {"b.GTS", image(kCopper)}, {"b.gbrjob", listed}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        const model::Diagnostic* const message =
+            find(**board, "b.gbrjob", "the job file lists images that the job does not hold: gone.gbr");
+        QVERIFY(message != nullptr);
+        QCOMPARE(message->severity, isError ? model::Severity::Error : model::Severity::Warning);
+    }
+
+    void copperThatIsSkippedIsAnError() {
+        const Job job(
+            {{"b.GTL", image(kCopper)}, {"b-Bot.gbr", "%TF.FileFunction,Copper,L4,Bot*%\n" + image(kCopper)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        const model::Diagnostic* const message =
+            find(**board, "b-Bot.gbr", "the file draws copper layer 4, but no file draws copper layer 2, 3");
+        QVERIFY(message != nullptr);
+        QCOMPARE(message->severity, model::Severity::Error);
+    }
+
     /// Of a faulty image what can be read is there.
     void faultyImagesShowWhatCanBeRead() {
         for (const Fault& fault : kFaults) {

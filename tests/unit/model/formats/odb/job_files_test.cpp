@@ -30,6 +30,30 @@ class JobFilesTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A layer of the board that the step lacks would pass every rule; a drawing or paste is no matter of rules.
+    void layersWithoutFeaturesAreErrorsIfRulesLookAtThem() {
+        const odb_testing::Folder folder;
+        odb_testing::writeSmallJob(folder, "UNITS=MM\n");
+        folder.write("matrix/matrix", odb_testing::matrixOf({{"SOLDER_PASTE", "SPT"},
+                                                             {"SIGNAL", "TOP"},
+                                                             {"SIGNAL", "BOTTOM"},
+                                                             {"SOLDER_MASK", "SMB"},
+                                                             {"DRILL", "DRILL"},
+                                                             {"DOCUMENT", "NOTES"}}));
+        folder.write("steps/board/layers/smb/attrlist", "");
+        const auto board = odb_testing::read(folder.path());
+        const auto severityOf = [&](const std::string& text) {
+            const model::Diagnostic* found = findDiagnostic(board->diagnostics, text);
+            return found != nullptr ? found->severity : model::Severity::Info;
+        };
+        const std::string why = " is in the matrix, but the step has no folder for it; it stays empty";
+        QCOMPARE(severityOf("Layer BOTTOM" + why), model::Severity::Error);
+        QCOMPARE(severityOf("Layer DRILL" + why), model::Severity::Error);
+        QCOMPARE(severityOf("Layer SMB has no features file; it stays empty"), model::Severity::Error);
+        QCOMPARE(severityOf("Layer SPT" + why), model::Severity::Warning);
+        QCOMPARE(severityOf("Layer NOTES" + why), model::Severity::Warning);
+    }
+
     void structuredTextTakesBlanksCommentsAndBlocks() {
         Diagnostics diagnostics;
         const auto text = model::odb::parseStructured(
