@@ -49,7 +49,54 @@ bool fitsLayer(const Document& document, LayerId layer, const std::string& wante
                                 : fitsWildcard(lowered(document.layer(layer).name), lowered(wanted));
 }
 
+/// "no solder mask fits F.CU"
+const char* nameOf(RulePlane plane) {
+    constexpr const char* kNames[] = {"copper layer", "solder mask", "silkscreen"};
+    return kNames[static_cast<std::size_t>(plane)];
+}
+
+/// Why there are no holes that a side of a rule is for; empty if there are some. Only plated holes have rings.
+std::string whyWithoutHoles(const Rule& rule, std::size_t side, const std::vector<HoleClass>& holes) {
+    const HoleClass wanted = rule.holes[side];
+    const auto fits = [&](HoleClass hole) {
+        const bool isBare = hole == HoleClass::NonPlated && rule.kind == RuleKind::AnnularRing;
+        return hole != HoleClass::Any && !isBare && isOf(wanted, hole);
+    };
+    if (std::ranges::any_of(holes, fits)) {
+        return {};
+    }
+    return wanted != HoleClass::Any             ? std::string("the step has no holes of the kind ") + nameOf(wanted)
+           : rule.kind == RuleKind::AnnularRing ? "the step has no plated holes"
+                                                : "the step has no holes";
+}
+
 }  // namespace
+
+RulePlane planeOf(RuleKind kind) {
+    switch (kind) {
+        case RuleKind::MaskSliver:
+        case RuleKind::MaskToCopper:
+        case RuleKind::MaskToForeign: return RulePlane::SolderMask;
+        case RuleKind::SilkToPad: return RulePlane::Silkscreen;
+        default: return RulePlane::Copper;
+    }
+}
+
+std::vector<std::optional<RulePlane>> rulePlanesOf(const Document& document) {
+    const std::vector<bool> isPrint = silkscreenPrints(document);
+    std::vector<std::optional<RulePlane>> planes(document.layers.size());
+    for (std::size_t row = 0; row < planes.size(); ++row) {
+        const Layer& layer = document.layers[row];
+        if (layer.isCopper()) {
+            planes[row] = RulePlane::Copper;
+        } else if (layer.type == LayerType::SolderMask && !layer.isSynthetic) {
+            planes[row] = RulePlane::SolderMask;
+        } else if (layer.type == LayerType::SilkScreen && isPrint[row]) {
+            planes[row] = RulePlane::Silkscreen;
+        }
+    }
+    return planes;
+}
 
 std::vector<HoleClass> holeClassesOf(const Document& document) {
     const std::vector<bool> isMicrovia = microviasOf(document);
@@ -65,19 +112,25 @@ std::vector<HoleClass> holeClassesOf(const Document& document) {
 }
 
 RuleChoice::RuleChoice(const Document& document, const RuleTable& table)
-    : m_table(table), m_classes(table.classes), m_classesOf(document.nets.size()) {
+    : m_table(table), m_planes(rulePlanesOf(document)), m_classes(table.classes), m_classesOf(document.nets.size()) {
     addClasses(document);
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
-        const Rule& rule = table.rules[row];
-        if (!rule.isOn) {
-            continue;
+        if (table.rules[row].isOn) {
+            m_rules[static_cast<std::size_t>(table.rules[row].kind)].push_back(fitOf(document, row));
         }
-        Fit fit{row, {maskOf(rule.classes[0]), maskOf(rule.classes[1])}, {}};
-        for (std::size_t layer = 0; layer < document.layers.size(); ++layer) {
-            fit.layers.push_back(rule.layer.empty() || fitsLayer(document, LayerId{layer}, rule.layer));
-        }
-        m_rules[static_cast<std::size_t>(rule.kind)].push_back(std::move(fit));
     }
+}
+
+/// A name holds for layers that the kind is held against alone: "B*" does not find the mask of a board without the
+/// copper that it is meant for.
+RuleChoice::Fit RuleChoice::fitOf(const Document& document, std::size_t row) const {
+    const Rule& rule = m_table.rules[row];
+    Fit fit{row, {maskOf(rule.classes[0]), maskOf(rule.classes[1])}, {}};
+    for (std::size_t layer = 0; layer < document.layers.size(); ++layer) {
+        const bool isNamed = m_planes[layer] == planeOf(rule.kind) && fitsLayer(document, LayerId{layer}, rule.layer);
+        fit.layers.push_back(rule.layer.empty() || isNamed);
+    }
+    return fit;
 }
 
 void RuleChoice::addClasses(const Document& document) {
@@ -127,8 +180,9 @@ bool RuleChoice::isOn(RuleKind kind, LayerId layer) const {
 std::string RuleChoice::whyUnused(std::size_t rule, const std::vector<HoleClass>& holes) const {
     const Rule& own = m_table.rules[rule];
     for (std::size_t side = 0; side < holeSidesOf(own.kind); ++side) {
-        if (own.holes[side] != HoleClass::Any && std::ranges::count(holes, own.holes[side]) == 0) {
-            return std::string("the step has no holes of the kind ") + nameOf(own.holes[side]);
+        const std::string why = whyWithoutHoles(own, side, holes);
+        if (!why.empty()) {
+            return why;
         }
     }
     for (std::size_t row = rule + 1; row < m_table.rules.size(); ++row) {
@@ -180,12 +234,21 @@ std::string RuleChoice::whyWithoutLayer(const Document& document, std::size_t ru
         return {};
     }
     if (hasNoLayer(rule)) {
-        return isFace(wanted) ? "the step has no " + wanted + " layer" : "";
+        const RulePlane plane = planeOf(m_table.rules[rule].kind);
+        const bool isAnywhere = std::ranges::count(m_planes, plane) > 0;
+        const std::string what = plane == RulePlane::Copper ? "layer" : nameOf(plane);
+        return isFace(wanted) && isAnywhere ? "the step has no " + wanted + ' ' + what : "";
     }
     const bool isBeyond = only.isValid() && !fit->layers[only.row()];
     return !isBeyond ? ""
                      : "it is for " + std::string(isFace(wanted) ? wanted + " layers" : "layer " + wanted) +
                            ", only layer " + document.layer(only).name + " is checked";
+}
+
+std::string RuleChoice::whyMisnamed(std::size_t rule) const {
+    const Rule& own = m_table.rules[rule];
+    const bool isMisnamed = hasNoLayer(rule) && !isFace(own.layer);
+    return isMisnamed ? std::string("no ") + nameOf(planeOf(own.kind)) + " fits " + own.layer : "";
 }
 
 std::uint64_t RuleChoice::maskOf(const std::string& name) const {

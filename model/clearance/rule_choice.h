@@ -14,6 +14,12 @@ namespace model {
 /// The class of every element that is a hole, by element; Any for what is none.
 [[nodiscard]] std::vector<HoleClass> holeClassesOf(const Document& document);
 
+/// What layers rules of a kind are held against.
+enum class RulePlane : std::uint8_t { Copper, SolderMask, Silkscreen };
+[[nodiscard]] RulePlane planeOf(RuleKind kind);
+/// By layer: what is checked there. Nothing on drawings, on paste, and on assembly drawings that are called silkscreen.
+[[nodiscard]] std::vector<std::optional<RulePlane>> rulePlanesOf(const Document& document);
+
 /// What lies on one side of a rule; what does not matter to a kind may be left out.
 struct RuleParty {
     NetId net;
@@ -37,16 +43,20 @@ public:
     [[nodiscard]] double reachOf(RuleKind kind) const;
     /// Rows of the rules of a kind that are on.
     [[nodiscard]] std::vector<std::size_t> rowsOf(RuleKind kind) const;
-    /// Why no item of a step can meet a rule that is on: there are none of `holes`, or a later rule holds for all
-    /// it is for. Empty if some can.
+    /// Why no item of a step can meet a rule that is on: there are none of `holes` that it is for, or a later rule
+    /// holds for all it is for. Empty if some can.
     [[nodiscard]] std::string whyUnused(std::size_t rule, const std::vector<HoleClass>& holes) const;
     /// Classes that a rule names and that no net of the document fits.
     [[nodiscard]] std::vector<std::string> emptyClassesOf(std::size_t rule) const;
-    /// Does the rule name a layer that the document does not have?
+    /// Does the rule name a layer that the document does not have, or none that its kind is held against ("F.MASK" for
+    /// tracks)?
     [[nodiscard]] bool hasNoLayer(std::size_t rule) const;
-    /// Why a rule has no layer to hold on: the board has none of the kind ("inner"), or it is not for `only`, the one
-    /// layer that is checked (if any is named). Empty if it has one, and for names that no layer has (hasNoLayer).
+    /// Why a rule has no layer to hold on: the board has none there ("inner", "bottom"), or it is not for `only`, the
+    /// one layer that is checked (if any is named). Empty if it has one, and where the rule or the job may be wrong:
+    /// names that no layer has (whyMisnamed), and jobs without any layer of the kind.
     [[nodiscard]] std::string whyWithoutLayer(const Document& document, std::size_t rule, LayerId only) const;
+    /// "no solder mask fits F.CU": a name that no layer of the rule's kind has. Empty for words for faces ("inner").
+    [[nodiscard]] std::string whyMisnamed(std::size_t rule) const;
 
 private:
     /// Of a rule that is on.
@@ -57,14 +67,16 @@ private:
     };
 
     void addClasses(const Document& document);
+    [[nodiscard]] Fit fitOf(const Document& document, std::size_t row) const;
     [[nodiscard]] std::uint64_t maskOf(const std::string& name) const;
     [[nodiscard]] std::uint64_t classesOf(NetId net) const;
     [[nodiscard]] bool fitsSide(const Fit& fit, std::size_t side, const RuleParty& party) const;
     [[nodiscard]] bool fits(const Fit& fit, LayerId layer, const RuleParty& a, const RuleParty& b) const;
 
     const RuleTable& m_table;
-    std::vector<NetClass> m_classes;         ///< of the table, then one for each "net:"
-    std::vector<std::uint64_t> m_classesOf;  ///< by net
+    std::vector<std::optional<RulePlane>> m_planes;  ///< by layer
+    std::vector<NetClass> m_classes;                 ///< of the table, then one for each "net:"
+    std::vector<std::uint64_t> m_classesOf;          ///< by net
     std::array<std::vector<Fit>, kRuleKindCount> m_rules;
 };
 

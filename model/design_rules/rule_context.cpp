@@ -9,21 +9,8 @@ namespace model {
 
 namespace {
 
-enum class Plane { Copper, Mask, Print };
-
-/// On which layers rules of a kind are checked.
-Plane planeOf(RuleKind kind) {
-    switch (kind) {
-        case RuleKind::MaskSliver:
-        case RuleKind::MaskToCopper:
-        case RuleKind::MaskToForeign: return Plane::Mask;
-        case RuleKind::SilkToPad: return Plane::Print;
-        default: return Plane::Copper;
-    }
-}
-
-Plane planeOf(const Layer& layer) {
-    return layer.isCopper() ? Plane::Copper : isMask(layer) ? Plane::Mask : Plane::Print;
+RulePlane planeOf(const Layer& layer) {
+    return layer.isCopper() ? RulePlane::Copper : isMask(layer) ? RulePlane::SolderMask : RulePlane::Silkscreen;
 }
 
 bool isBetweenNets(RuleKind kind) {

@@ -129,8 +129,9 @@ private:
             for (const std::string& name : m_table.rules[rule].isOn ? m_choice.emptyClassesOf(rule) : Names{}) {
                 m_items.push_back({rule, 0, "", "no net fits " + wordsOf(name)});
             }
-            if (m_choice.hasNoLayer(rule) && m_choice.whyWithoutLayer(m_document, rule, {}).empty()) {
-                m_items.push_back({rule, 0, "", "no layer fits " + m_table.rules[rule].layer});
+            const std::string misnamed = m_choice.whyMisnamed(rule);
+            if (!misnamed.empty()) {
+                m_items.push_back({rule, 0, "", misnamed});
             }
         }
     }

@@ -146,7 +146,7 @@ private slots:
         QCOMPARE(model::textOf(report.unchecked[2]), std::string("1 copper element: the job has no solder mask layer"));
         RuleTable table = model::defaultRules();
         QVERIFY(model::verdictOf(table, report, 0) == model::Verdict::Incomplete);
-        QVERIFY(model::verdictOf(table, report, 1) == model::Verdict::Passed);
+        QVERIFY(model::verdictOf(table, report, 1) == model::Verdict::Unused);
         for (Rule& rule : table.rules) {
             rule.isOn = false;
         }
@@ -470,6 +470,62 @@ private slots:
         QVERIFY(model::verdictOf(table, top, 4) == model::Verdict::Incomplete);
     }
 
+    /// A layer that rules of the kind are not held against is a layer that the board does not have: a pass would be
+    /// untrue. A face may have no mask for good reasons, as long as the board has any.
+    void layersOfAnotherKindLeaveRulesIncomplete() {
+        Board board;
+        hand_made::addLayer(board.builder, "notes", model::LayerType::Document);
+        hand_made::addLayer(board.builder, "silk", model::LayerType::SilkScreen);
+        const auto document = board.builder.finish();
+        const auto on = [](RuleKind kind, const char* layer) {
+            Rule rule{kind, 1, {}};
+            rule.layer = layer;
+            return rule;
+        };
+        const RuleTable table{
+            {},
+            {on(RuleKind::MaskSliver, "top"), on(RuleKind::MaskSliver, "to*"), on(RuleKind::CopperToCopper, "mask"),
+             on(RuleKind::TrackWidth, "silk"), on(RuleKind::AnnularRing, "notes"), on(RuleKind::SilkToPad, "mask"),
+             on(RuleKind::MaskSliver, "mas*"), on(RuleKind::MaskSliver, "bottom"), on(RuleKind::CopperToCopper, "*o*"),
+             on(RuleKind::SilkToPad, "silk")}};
+        const RuleReport report = check(*document, table);
+        const auto verdictOf = [&](std::size_t rule) {
+            std::string why = report.unused[rule];
+            for (const model::Unchecked& unchecked : report.unchecked) {
+                why += unchecked.rule == rule ? model::textOf(unchecked) : "";
+            }
+            return std::string(model::toString(model::verdictOf(table, report, rule))) + ": " + why;
+        };
+        QCOMPARE(verdictOf(0), std::string("pass: "));
+        QCOMPARE(verdictOf(1), std::string("incomplete: no solder mask fits to*"));
+        QCOMPARE(verdictOf(2), std::string("incomplete: no copper layer fits mask"));
+        QCOMPARE(verdictOf(3), std::string("incomplete: no copper layer fits silk"));
+        QVERIFY(verdictOf(4).starts_with("incomplete: ") && verdictOf(4).ends_with("no copper layer fits notes"));
+        QCOMPARE(verdictOf(5), std::string("incomplete: no silkscreen fits mask"));
+        QCOMPARE(verdictOf(6), std::string("pass: "));
+        QCOMPARE(verdictOf(7), std::string("unused: the step has no bottom solder mask"));
+        QCOMPARE(verdictOf(8), std::string("pass: "));
+        QCOMPARE(verdictOf(9), std::string("pass: "));
+    }
+
+    void rulesOfHolesAreUnusedWithoutAny() {
+        const auto whyUnused = [](const model::Document& document, RuleKind kind) {
+            return check(document, kind, 1).unused.front();
+        };
+        Board bare;
+        const auto without = bare.builder.finish();
+        QCOMPARE(whyUnused(*without, RuleKind::AnnularRing), std::string("the step has no plated holes"));
+        QCOMPARE(whyUnused(*without, RuleKind::HoleToHole), std::string("the step has no holes"));
+        QCOMPARE(whyUnused(*without, RuleKind::CopperToHole), std::string("the step has no holes"));
+        Board board;
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 0}, of({}, kBare));
+        const auto document = board.builder.finish();
+        QCOMPARE(whyUnused(*document, RuleKind::AnnularRing), std::string("the step has no plated holes"));
+        QCOMPARE(whyUnused(*document, RuleKind::HoleToHole), std::string());
+        QCOMPARE(whyUnused(*document, RuleKind::CopperToHole), std::string());
+    }
+
     void sidesAreToldApart() {
         Board board;
         model::Component part;
@@ -505,7 +561,7 @@ private slots:
                                {RuleKind::CopperToHole, 120 * kUm, {}, false}}};
         const model::StepRules steps[] = {{document.get(), check(*document, table)}};
         const std::string text = model::ruleReport(table, steps, model::ReportFormat::Text, 9);
-        for (const char* word : {"FAIL        copper-copper, at least 120.0 um: 1 location\n", "pass        hole-hole",
+        for (const char* word : {"FAIL        copper-copper, at least 120.0 um: 1 location\n", "unused      hole-hole",
                                  "off         copper-hole", "   100.000 um  top ", "A, dot, element 0 "}) {
             QVERIFY2(text.find(word) != std::string::npos, (text + word).c_str());
         }
@@ -520,7 +576,7 @@ private slots:
         QCOMPARE(rules.size(), 3);
         QCOMPARE(rules[0]["passed"], QJsonValue(false));
         QCOMPARE(rules[0]["findings"][0]["nets"][1].toString(), "B1");
-        QCOMPARE(rules[1]["passed"], QJsonValue(true));
+        QCOMPARE(rules[1]["result"].toString(), "unused");
         QCOMPARE(rules[2]["on"], QJsonValue(false));
         QVERIFY(model::reportFormatOf(".csv") == model::ReportFormat::Csv && !model::reportFormatOf("pdf"));
     }
