@@ -446,12 +446,29 @@ std::optional<RuleFile> kicadRulesFor(const fs::path& path, const Document& boar
     return file;
 }
 
+namespace {
+
+/// Projects are carried from board to board with the nets of older ones: those are no faults.
+void leaveOutStrays(std::vector<NetClass>& classes, const RuleTable& table, const RuleChoice& choice) {
+    for (std::size_t row = 0; row < table.rules.size(); ++row) {
+        for (const RuleChoice::Stray& stray : choice.straysOf(row)) {
+            const auto netClass = std::ranges::find(classes, stray.netClass, &NetClass::name);
+            if (netClass != classes.end()) {
+                std::erase(netClass->nets, stray.pattern);
+            }
+        }
+    }
+}
+
+}  // namespace
+
 void leaveOutUnusedClasses(RuleFile& file, const Document& board) {
     if (!file.isOfKicad || board.nets.empty()) {
         return;
     }
     const RuleTable all = file.table;
     const RuleChoice choice(board, all);
+    leaveOutStrays(file.table.classes, all, choice);
     std::set<std::string> unused;
     file.table.rules.clear();
     for (std::size_t row = 0; row < all.rules.size(); ++row) {

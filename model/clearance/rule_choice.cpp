@@ -142,11 +142,21 @@ void RuleChoice::addClasses(const Document& document) {
         }
     }
     for (std::size_t row = 0; row < m_classes.size(); ++row) {
+        addClass(document, row);
+    }
+}
+
+void RuleChoice::addClass(const Document& document, std::size_t row) {
+    for (const std::string& pattern : m_classes[row].nets) {
+        bool isStray = true;
         for (std::size_t net = 0; net < m_classesOf.size(); ++net) {
-            const bool isIn = std::ranges::any_of(m_classes[row].nets, [&](const std::string& pattern) {
-                return fitsWildcard(document.nets[net].name, pattern);
-            });
-            m_classesOf[net] |= (isIn ? std::uint64_t{1} : 0) << row;
+            if (fitsWildcard(document.nets[net].name, pattern)) {
+                m_classesOf[net] |= std::uint64_t{1} << row;
+                isStray = false;
+            }
+        }
+        if (isStray) {
+            m_strays.push_back({pattern, m_classes[row].name});
         }
     }
 }
@@ -218,6 +228,16 @@ std::vector<std::string> RuleChoice::emptyClassesOf(std::size_t rule) const {
         }
     }
     return empty;
+}
+
+std::vector<RuleChoice::Stray> RuleChoice::straysOf(std::size_t rule) const {
+    const auto& classes = m_table.rules[rule].classes;
+    const std::vector<std::string> empty = emptyClassesOf(rule);
+    std::vector<Stray> strays;
+    std::ranges::copy_if(m_strays, std::back_inserter(strays), [&](const Stray& stray) {
+        return std::ranges::count(classes, stray.netClass) > 0 && std::ranges::count(empty, stray.netClass) == 0;
+    });
+    return strays;
 }
 
 bool RuleChoice::hasNoLayer(std::size_t rule) const {

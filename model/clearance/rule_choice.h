@@ -48,6 +48,13 @@ public:
     [[nodiscard]] std::string whyUnused(std::size_t rule, const std::vector<HoleClass>& holes) const;
     /// Classes that a rule names and that no net of the document fits.
     [[nodiscard]] std::vector<std::string> emptyClassesOf(std::size_t rule) const;
+    /// A name or pattern of a net class that no net of the document fits.
+    struct Stray {
+        std::string pattern;
+        std::string netClass;
+    };
+    /// Of the classes that a rule names, those of which some other pattern fits a net.
+    [[nodiscard]] std::vector<Stray> straysOf(std::size_t rule) const;
     /// Does the rule name a layer that the document does not have, or none that its kind is held against ("F.MASK" for
     /// tracks)?
     [[nodiscard]] bool hasNoLayer(std::size_t rule) const;
@@ -68,6 +75,7 @@ private:
 
     void addClasses(const Document& document);
     [[nodiscard]] Fit fitOf(const Document& document, std::size_t row) const;
+    void addClass(const Document& document, std::size_t row);
     [[nodiscard]] std::uint64_t maskOf(const std::string& name) const;
     [[nodiscard]] std::uint64_t classesOf(NetId net) const;
     [[nodiscard]] bool fitsSide(const Fit& fit, std::size_t side, const RuleParty& party) const;
@@ -77,6 +85,7 @@ private:
     std::vector<std::optional<RulePlane>> m_planes;  ///< by layer
     std::vector<NetClass> m_classes;                 ///< of the table, then one for each "net:"
     std::vector<std::uint64_t> m_classesOf;          ///< by net
+    std::vector<Stray> m_strays;                     ///< of all classes
     std::array<std::vector<Fit>, kRuleKindCount> m_rules;
 };
 

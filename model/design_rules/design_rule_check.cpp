@@ -51,6 +51,9 @@ void note(RuleContext& context) {
             context.report().notes.push_back(std::to_string(count) + what);
         }
     };
+    for (std::string& text : patternsOfNothing(context.table(), context.choice())) {
+        context.report().notes.push_back(std::move(text));
+    }
     if (std::ranges::any_of(context.table().rules, [](const Rule& rule) { return rule.isOn && rule.isSameNet; })) {
         context.report().notes.push_back("within a net, notches and slits of one area are not measured");
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <utility>
 
 #include "model/board/copies.h"
@@ -59,6 +60,14 @@ Box copperExtent(const Document& step) {
         extent.include(placed(copperExtent(*step.steps[copy.step]), copy.placement));
     }
     return extent;
+}
+
+bool hasWildcard(const std::string& pattern) {
+    return pattern.find_first_of("*?") != std::string::npos;
+}
+
+std::string textOf(const RuleChoice::Stray& stray) {
+    return "no net fits " + stray.pattern + " of the net class " + stray.netClass;
 }
 
 class Collector {
@@ -129,9 +138,20 @@ private:
             for (const std::string& name : m_table.rules[rule].isOn ? m_choice.emptyClassesOf(rule) : Names{}) {
                 m_items.push_back({rule, 0, "", "no net fits " + wordsOf(name)});
             }
+            addStrays(rule);
             const std::string misnamed = m_choice.whyMisnamed(rule);
             if (!misnamed.empty()) {
                 m_items.push_back({rule, 0, "", misnamed});
+            }
+        }
+    }
+
+    /// A name that is misspelt leaves its net out of the class, though others are in it. Patterns are notes: they may
+    /// be meant for nets that some boards have.
+    void addStrays(std::size_t rule) {
+        for (const RuleChoice::Stray& stray : m_choice.straysOf(rule)) {
+            if (m_table.rules[rule].isOn && !hasWildcard(stray.pattern)) {
+                m_items.push_back({rule, 0, "", textOf(stray)});
             }
         }
     }
@@ -250,6 +270,18 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::string> patternsOfNothing(const RuleTable& table, const RuleChoice& choice) {
+    std::set<std::string> texts;
+    for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
+        for (const RuleChoice::Stray& stray : choice.straysOf(rule)) {
+            if (table.rules[rule].isOn && hasWildcard(stray.pattern)) {
+                texts.insert(textOf(stray));
+            }
+        }
+    }
+    return {texts.begin(), texts.end()};
+}
 
 std::vector<Unchecked> uncheckedItems(const Document& document, const RuleTable& table, const RuleChoice& choice) {
     return Collector(document, table, choice).run();

@@ -269,6 +269,13 @@ private slots:
         QCOMPARE(
             std::ranges::count(fitting.unused, "no net of the board fits the name CLK*; its rules ask for nothing"), 1);
 
+        // Nor is a name of a class amiss that older boards had.
+        fitting = all;
+        fitting.table.classes.push_back({"Mixed", {"GND", "OLD_5V"}});
+        fitting.table.rules.push_back({RuleKind::TrackWidth, 1, {"Mixed"}});
+        model::leaveOutUnusedClasses(fitting, board);
+        QCOMPARE(fitting.table.classes.back().nets, std::vector<std::string>{"GND"});
+
         // Rules that somebody wrote for the board keep what fits nothing.
         fitting = all;
         fitting.isOfKicad = false;

@@ -214,6 +214,21 @@ private slots:
         QCOMPARE(model::textOf(report.unchecked[0]), std::string("no net fits the net class power"));
     }
 
+    /// A misspelt name must not hide behind other names of its class. Patterns may be meant for other boards.
+    void namesOfAClassThatNoNetHasLeaveRulesIncomplete() {
+        Board board;
+        const auto document = board.builder.finish();
+        const RuleTable table{{{"power", {"A", "VNI", "VCC*", "B?"}}, {"other", {"A", "X"}}},
+                              {{RuleKind::TrackWidth, 1, {"power"}},
+                               {RuleKind::CopperToCopper, 1, {"", "power"}},
+                               {RuleKind::CopperToCopper, 2, {"other"}, false}}};
+        const RuleReport report = check(*document, table);
+        QCOMPARE(report.unchecked.size(), std::size_t{2});
+        QCOMPARE(model::textOf(report.unchecked[0]), std::string("no net fits VNI of the net class power"));
+        QCOMPARE(report.unchecked[1].rule, std::size_t{1});
+        QCOMPARE(report.notes, std::vector<std::string>{"no net fits VCC* of the net class power"});
+    }
+
     /// A pad without a net that touches a net is part of it; one that lies alone keeps away from all, other such too.
     void copperWithoutANetBelongsToWhatItTouches() {
         Board board;
@@ -512,8 +527,7 @@ private slots:
         const auto whyUnused = [](const model::Document& document, RuleKind kind) {
             return check(document, kind, 1).unused.front();
         };
-        Board bare;
-        const auto without = bare.builder.finish();
+        const auto without = Board().builder.finish();
         QCOMPARE(whyUnused(*without, RuleKind::AnnularRing), std::string("the step has no plated holes"));
         QCOMPARE(whyUnused(*without, RuleKind::HoleToHole), std::string("the step has no holes"));
         QCOMPARE(whyUnused(*without, RuleKind::CopperToHole), std::string("the step has no holes"));
