@@ -7,6 +7,7 @@
 
 #include "app/clearance/through_stackup.h"
 #include "app/common/console_progress.h"
+#include "app/common/incomplete_job.h"
 #include "model/base/thickness_units.h"
 #include "model/board/copies.h"
 #include "model/clearance/kicad_project_rules.h"
@@ -279,10 +280,19 @@ base::Status checkUsage(const ClearanceArguments& arguments) {
     if (arguments.rules.empty() && model::isOfRulesAlone(formatOf(arguments))) {
         return wrong("junit, sarif and html are reports on rules: they need --rules");
     }
+    if (arguments.allowsIncomplete && arguments.rules.empty() && arguments.below.empty()) {
+        return wrong("--allow-incomplete needs --rules or --below, which end with a verdict");
+    }
     if (!arguments.newWaivers.empty() && (arguments.reason.empty() || arguments.author.empty())) {
         return wrong("--write-waivers needs --reason and --author, which must not be empty");
     }
     return base::Done{};
+}
+
+/// Without --below there is no verdict.
+int limitCode(const ClearanceArguments& arguments, const Document& board, int code) {
+    const Document* const jobs[] = {&board};
+    return arguments.below.empty() ? int{kDone} : verdictCode(code, jobs, arguments.allowsIncomplete);
 }
 
 }  // namespace
@@ -300,7 +310,7 @@ Outcome runClearance(const ClearanceArguments& arguments) {
     if (arguments.isThroughStackup) {
         ASSIGN_OR_RETURN(const ThroughStackup found, runThroughStackup(arguments, *board, console.progress()));
         RETURN_IF_ERROR(deliver(arguments, found.report));
-        return found.code;
+        return limitCode(arguments, *board, found.code);
     }
     if (!arguments.map.file.empty()) {
         return runClearanceMap(arguments.map, *board, arguments.layer, console.progress());
@@ -311,7 +321,7 @@ Outcome runClearance(const ClearanceArguments& arguments) {
     ASSIGN_OR_RETURN(const auto found, measureSteps(*board, arguments, console.progress()));
     RETURN_IF_ERROR(deliver(arguments, model::clearanceReport(found, formatOf(arguments))));
     const bool isAnyClose = std::ranges::any_of(found, [](const StepClearances& s) { return !s.clearances.empty(); });
-    return int{!arguments.below.empty() && isAnyClose ? kTooClose : kDone};
+    return limitCode(arguments, *board, isAnyClose ? kTooClose : kDone);
 }
 
 }  // namespace app

@@ -22,7 +22,7 @@ struct ClearanceArguments {
     bool printsRules = false;       ///< prints the rules as a file, and checks nothing
     std::string tolerance;          ///< of the limits of rules, a length; empty: as the rules say
     bool isThroughStackup = false;  ///< distances in space, see through_stackup.h
-    bool allowsIncomplete = false;  ///< a rule that could not check everything is no failure
+    bool allowsIncomplete = false;  ///< what could not be checked is no failure
     std::string waivers;            ///< a file of waivers; empty: none
     std::string newWaivers;         ///< then nothing is reported, but all findings are waived in this file
     std::string reason;             ///< of new waivers
@@ -33,7 +33,7 @@ struct ClearanceArguments {
 /// `copperscope clearance BOARD [--below 100um] [--layer NAME] [--nets A,B]`: the smallest clearances between nets, on
 /// stdout or in a file; with `--rules FILE` what every rule says of the board (model::RuleTable), findings that
 /// `--waivers FILE` accepts apart. Returns kTooClose if --below was given and anything is closer, or if a rule is
-/// broken or could not check everything.
+/// broken; also if not everything could be checked, of rules or below.
 [[nodiscard]] Outcome runClearance(const ClearanceArguments& arguments);
 
 }  // namespace app

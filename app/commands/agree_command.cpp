@@ -1,12 +1,15 @@
 #include "app/commands/agree_command.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/common/console_progress.h"
+#include "app/common/incomplete_job.h"
 #include "model/agreement/agreement.h"
 #include "model/base/thickness_units.h"
+#include "model/board/diagnostic_facts.h"
 #include "model/text/formatting.h"
 #include "model/text/json_text.h"
 
@@ -91,11 +94,12 @@ ordered_json comparisonJson(const Comparison& comparison) {
     return json;
 }
 
-void printJson(const AgreeArguments& arguments, const Agreement& agreement) {
+void printJson(const AgreeArguments& arguments, const Agreement& agreement, bool isComplete) {
     ordered_json json = {{"a", arguments.a},
                          {"b", arguments.b},
                          {"agree", agreement.isAgreed()},
                          {"compared", agreement.isCompared()},
+                         {"complete", isComplete},
                          {"shift_nm", {agreement.shift.x, agreement.shift.y}},
                          {"comparisons", ordered_json::array()},
                          {"never_compared", kNeverCompared}};
@@ -148,7 +152,15 @@ void printComparison(const Comparison& comparison) {
     }
 }
 
-void printText(const AgreeArguments& arguments, const Agreement& agreement) {
+/// The last line of the report.
+const char* verdictOf(const Agreement& agreement, bool isComplete) {
+    return !agreement.isCompared() ? "Nothing was compared."
+           : !agreement.isAgreed() ? "The jobs differ."
+           : isComplete            ? "The jobs agree."
+                                   : "What could be read of the jobs agrees; not all could be read.";
+}
+
+void printText(const AgreeArguments& arguments, const Agreement& agreement, bool isComplete) {
     std::printf("A  %s\nB  %s\n", arguments.a.c_str(), arguments.b.c_str());
     if (agreement.shift != base::Point{}) {
         std::printf("B counts from another origin: %.4f, %.4f mm were added\n", base::toMm(agreement.shift.x),
@@ -162,9 +174,7 @@ void printText(const AgreeArguments& arguments, const Agreement& agreement) {
     for (const char* what : kNeverCompared) {
         std::printf("%s%s", what == kNeverCompared.front() ? "" : "; ", what);
     }
-    std::printf(".\n%s\n", !agreement.isCompared() ? "Nothing was compared."
-                           : agreement.isAgreed()  ? "The jobs agree."
-                                                   : "The jobs differ.");
+    std::printf(".\n%s\n", verdictOf(agreement, isComplete));
 }
 
 }  // namespace
@@ -177,8 +187,11 @@ Outcome runAgree(const AgreeArguments& arguments) {
     RETURN_IF_ERROR(checkLayerMaps(a, b));
     ASSIGN_OR_RETURN(const Agreement agreement,
                      model::compareBoards(*a.document, *b.document, request, console.progress()));
-    arguments.asJson ? printJson(arguments, agreement) : printText(arguments, agreement);
-    return agreement.isAgreed() ? int{kDone} : int{kTooClose};
+    const model::Document* const jobs[] = {a.document.get(), b.document.get()};
+    const bool isComplete = std::ranges::all_of(
+        jobs, [](const model::Document* job) { return model::firstError(job->diagnostics) == nullptr; });
+    arguments.asJson ? printJson(arguments, agreement, isComplete) : printText(arguments, agreement, isComplete);
+    return verdictCode(agreement.isAgreed() ? kDone : kTooClose, jobs, arguments.allowsIncomplete);
 }
 
 }  // namespace app

@@ -303,7 +303,7 @@ void addClearance(CLI::App& parent, Command& chosen) {
     command.add_option("--tolerance", arguments.tolerance,
                        "with --rules: how far a distance may be below its limit; default 0.5um, or as the file says");
     command.add_flag("--allow-incomplete", arguments.allowsIncomplete,
-                     "with --rules: exit code 0 also where a rule could not check everything");
+                     "with --rules or --below: exit code 0 also where not everything could be checked");
     command.add_option(
         "--below", arguments.below,
         "only clearances less than this, with um, mm, mil or inch; exit code 4 if there is one; with --rules only "
@@ -400,6 +400,8 @@ void addMeasure(CLI::App& parent, Command& chosen) {
         .add_option("--below", arguments.below,
                     "exit code 4 if the distance is less than this, with um, mm, mil or inch")
         ->excludes(path);
+    command.add_flag("--allow-incomplete", arguments.allowsIncomplete,
+                     "with --below: exit code 0 also where not all of the job could be read");
     addReportFormat(command, arguments.format);
     addInputOptions(command, arguments.board.request);
 }
@@ -429,6 +431,8 @@ void addAgree(CLI::App& parent, Command& chosen) {
     addNumber<std::size_t>(command, "--worst", arguments.most, 0, 1'000'000, "how many differences of each are listed");
     addList(command, "--aspects", arguments.aspects, "only these, separated by commas")
         ->check(CLI::IsMember(aspectNames()));
+    command.add_flag("--allow-incomplete", arguments.allowsIncomplete,
+                     "exit code 0 also where not all of a job could be read");
     command.add_flag("--json", arguments.asJson, "as JSON");
     addInputOptions(command, arguments.board.request);
     addChoice(command, "--format-a", arguments.formatA, model::formatKeys(), ": of A alone");
@@ -535,7 +539,8 @@ std::string versionText() {
 /// As in docs/command-line.md, for --help and the man pages.
 constexpr const char* kExitCodes =
     "Exit codes: 0 done; 1 wrong usage; 2 the input cannot be read; 3 no usable device or module, not enough memory, "
-    "or the output cannot be written; 4 a limit set by an option is broken.";
+    "or the output cannot be written; 4 a limit set by an option is broken, two jobs "
+    "differ (agree), what was exported is wrong (verify), or not everything could be checked.";
 
 constexpr void (*kCommands[])(CLI::App&, Command&) = {addInfo,    addRender,  addGenerate, addBench,  addClearance,
                                                       addSection, addMeasure, addExport,   addVerify, addAgree};

@@ -5,6 +5,7 @@
 
 #include "app/commands/measure_item_text.h"
 #include "app/common/console_progress.h"
+#include "app/common/incomplete_job.h"
 #include "model/base/thickness_units.h"
 #include "model/measure/net_path.h"
 #include "model/measure/separation.h"
@@ -270,7 +271,12 @@ Outcome measureDistance(const BoardIndex& index, const Request& request, const M
     if (request.below && separation.main() == nullptr) {
         return base::Error{base::ErrorCode::BadUsage, "there is no distance to compare: " + separation.notes.front()};
     }
-    return request.below && separation.main()->distance < *request.below ? int{kTooClose} : int{kDone};
+    if (!request.below) {
+        return int{kDone};
+    }
+    const model::Document* const jobs[] = {index.board.get()};
+    const int code = separation.main()->distance < *request.below ? kTooClose : kDone;
+    return verdictCode(code, jobs, arguments.allowsIncomplete);
 }
 
 }  // namespace

@@ -11,9 +11,10 @@ struct MeasureArguments {
     BoardArguments board;
     std::string from;  ///< see app/commands/measure_item_text.h
     std::string to;
-    std::string path;             ///< a net: the path along its copper instead of the distance
-    std::string below;            ///< with a unit; exit code 4 if the distance is less
-    std::string format = "text";  ///< text, json or csv
+    std::string path;               ///< a net: the path along its copper instead of the distance
+    std::string below;              ///< with a unit; exit code 4 if the distance is less
+    bool allowsIncomplete = false;  ///< `below` also decides where not all of the job could be read
+    std::string format = "text";    ///< text, json or csv
 };
 
 /// `copperscope measure BOARD --from ITEM --to ITEM`: how far they are apart, on stdout.

@@ -122,7 +122,7 @@ const std::vector<Combination>& exclusions() {
 const std::vector<Combination>& needs() {
     static const std::vector<Combination> kRows = {
         {"clearance", "--tolerance", {"--rules"}},
-        {"clearance", "--allow-incomplete", {"--rules"}},
+        {"measure", "--allow-incomplete", {"--below"}},
     };
     return kRows;
 }

@@ -231,13 +231,25 @@ private slots:
         cut.close();
         const QByteArray loss = "error: The file ends before the board does; it was cut off";
         const auto run = [&](QStringList words) { return copperscope(words, folder.path()); };
-        for (const QStringList& words :
-             {QStringList{"export", "cut.kicad_pcb", "-o", "cut.svg"},
-              QStringList{"render", "cut.kicad_pcb", "-o", "cut.png", "--size", "64x64"},
-              QStringList{"agree", "cut.kicad_pcb", "cut.kicad_pcb"}, QStringList{"info", "cut.kicad_pcb"}}) {
+        for (const QStringList& words : {QStringList{"export", "cut.kicad_pcb", "-o", "cut.svg"},
+                                         QStringList{"render", "cut.kicad_pcb", "-o", "cut.png", "--size", "64x64"},
+                                         QStringList{"info", "cut.kicad_pcb"}}) {
             const Outcome said = run(words);
             QVERIFY2(said.exitCode == 0 && said.err.contains(loss), said.err.constData());
         }
+        for (const QStringList& words :
+             {QStringList{"clearance", "cut.kicad_pcb", "--below", "1um"},
+              QStringList{"clearance", "cut.kicad_pcb", "--through", "--below", "1um"},
+              QStringList{"measure", "cut.kicad_pcb", "--from", "net:GND", "--to", "at:0mm,0mm", "--below", "1um"},
+              QStringList{"agree", "cut.kicad_pcb", "cut.kicad_pcb"}}) {
+            const Outcome verdict = run(words);
+            QVERIFY2(verdict.exitCode == 4 && verdict.err.contains(loss), verdict.err.constData());
+            QVERIFY(verdict.err.contains("not everything could be checked"));
+            QVERIFY(!verdict.out.contains("The jobs agree."));
+            const Outcome allowed = run(words + QStringList{"--allow-incomplete"});
+            QVERIFY2(allowed.exitCode == 0 && allowed.err.contains("not everything"), allowed.err.constData());
+        }
+        QCOMPARE(run({"agree", whole.fileName(), whole.fileName()}).exitCode, 0);
         const QStringList rules{"clearance", "cut.kicad_pcb", "--rules", "default"};
         QVERIFY(run(rules).out.contains("1 error: not all of the job could be read"));
         QCOMPARE(run(rules).exitCode, 4);

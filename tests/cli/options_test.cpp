@@ -97,7 +97,8 @@ private slots:
             row(qPrintable("render -o x.png " + QString(options)), why);
         };
         row("clearance --tolerance 0.3um", "--tolerance requires --rules");
-        row("clearance --allow-incomplete", "--allow-incomplete requires --rules");
+        row("clearance --allow-incomplete", "--allow-incomplete needs --rules or --below");
+        row("measure --from edge --to net:GND --allow-incomplete", "--allow-incomplete requires --below");
         row("clearance --rules default --write-waivers w.json --reason x --author y -o r.txt", "excludes");
         row("clearance --rules default --print --below 1mm", "excludes");
         row("clearance --through --layer L01-TOP_LAYER", "excludes");
