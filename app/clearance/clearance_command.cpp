@@ -159,15 +159,69 @@ base::Result<model::RuleTable> rulesFor(const ClearanceArguments& arguments, con
     return table;
 }
 
-/// A rule that is broken counts, and one that could not check everything, unless that is allowed.
-int exitCodeOf(std::span<const StepRules> steps, bool allowsIncomplete) {
-    const bool isPassed = std::ranges::all_of(steps, [](const StepRules& s) { return s.report.isPassed(); });
-    const bool isComplete = std::ranges::all_of(steps, [](const StepRules& s) { return s.report.isComplete(); });
-    if (!isComplete) {
-        std::fprintf(stderr, "copperscope: not everything could be checked; see \"incomplete\" and \"not checked\"%s\n",
-                     allowsIncomplete ? "" : " (--allow-incomplete accepts that)");
+std::string counted(std::size_t count, const char* what) {
+    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+/// What rules say of all steps together.
+struct Outlook {
+    std::size_t broken = 0;      ///< rules
+    std::size_t locations = 0;   ///< where they are broken
+    std::size_t incomplete = 0;  ///< rules that could not check everything, broken ones too
+    std::size_t checked = 0;     ///< rules that are neither off nor unused
+};
+
+Outlook outlookOf(const model::RuleTable& table, std::span<const StepRules> steps) {
+    Outlook outlook;
+    for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
+        const auto isAnywhere = [&](const auto& holds) {
+            return std::ranges::any_of(steps, [&](const StepRules& step) { return holds(step.report); });
+        };
+        const auto isChecked = [&](const model::RuleReport& report) {
+            return model::verdictOf(table, report, rule) > model::Verdict::Unused;
+        };
+        const auto isPart = [&](const model::RuleReport& report) {
+            return std::ranges::count(report.unchecked, rule, &model::Unchecked::rule) > 0;
+        };
+        outlook.broken += isAnywhere([&](const model::RuleReport& report) { return report.counts[rule] > 0; }) ? 1 : 0;
+        outlook.incomplete += isAnywhere(isPart) ? 1 : 0;
+        outlook.checked += isAnywhere(isChecked) ? 1 : 0;
+        for (const StepRules& step : steps) {
+            outlook.locations += step.report.counts[rule];
+        }
     }
-    return isPassed && (isComplete || allowsIncomplete) ? kDone : kTooClose;
+    return outlook;
+}
+
+/// "3 rules broken at 10 locations, 1 incomplete"; empty if there is nothing to say.
+std::string textOf(const Outlook& outlook) {
+    if (outlook.checked == 0) {
+        return "nothing was checked: all rules are unused";
+    }
+    const std::string incomplete = std::to_string(outlook.incomplete) + " incomplete";
+    if (outlook.broken > 0) {
+        return counted(outlook.broken, "rule") + " broken at " + counted(outlook.locations, "location") +
+               (outlook.incomplete > 0 ? ", " + incomplete : "");
+    }
+    return outlook.incomplete > 0
+               ? "not everything could be checked: " + counted(outlook.incomplete, "rule") + " incomplete"
+               : "";
+}
+
+/// A rule that is broken counts. So does one that could not check everything, and that none had anything to check,
+/// unless that is allowed. Says on stderr what counts, as the report may lie in a file.
+int exitCodeOf(const Outlook& outlook, const ClearanceArguments& arguments) {
+    const bool isPart = outlook.incomplete > 0 || outlook.checked == 0;
+    const bool mayAccept = isPart && !arguments.allowsIncomplete;
+    const std::string text = textOf(outlook);
+    const std::string where = text.empty() || arguments.output.empty() ? "" : "; see " + arguments.output;
+    const char* hint = !mayAccept           ? ""
+                       : outlook.broken > 0 ? " (--allow-incomplete accepts what is incomplete)"
+                                            : " (--allow-incomplete accepts that)";
+    if (!text.empty()) {
+        std::fprintf(stderr, "copperscope: %s%s%s\n", text.c_str(), where.c_str(), hint);
+    }
+    return outlook.broken > 0 || mayAccept ? kTooClose : kDone;
 }
 
 /// Leaves out of the list what is not closer than --below. Verdicts and counts stay: the rules are broken there too.
@@ -254,6 +308,13 @@ Outcome writeWaivers(const ClearanceArguments& arguments, const Document& board,
     RETURN_IF_ERROR(model::writeWholeFile(arguments.newWaivers, model::toJson(waivers)));
     std::fprintf(stderr, "copperscope: %zu waivers, %zu before, in %s\n", waivers.size(), before,
                  arguments.newWaivers.c_str());
+    const std::size_t incomplete = outlookOf(table, steps).incomplete;
+    if (incomplete > 0) {
+        std::fprintf(stderr,
+                     "copperscope: %s could not check everything, which no waiver accepts: checks with these waivers "
+                     "need --allow-incomplete\n",
+                     counted(incomplete, "rule").c_str());
+    }
     return int{kDone};
 }
 
@@ -267,11 +328,10 @@ Outcome runRules(const ClearanceArguments& arguments, const Document& board, bas
     for (model::WaiverNote& note : model::waiversElsewhere(waivers, model::distinctSteps(board))) {
         steps.front().report.waiverNotes.push_back(std::move(note));
     }
-    const int code = exitCodeOf(steps, arguments.allowsIncomplete);
     RETURN_IF_ERROR(listBelow(arguments.below, steps));
     const model::ReportContext context{orSample(arguments.board.request).path, COPPERSCOPE_VERSION};
     RETURN_IF_ERROR(deliver(arguments, model::ruleReport(table, steps, formatOf(arguments), arguments.worst, context)));
-    return code;
+    return exitCodeOf(outlookOf(table, steps), arguments);
 }
 
 /// Options that fit together no command line parser can say.

@@ -307,7 +307,12 @@ private slots:
         QVERIFY2(text.out.contains("incomplete  copper-copper"), text.out.constData());
         QVERIFY2(text.out.contains("not checked: ") && text.out.contains("the board has no nets"),
                  text.out.constData());
-        QVERIFY2(text.err.contains("--allow-incomplete"), text.err.constData());
+        QVERIFY2(text.err.contains("not everything could be checked: 1 rule incomplete (--allow-incomplete"),
+                 text.err.constData());
+        const Outcome waived = copperscope({"clearance", board, "--rules", rules, "--write-waivers",
+                                            folder.filePath("w.json"), "--reason", "as built", "--author", "Me"});
+        QVERIFY2(waived.exitCode == 0 && waived.err.contains("1 rule could not check everything, which no waiver"),
+                 waived.err.constData());
         QCOMPARE(copperscope({"clearance", board, "--rules", rules, "--allow-incomplete"}).exitCode, 0);
         const Outcome json = copperscope({"clearance", board, "--rules", rules, "--format", "json"});
         const QJsonValue rule = QJsonDocument::fromJson(json.out)["steps"][0]["rules"][0];
@@ -317,6 +322,37 @@ private slots:
         QCOMPARE(rule["unchecked"][0]["reason"].toString(), "the board has no nets");
         const Outcome csv = copperscope({"clearance", board, "--rules", rules, "--format", "csv"});
         QVERIFY2(csv.out.contains(",incomplete,") && csv.out.count('\n') == 2, csv.out.constData());
+    }
+
+    /// Logs of builds hold stderr alone: it says what the exit code is about.
+    void rulesSayWhyTheyEndWithFour() {
+        const QTemporaryDir folder;
+        const auto check = [&](const QByteArray& rules, const QStringList& rest) {
+            QFile file(folder.filePath("rules.json"));
+            file.open(QIODevice::WriteOnly);
+            file.write(R"({"copperscope_rules": 1, "rules": [)" + rules + "]}");
+            file.close();
+            return copperscope(QStringList{"clearance", locations::kSample, "--rules", file.fileName()} + rest);
+        };
+        const QByteArray broken = R"({"kind": "track-width", "least_um": 90000})";
+        const QByteArray unknown = R"({"kind": "track-width", "least_um": 1, "layer": "no such layer"})";
+        const QByteArray unused = R"({"kind": "silk-pad", "least_um": 1, "layer": "inner"})";
+        const QString report = folder.filePath("r.txt");
+        const Outcome both = check(broken + "," + unknown, {"-o", report});
+        QCOMPARE(both.exitCode, 4);
+        QVERIFY2(both.err.contains("1 rule broken at ") && both.err.contains(" locations, 1 incomplete; see "),
+                 both.err.constData());
+        const Outcome alone = check(broken, {"-o", report});
+        QVERIFY2(alone.exitCode == 4 && alone.err.contains("1 rule broken at ") && alone.out.isEmpty() &&
+                     !alone.err.contains("incomplete"),
+                 alone.err.constData());
+        // A check of nothing is no pass.
+        const Outcome nothing = check(unused, {});
+        QVERIFY2(nothing.exitCode == 4 && nothing.err.contains("nothing was checked: all rules are unused"),
+                 nothing.err.constData());
+        QCOMPARE(check(unused, {"--allow-incomplete"}).exitCode, 0);
+        const Outcome passed = check(R"({"kind": "track-width", "least_um": 1})", {});
+        QVERIFY2(passed.exitCode == 0 && passed.err.isEmpty(), passed.err.constData());
     }
 
     void measureTellsHowFarThingsAreApart() {
