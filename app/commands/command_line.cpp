@@ -155,7 +155,10 @@ void addInfo(CLI::App& parent, Command& chosen) {
     addBoardOptions(command, arguments.board);
     addModellingOptions(command, arguments.board);
     command.add_flag("--json", arguments.asJson, "as JSON");
-    command.add_flag("--check-nets", arguments.checkNets, "compare the nets with the copper: opens and shorts");
+    command.add_flag("--check-nets", arguments.checkNets,
+                     "compare the nets with the copper; exit code 4 if there are opens or shorts");
+    command.add_flag("--allow-incomplete", arguments.allowsIncomplete,
+                     "with --check-nets: exit code 0 also where not all of the job could be read");
     command.add_flag("--print-layer-map", arguments.printsLayerMap,
                      "only what the files of a Gerber job are taken to draw, and why, as a file for --layer-map");
     addInputOptions(command, arguments.board.request);
@@ -539,8 +542,9 @@ std::string versionText() {
 /// As in docs/command-line.md, for --help and the man pages.
 constexpr const char* kExitCodes =
     "Exit codes: 0 done; 1 wrong usage; 2 the input cannot be read; 3 no usable device or module, not enough memory, "
-    "or the output cannot be written; 4 a limit set by an option is broken, two jobs "
-    "differ (agree), what was exported is wrong (verify), or not everything could be checked.";
+    "or the output cannot be written; 4 a limit set by an option is broken, nets "
+    "and copper differ (info --check-nets), two jobs differ (agree), what was exported is wrong (verify), or not "
+    "everything could be checked.";
 
 constexpr void (*kCommands[])(CLI::App&, Command&) = {addInfo,    addRender,  addGenerate, addBench,  addClearance,
                                                       addSection, addMeasure, addExport,   addVerify, addAgree};

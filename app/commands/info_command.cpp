@@ -1,10 +1,12 @@
 #include "app/commands/info_command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <optional>
 
 #include "app/common/console_progress.h"
+#include "app/common/incomplete_job.h"
 #include "app/reports/info_json.h"
 #include "app/reports/stackup_report.h"
 #include "model/board/diagnostic_facts.h"
@@ -156,6 +158,16 @@ Outcome printLayerMap(const model::OpenRequest& request) {
     return int{kDone};
 }
 
+/// Of the netlist check: shorts and opens are faults. Floating copper, ties and pins without a net may be meant.
+int codeOf(const std::vector<StepCheck>& checks) {
+    const bool isFaulty = std::ranges::any_of(checks, [](const StepCheck& check) {
+        return !check.report.shorts.empty() || std::ranges::any_of(check.report.opens, [&](const model::OpenNet& open) {
+            return model::hasSeveralPadIslands(check.report, open);
+        });
+    });
+    return isFaulty ? kTooClose : kDone;
+}
+
 }  // namespace
 
 Outcome runInfo(const InfoArguments& arguments) {
@@ -176,7 +188,8 @@ Outcome runInfo(const InfoArguments& arguments) {
     } else {
         printText(board, checked);
     }
-    return int{kDone};
+    const model::Document* const jobs[] = {board.document.get()};
+    return checks ? verdictCode(codeOf(*checks), jobs, arguments.allowsIncomplete) : int{kDone};
 }
 
 }  // namespace app

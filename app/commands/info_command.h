@@ -9,6 +9,7 @@ struct InfoArguments {
     BoardArguments board;
     bool asJson = false;
     bool checkNets = false;
+    bool allowsIncomplete = false;  ///< the check of nets also passes where not all of the job could be read
     bool printsLayerMap = false;
 };
 

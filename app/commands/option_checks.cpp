@@ -122,6 +122,7 @@ const std::vector<Combination>& exclusions() {
 const std::vector<Combination>& needs() {
     static const std::vector<Combination> kRows = {
         {"clearance", "--tolerance", {"--rules"}},
+        {"info", "--allow-incomplete", {"--check-nets"}},
         {"measure", "--allow-incomplete", {"--below"}},
     };
     return kRows;
