@@ -15,6 +15,7 @@
 #include "app/commands/measure_command.h"
 #include "app/commands/misspelt_command.h"
 #include "app/commands/option_checks.h"
+#include "app/commands/option_values.h"
 #include "app/commands/render_command.h"
 #include "app/commands/section_command.h"
 #include "app/commands/verify_command.h"
@@ -62,26 +63,6 @@ void addChoice(CLI::App& command, const char* name, std::string& value, const st
     }
 }
 
-/// An option whose values are separated by commas.
-template <class Values>
-CLI::Option* addList(CLI::App& command, const char* name, Values& values, const char* help) {
-    return command.add_option(name, values, help)->delimiter(',');
-}
-
-/// An option that may be given several times, with one value each.
-void addRepeated(CLI::App& command, const char* name, std::vector<std::string>& values, const char* help) {
-    command.add_option(name, values, std::string(help) + "; may be given several times")->take_all()->expected(1);
-}
-
-/// An option that is a number of bytes, with K, M, G or T behind it for powers of 1024.
-void addSize(CLI::App& command, const char* name, const char* help, const std::function<void(std::uint64_t)>& take) {
-    command
-        .add_option_function<std::uint64_t>(
-            name, [take](const std::uint64_t& bytes) { take(bytes); }, help)
-        ->transform(CLI::AsSizeValue(false))
-        ->type_name("SIZE");
-}
-
 /// An option that names a file, read or written.
 template <class Path>
 CLI::Option* addFile(CLI::App& command, const char* name, Path& value, const std::string& help) {
@@ -126,10 +107,8 @@ void addChords(CLI::App& command, BoardArguments& board) {
                      "50 segments per circle and 20 per arc, as the paper does");
 }
 
-/// An empty name is a script's mistake, and not the sample.
 void addBoard(CLI::App& command, model::OpenRequest& request, const std::string& help) {
-    const CLI::Validator isNamed([](const std::string& name) { return name.empty() ? "the name is empty" : ""; }, "");
-    command.add_option("BOARD", request.path, help + "; default: the sample")->check(isNamed);
+    command.add_option("BOARD", request.path, help + "; default: the sample");
 }
 
 void addBoardOptions(CLI::App& command, BoardArguments& board) {
@@ -172,7 +151,8 @@ void parseSize(const std::string& text, Sized& sized) {
     const auto width = std::from_chars(text.data(), end, sized.width);
     const bool isPair = cross != std::string::npos && width.ptr == text.data() + cross;
     const auto height = isPair ? std::from_chars(width.ptr + 1, end, sized.height) : width;
-    if (!isPair || height.ptr != end || sized.width < 1 || sized.height < 1) {
+    const bool areNumbers = width.ec == std::errc() && height.ec == std::errc();
+    if (!isPair || !areNumbers || height.ptr != end || sized.width < 1 || sized.height < 1) {
         throw CLI::ValidationError("--size", "takes WIDTHxHEIGHT in pixels, for example 1600x1000");
     }
 }
@@ -208,22 +188,20 @@ void addRender(CLI::App& parent, Command& chosen) {
     addBoardOptions(command, arguments.board);
     addModellingOptions(command, arguments.board);
     addPictureOptions(command, arguments);
-    addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
+    addNames(command, "--layers", arguments.layers, "only these layers, separated by commas");
     addBoardColours(command, arguments);
     addRepeated(command, "--net", arguments.nets, "highlight this net");
     command
         .add_option("--explode", arguments.explode,
                     "exploded view: 0 shows the real stackup, 1 spreads it over about half the board's width")
         ->check(CLI::Range(0.0, 10.0));
-    addList(command, "--window", arguments.window, "X0,Y0,X1,Y1 in millimetres of the job's coordinates; draws in 2D")
-        ->expected(4);
-    addList(command, "--z-scale", arguments.zScale,
-            "COPPER,OTHER: vertical scale of copper and of everything else, for example 10,5")
-        ->expected(2)
-        ->check(CLI::Range(0.01, 1000.0));
-    addList(command, "--clip", arguments.clip,
-            "X0,Y0,X1,Y1 in millimetres: a section plane along this line; what is to its left is left out (3D)")
-        ->expected(4);
+    addNumbers(command, "--window", arguments.window,
+               "X0,Y0,X1,Y1 in millimetres of the job's coordinates; draws in 2D", {4});
+    addNumbers(command, "--z-scale", arguments.zScale,
+               "COPPER,OTHER: vertical scale of copper and of everything else, for example 10,5", {2, 0.01, 1000.0});
+    addNumbers(command, "--clip", arguments.clip,
+               "X0,Y0,X1,Y1 in millimetres: a section plane along this line; what is to its left is left out (3D)",
+               {4});
     command.add_flag("--components", arguments.hasComponents, "with the bodies of the components");
     command.add_flag("--as-designed", arguments.isAsDesigned,
                      "in 3D, draw also what is milled away beyond the board outline");
@@ -282,8 +260,7 @@ void addMapOptions(CLI::App& command, ClearanceMapArguments& map) {
         .add_option("--resolution", map.resolution,
                     "of the map: the side of a pixel or cell; default: 1600 (.csv: 400) along the longer side")
         ->needs(file);
-    addList(command, "--window", map.window, "of the map: X0,Y0,X1,Y1 in millimetres of the job's coordinates")
-        ->expected(4)
+    addNumbers(command, "--window", map.window, "of the map: X0,Y0,X1,Y1 in millimetres of the job's coordinates", {4})
         ->needs(file);
 }
 
@@ -312,7 +289,7 @@ void addClearance(CLI::App& parent, Command& chosen) {
         "only clearances less than this, with um, mm, mil or inch; exit code 4 if there is one; with --rules only "
         "these locations are listed");
     command.add_option("--layer", arguments.layer, "only on this copper layer, with --rules also solder mask");
-    addList(command, "--nets", arguments.nets, "only between these two, separated by a comma")->expected(2);
+    addNames(command, "--nets", arguments.nets, "only between these two, separated by a comma", {{}, 2});
     addChoice(command, "--format", arguments.format, {"text", "json", "csv", "junit", "sarif", "html"});
     addFile(command, "-o,--output", arguments.output, "write the report to this file; default: stdout");
     addWaivers(command, *rules, arguments);
@@ -324,9 +301,9 @@ void addSection(CLI::App& parent, Command& chosen) {
     CLI::App& command = *parent.add_subcommand("section", "Draw a cross section of a board along a line");
     SectionArguments& arguments = argumentsOf(command, chosen, runSection);
     addBoardOptions(command, arguments.board);
-    addList(command, "--line", arguments.line, "X0,Y0,X1,Y1[,X2,Y2...] in millimetres of the job's coordinates")
+    addNumbers(command, "--line", arguments.line, "X0,Y0,X1,Y1[,X2,Y2...] in millimetres of the job's coordinates")
         ->required();
-    addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
+    addNames(command, "--layers", arguments.layers, "only these layers, separated by commas");
     command.add_flag("--as-designed", arguments.isAsDesigned, "also what is milled away beyond the board outline");
     addChoice(command, "--format", arguments.format, {"svg", "json", "csv"});
     command
@@ -346,11 +323,10 @@ void addExport(CLI::App& parent, Command& chosen) {
     addBoardOptions(command, arguments.board);
     addChords(command, arguments.board);
     addFile(command, "-o,--output", arguments.output, "the file to write (" + model::exportEndings() + ")")->required();
-    addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
-    addList(command, "--nets", arguments.nets, "only copper of these nets, separated by commas");
-    addList(command, "--window", arguments.window,
-            "X0,Y0,X1,Y1 in millimetres of the job's coordinates: only what reaches into it")
-        ->expected(4);
+    addNames(command, "--layers", arguments.layers, "only these layers, separated by commas");
+    addNames(command, "--nets", arguments.nets, "only copper of these nets, separated by commas");
+    addNumbers(command, "--window", arguments.window,
+               "X0,Y0,X1,Y1 in millimetres of the job's coordinates: only what reaches into it", {4});
     command.add_option("--min-hole", arguments.minHole,
                        "leave out round holes narrower than this, with um, mm, mil or inch");
     command.add_flag("--fit-arcs", arguments.hasFittedArcs, "runs of chords as arcs, where those are within 5 um");
@@ -380,7 +356,7 @@ void addVerify(CLI::App& parent, Command& chosen) {
     addNetOptions(command, arguments.board.request);
     addFile(command, "--step", arguments.step,
             "this file, exported with the same --layers and --as-designed; default: one is written");
-    addList(command, "--layers", arguments.layers, "only these layers, separated by commas");
+    addNames(command, "--layers", arguments.layers, "only these layers, separated by commas");
     command.add_option("--sample", arguments.sample, "about so many elements, spread over all shapes and layers")
         ->excludes(command.get_option("--step"));
     addNumber<std::uint64_t>(command, "--points", arguments.points, 0, 100'000'000, "random points to compare");
@@ -432,8 +408,7 @@ void addAgree(CLI::App& parent, Command& chosen) {
     addNumber(command, "--allow", arguments.allowedPercent, 0.0, 100.0,
               "percent of a layer's area that may differ and still agree");
     addNumber<std::size_t>(command, "--worst", arguments.most, 0, 1'000'000, "how many differences of each are listed");
-    addList(command, "--aspects", arguments.aspects, "only these, separated by commas")
-        ->check(CLI::IsMember(aspectNames()));
+    addNames(command, "--aspects", arguments.aspects, "only these, separated by commas", {aspectNames()});
     command.add_flag("--allow-incomplete", arguments.allowsIncomplete,
                      "exit code 0 also where not all of a job could be read");
     command.add_flag("--json", arguments.asJson, "as JSON");
@@ -447,16 +422,16 @@ void addTriangulationBench(CLI::App& command, bool& isWanted, TriangulationBench
     CLI::Option* wanted =
         command.add_flag("--triangulation", isWanted,
                          "all triangulators instead, over areas of boards and generated ones (the paper's Table 6)");
-    addList(command, "--triangulators", arguments.triangulators,
-            "only these of cgal, cpu, parallel and gpu, separated by commas; default: all, gpu only if it is hardware")
-        ->check(CLI::IsMember({"cgal", "cpu", "parallel", "gpu"}))
+    addNames(command, "--triangulators", arguments.triangulators,
+             "only these of cgal, cpu, parallel and gpu, separated by commas; default: all, gpu only if it is hardware",
+             {{"cgal", "cpu", "parallel", "gpu"}})
         ->needs(wanted);
-    addList(command, "--threads", arguments.threads, "numbers of threads, separated by commas; 0 = all cores")
-        ->check(CLI::Range(0, 1024))
+    addNumbers(command, "--threads", arguments.threads, "numbers of threads, separated by commas; 0 = all cores",
+               {0, 0, 1024})
         ->needs(wanted)
-        ->capture_default_str();
+        ->default_str("1,0");
     addNumber(command, "--repeats", arguments.repeats, 1, 1000, "the best of so many runs")->needs(wanted);
-    addList(command, "--sets", arguments.sets, "only these generated sets, separated by commas; none: no set")
+    addNames(command, "--sets", arguments.sets, "only these generated sets, separated by commas; none: no set")
         ->needs(wanted);
     command.add_flag("--huge", arguments.withHuge, "with the generated sets of a million vertices and more")
         ->needs(wanted);
@@ -571,11 +546,15 @@ std::shared_ptr<CLI::App> makeCommandLine(int argc, char** argv, Command& chosen
         addCommand(*parser, chosen);
     }
     limitCombinations(*parser);
+    checkValues(*parser);
     parser->footer(kExitCodes);
     return parser;
 }
 
 Command parseCommandLine(int argc, char** argv) {
+    if (const std::string error = emptyAssignment(argc, argv); !error.empty()) {
+        return refusal(error);
+    }
     Command chosen;
     const auto parser = makeCommandLine(argc, argv, chosen);
     try {

@@ -1,8 +1,6 @@
 #include "app/commands/option_checks.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <vector>
 
@@ -40,22 +38,6 @@ std::optional<std::string> overwrittenInput(const CLI::App& command) {
                                out->get_name();
                     }
                 }
-            }
-        }
-    }
-    return {};
-}
-
-std::optional<std::string> endlessNumber(const CLI::App& command) {
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->get_type_name().find("FLOAT") == std::string::npos) {
-            continue;
-        }
-        for (const std::string& text : option->results()) {
-            double number = 0.0;
-            const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-            if (read.ec == std::errc() && !std::isfinite(number)) {
-                return option->get_name() + ": " + text + " is no number that can be used";
             }
         }
     }
@@ -151,9 +133,6 @@ std::optional<std::string> unusableOption(const CLI::App& parser) {
             return why;
         }
         if (auto why = overwrittenInput(*command)) {
-            return why;
-        }
-        if (auto why = endlessNumber(*command)) {
             return why;
         }
     }

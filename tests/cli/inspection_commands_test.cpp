@@ -60,7 +60,7 @@ private slots:
         QCOMPARE(report["agree"].toBool(true), false);
         QCOMPARE(report["never_compared"].toArray().size(), 3);
         const Outcome nameless = copperscope({"info", ""});
-        QVERIFY2(nameless.exitCode == 1 && nameless.err.contains("the name is empty"), nameless.err.constData());
+        QVERIFY2(nameless.exitCode == 1 && nameless.err.contains("the value is empty"), nameless.err.constData());
         const QJsonObject copper = report["comparisons"][0].toObject();
         QCOMPARE(copper["aspect"].toString(), QString("copper"));
         QCOMPARE(copper["verdict"].toString(), QString("differ"));
