@@ -172,7 +172,7 @@ std::string zshCompletion(const ManualCommand& program) {
     std::string text =
         "#compdef copperscope\n# Completion of copperscope for zsh, made from its own --help.\n\n_copperscope() {\n"
         "    local curcontext=$curcontext state line\n    typeset -A opt_args\n" +
-        zshCommands(program) + "    _arguments -C \\\n" + zshOptions(program) +
+        zshCommands(program) + "    _arguments -C -A '-*' \\\n" + zshOptions(program) +
         "            '1: :->first' '*:: :->rest' && return\n"
         "    if [[ $state = first ]]; then\n"
         "        _describe -t commands command commands\n"

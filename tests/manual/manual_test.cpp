@@ -124,6 +124,11 @@ private slots:
         QVERIFY(offered({"copperscope", "clearance", "--view", ""}, folder.path()).contains("render.png"));
     }
 
+    /// Behind a command zsh must not take `--format` for that of the program, which has other values.
+    void zshLeavesOptionsBehindACommandToIt() {
+        QVERIFY(contentOf("_copperscope").contains("_arguments -C -A '-*' \\\n"));
+    }
+
     void pagesSayWhatHelpSays() {
         const QString page = contentOf("copperscope-clearance.1");
         QVERIFY(page.contains("how many of the smallest\n(1 \\- 1000000)\n[100]\n"));
