@@ -25,6 +25,9 @@ base::Result<BenchReport> measure(const BenchArguments& arguments) {
 }  // namespace
 
 Outcome runBench(const BenchArguments& arguments) {
+    if (arguments.pipeline == "standard" && arguments.levels != "error") {
+        return base::Error{base::ErrorCode::BadUsage, "--lod is of the hybrid pipeline"};
+    }
     ASSIGN_OR_RETURN(const BenchReport report, measure(arguments));
     const std::string text = arguments.asJson ? model::jsonText(benchJson(report)) : benchTable(report);
     std::fputs(text.c_str(), stdout);

@@ -45,13 +45,29 @@ bool isWanted(const std::vector<std::string>& names, const std::string& name) {
     return names.empty() || std::ranges::find(names, name) != names.end();
 }
 
+/// Errors: BadUsage for a name that no set has.
+base::Status checkNames(const std::vector<std::string>& names, const std::vector<bench::Set>& sets) {
+    for (const std::string& name : names) {
+        if (name != "none" && std::ranges::find(sets, name, &bench::Set::name) == sets.end()) {
+            std::string known = "none";
+            for (const bench::Set& set : sets) {
+                known += ", " + set.name;
+            }
+            return base::Error{base::ErrorCode::BadUsage, "--sets: there is no set " + name + "; there are " + known};
+        }
+    }
+    return base::Done{};
+}
+
 base::Result<std::vector<bench::Set>> collectSets(const TriangulationBenchArguments& arguments) {
+    std::vector<bench::Set> generated = bench::standardSets(arguments.withHuge);
+    RETURN_IF_ERROR(checkNames(arguments.sets, generated));
     std::vector<bench::Set> sets;
     for (const std::string& path : arguments.boards) {
         ASSIGN_OR_RETURN(bench::Set set, boardSet(path));
         sets.push_back(std::move(set));
     }
-    for (bench::Set& set : bench::standardSets(arguments.withHuge)) {
+    for (bench::Set& set : generated) {
         if (isWanted(arguments.sets, set.name)) {
             sets.push_back(std::move(set));
         }

@@ -26,17 +26,41 @@ namespace {
 constexpr std::array kNeverCompared = {"board thickness and stackup", "values of parts, and which are not placed",
                                        "nets of copper that no pin is on"};
 
+/// What only comparisons use that --aspects leaves out would do nothing.
+base::Status checkEffects(const AgreeArguments& arguments, const model::AgreementRequest& request) {
+    using enum model::Aspect;
+    const auto wants = [&request](model::Aspect aspect) { return request.wants(aspect); };
+    const std::array layers = {Copper, SolderMask, SolderPaste, Silkscreen, Outline};
+    const bool wantsLayers = std::ranges::any_of(layers, wants);
+    const auto wrong = [](const std::string& text) {
+        return base::Error{base::ErrorCode::BadUsage, text + ", which --aspects leaves out"};
+    };
+    if (!arguments.tolerance.empty() && !wantsLayers && !wants(Holes)) {
+        return wrong("--tolerance is for layers, outline and holes");
+    }
+    if (arguments.allowedPercent && !wantsLayers) {
+        return wrong("--allow is for layers and outline");
+    }
+    if (arguments.board.request.inferNets && !wants(Nets) && !wants(NetNames)) {
+        return wrong("--infer-nets is for nets and their names");
+    }
+    return base::Done{};
+}
+
 base::Result<model::AgreementRequest> requestFrom(const AgreeArguments& arguments) {
     model::AgreementRequest request;
-    ASSIGN_OR_RETURN(request.tolerance, model::parseLength(arguments.tolerance));
+    if (!arguments.tolerance.empty()) {
+        ASSIGN_OR_RETURN(request.tolerance, model::parseLength(arguments.tolerance));
+    }
     if (request.tolerance < 1'000 || request.tolerance > 1'000'000) {
         return base::Error{base::ErrorCode::BadUsage, "--tolerance is 1 um to 1 mm, not " + arguments.tolerance};
     }
-    request.allowed = arguments.allowedPercent / 100.0;
+    request.allowed = arguments.allowedPercent.value_or(0.0) / 100.0;
     request.most = arguments.most;
     for (const std::string& name : arguments.aspects) {
         request.aspects.push_back(*model::aspectNamed(name));  // the command line knows the names
     }
+    RETURN_IF_ERROR(checkEffects(arguments, request));
     return request;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,10 @@ struct AgreeArguments {
     std::string b;
     std::string formatA;  ///< BoardFormat::key, over that of `board`; empty: as there
     std::string formatB;
-    std::string tolerance = "10um";    ///< AgreementRequest::tolerance
-    double allowedPercent = 0.0;       ///< AgreementRequest::allowed
-    std::size_t most = 10;             ///< how many differences are listed of each comparison
-    std::vector<std::string> aspects;  ///< only these; empty: all
+    std::string tolerance;                 ///< AgreementRequest::tolerance; empty: that of the type
+    std::optional<double> allowedPercent;  ///< AgreementRequest::allowed; none: nothing
+    std::size_t most = 10;                 ///< how many differences are listed of each comparison
+    std::vector<std::string> aspects;      ///< only these; empty: all
     bool asJson = false;
     bool allowsIncomplete = false;  ///< exit code 0 also where not all of a job could be read
 };

@@ -404,9 +404,12 @@ void addAgree(CLI::App& parent, Command& chosen) {
     command
         .add_option("--tolerance", arguments.tolerance,
                     "length of a pixel: what layers differ in counts where it is wider than about three of them")
-        ->capture_default_str();
-    addNumber(command, "--allow", arguments.allowedPercent, 0.0, 100.0,
-              "percent of a layer's area that may differ and still agree");
+        ->default_str("10um");
+    command
+        .add_option("--allow", arguments.allowedPercent, "percent of a layer's area that may differ and still agree")
+        ->type_name("FLOAT")
+        ->check(CLI::Range(0.0, 100.0))
+        ->default_str("0");
     addNumber<std::size_t>(command, "--worst", arguments.most, 0, 1'000'000, "how many differences of each are listed");
     addNames(command, "--aspects", arguments.aspects, "only these, separated by commas", {aspectNames()});
     command.add_flag("--allow-incomplete", arguments.allowsIncomplete,

@@ -100,7 +100,8 @@ Result<double> parseCoordinate(std::string_view text) {
     const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
     const std::string unit(read.ptr, text.data() + text.size());
     const Result<base::Nm> one = model::parseLength("1" + unit);
-    if (read.ec != std::errc() || !one || std::abs(number * *one) > base::kMaxCoordinate) {
+    const bool isOnBoard = one && std::abs(number * *one) <= base::kMaxCoordinate;  // which nan is not
+    if (read.ec != std::errc() || !isOnBoard) {
         return wrong("\"" + std::string(text) +
                      "\" is no coordinate: a number with um, mm, mil or inch, at most 1.07 m");
     }

@@ -78,7 +78,7 @@ const std::vector<Combination>& exclusions() {
         {"clearance",
          "--print",
          {"--step", "--infer-nets", "--worst", "--through", "--allow-incomplete", "--below", "--layer", "--nets",
-          "--format", "--waivers", "--write-waivers"}},
+          "--format", "--waivers", "--write-waivers", "BOARD", "--input-format", "--layer-map", "--max-unpacked"}},
         {"clearance", "--through", {"--layer", "--rules", "--map"}},
         {"clearance", "--map", {"--rules", "--below", "--nets", "--worst", "--format", "--output"}},
         {"clearance", "--write-waivers", {"--below", "--worst", "--format", "--output", "--allow-incomplete"}},

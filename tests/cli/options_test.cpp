@@ -44,6 +44,14 @@ private slots:
         }
     }
 
+    void coordinatesAreFinite() {
+        for (const char* item : {"at:nanmm,0mm", "at:0mm,nanmm", "at:infmm,0mm"}) {
+            const Outcome run = copperscope({"measure", locations::kSample, "--from", item, "--to", "edge"});
+            QCOMPARE(run.exitCode, 1);
+            QVERIFY2(run.err.contains("is no coordinate"), run.err.constData());
+        }
+    }
+
     void aMisspeltCommandIsNamed() {
         const auto errorOf = [](const QStringList& arguments) {
             const Outcome run = copperscope(arguments, QDir::tempPath());
@@ -141,6 +149,18 @@ private slots:
         ofRender("--pipeline standard --backend pull", "--backend is of the hybrid pipeline");
         ofRender("--pipeline standard --lod paper", "--lod is of the hybrid pipeline");
         ofRender("--pipeline standard --triangulator cgal", "--triangulator is of the hybrid pipeline");
+        row("clearance --rules default --print", "excludes");
+        QTest::newRow("agree without layers")
+            << QStringList{"agree", "a.tgz", "b.tgz", "--aspects", "nets", "--tolerance", "20um"}
+            << QStringLiteral("--tolerance is for layers, outline and holes");
+        QTest::newRow("agree without areas")
+            << QStringList{"agree", "a.tgz", "b.tgz", "--aspects", "net-names", "--allow", "50"}
+            << QStringLiteral("--allow is for layers and outline");
+        QTest::newRow("agree without nets")
+            << QStringList{"agree", "a.tgz", "b.tgz", "--aspects", "copper", "--infer-nets"}
+            << QStringLiteral("--infer-nets is for nets and their names");
+        row("bench --pipeline standard --lod paper", "--lod is of the hybrid pipeline");
+        row("bench --triangulation --sets nope", "there is no set nope; there are none, areas 1k");
         row("bench --triangulation --chord 3", "excludes");
         row("bench --interactive --paper-segments", "excludes");
         QTest::newRow("before the command")
