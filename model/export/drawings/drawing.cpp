@@ -15,9 +15,15 @@ namespace {
 constexpr const char* kOutlineName = "board outline";
 constexpr std::uint32_t kAtOnce = 8192;  // elements whose outlines are found side by side, then drawn one by one
 
-bool isFilled(const Layer& layer) {
+bool hasContours(const Layer& layer) {
     const LayerGroup group = groupOf(layer);
-    return group != LayerGroup::Mechanical && group != LayerGroup::Components && group != LayerGroup::Dielectric;
+    return group == LayerGroup::Mechanical || group == LayerGroup::Components || group == LayerGroup::Dielectric;
+}
+
+/// What a pen drew is as wide as the pen: a line along its edge would make it wider.
+RegionPaint paintOf(const Document& document, ElementId element, const DrawnLayer& drawn) {
+    return drawn.hasContours && document.elements.kind[element.row()] == ElementKind::Area ? RegionPaint::Contour
+                                                                                           : RegionPaint::Filled;
 }
 
 /// Draws what of a document's layer lies on a layer of the board.
@@ -48,7 +54,7 @@ public:
             if (status && !layer.isValid()) {
                 drawOutline(step, placements);
             } else if (status) {
-                status = drawElements(step, layer, placements);
+                status = drawElements(drawn, step, layer, placements);
             }
         });
         m_form.endLayer();
@@ -101,13 +107,13 @@ private:
         return box;
     }
 
-    void add(const std::vector<EdgeLoops>& regions, const std::vector<Placement>& placements) {
+    void add(const std::vector<EdgeLoops>& regions, const std::vector<Placement>& placements, RegionPaint paint) {
         for (const Placement& placement : placements) {
             for (const EdgeLoops& region : regions) {
                 if (isIdentity(placement)) {
-                    m_form.addRegion(region);
+                    m_form.addRegion(region, paint);
                 } else {
-                    m_form.addRegion(placed(region, placement));
+                    m_form.addRegion(placed(region, placement), paint);
                 }
             }
         }
@@ -117,20 +123,22 @@ private:
     void drawOutline(std::uint32_t step, const std::vector<Placement>& placements) {
         const Document& document = *m_tree.steps[step];
         if (document.profile.isValid()) {
-            add(areaOutlines(document.shapes, document.profile), placements);
+            add(areaOutlines(document.shapes, document.profile), placements, RegionPaint::Contour);
         }
     }
 
-    base::Status drawElements(std::uint32_t step, LayerId layer, const std::vector<Placement>& placements) {
+    base::Status drawElements(const DrawnLayer& drawn, std::uint32_t step, LayerId layer,
+                              const std::vector<Placement>& placements) {
         const Range range = m_tree.steps[step]->layer(layer).elements;
         for (std::uint32_t i = 0; i < range.count; i += kAtOnce) {
-            drawSome(step, {range.first + i, std::min(kAtOnce, range.count - i)}, placements);
+            drawSome(drawn, step, {range.first + i, std::min(kAtOnce, range.count - i)}, placements);
             RETURN_IF_ERROR(stateOfWork());
         }
         return base::Done{};
     }
 
-    void drawSome(std::uint32_t step, Range elements, const std::vector<Placement>& placements) {
+    void drawSome(const DrawnLayer& layer, std::uint32_t step, Range elements,
+                  const std::vector<Placement>& placements) {
         std::vector<ElementOutlines> drawn(elements.count);
         base::parallelFor(elements.count, [&](std::size_t i) {
             if (!m_progress.isCancelled()) {
@@ -138,10 +146,11 @@ private:
             }
         });
         for (std::uint32_t i = 0; i < elements.count && !m_progress.isCancelled(); ++i) {
+            const ElementId element{elements.first + i};
             if (drawn[i].regions.empty() && !drawn[i].problem.empty()) {
-                note(step, ElementId{elements.first + i}, drawn[i].problem);
+                note(step, element, drawn[i].problem);
             }
-            add(drawn[i].regions, placements);
+            add(drawn[i].regions, placements, paintOf(*m_tree.steps[step], element, layer));
         }
     }
 
@@ -170,11 +179,11 @@ std::vector<DrawnLayer> chosenLayers(const Document& board, const DrawingOptions
             options.layers.empty() ? !layer.isSynthetic : row < options.layers.size() && options.layers[row];
         if (isChosen) {
             const std::uint32_t colour = row < options.colours.size() ? options.colours[row] : 0;
-            chosen.push_back({LayerId{row}, layer.name, colour, isFilled(layer), layer.side == LayerSide::Bottom});
+            chosen.push_back({LayerId{row}, layer.name, colour, hasContours(layer), layer.side == LayerSide::Bottom});
         }
     }
     if (options.hasOutline) {
-        chosen.push_back({{}, kOutlineName, options.outlineColour, false, false});
+        chosen.push_back({{}, kOutlineName, options.outlineColour, true, false});
     }
     return chosen;
 }

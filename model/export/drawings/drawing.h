@@ -27,7 +27,7 @@ struct DrawnLayer {
     LayerId layer;  ///< of the board; none: its outline
     std::string name;
     std::uint32_t colour = 0;  ///< 0xRRGGBB
-    bool isFilled = true;      ///< false: what would hide the board under it, as the substrate, is a thin line
+    bool hasContours = false;  ///< areas, which would hide the board under them, as the substrate, are thin lines
     bool isOfBottom = false;   ///< it lies on the bottom of the board
 };
 
@@ -54,13 +54,18 @@ struct Drawing {
     Box box;                         ///< of everything on them
 };
 
+enum class RegionPaint : std::uint8_t {
+    Filled,
+    Contour  ///< a thin line along its edge; only on layers that have contours
+};
+
 /// A kind of file. Regions are in the coordinates of the board, nm, y up.
 class DrawingForm {
 public:
     virtual ~DrawingForm() = default;
     virtual void begin(const Drawing& drawing) = 0;
     virtual void beginLayer(const DrawnLayer& layer) = 0;
-    virtual void addRegion(const EdgeLoops& region) = 0;
+    virtual void addRegion(const EdgeLoops& region, RegionPaint paint) = 0;
     virtual void endLayer() = 0;
     virtual void end() = 0;
 };

@@ -105,7 +105,7 @@ public:
 
     void beginLayer(const DrawnLayer& /*layer*/) override { m_layer = m_names[m_begun++]; }
 
-    void addRegion(const EdgeLoops& region) override {
+    void addRegion(const EdgeLoops& region, RegionPaint /*paint*/) override {
         for (std::size_t i = 0; i < region.loopCount(); ++i) {
             const std::span<const Edge> loop = region.loop(i);
             if (loop.front().isFullCircle()) {

@@ -52,7 +52,6 @@ public:
             beginPage();
         }
         m_layers.push_back({layer.name, m_pdf.reserve(), m_pageObjects.back()});
-        m_isFilled = layer.isFilled;
         m_isOutline = !layer.layer.isValid();
         m_isMirrored = layer.isOfBottom && m_pages == PdfPages::BottomMirrored;
         if (m_isMirrored) {
@@ -63,16 +62,16 @@ public:
         const double green = static_cast<double>(paint >> 8U & 0xFFU) / 255.0;
         const double blue = static_cast<double>(paint & 0xFFU) / 255.0;
         const std::string colour = textOf(red, 4) + ' ' + textOf(green, 4) + ' ' + textOf(blue, 4);
-        m_pdf.addToStream("/OC /L" + std::to_string(m_layers.size()) + " BDC\n" + colour +
-                          (m_isFilled ? " rg\n" : " RG\n"));
+        m_pdf.addToStream("/OC /L" + std::to_string(m_layers.size()) + " BDC\n" + colour + " rg\n" +
+                          (layer.hasContours ? colour + " RG\n" : ""));
     }
 
-    void addRegion(const EdgeLoops& region) override {
+    void addRegion(const EdgeLoops& region, RegionPaint paint) override {
         m_path.clear();
         for (std::size_t i = 0; i < region.loopCount(); ++i) {
             addLoop(region.loop(i));
         }
-        m_path += m_isFilled ? "f*\n" : "S\n";
+        m_path += paint == RegionPaint::Filled ? "f*\n" : "S\n";
         m_pdf.addToStream(m_path);
         if (m_isOutline && m_hasOutline) {
             m_outline += m_path;
@@ -250,7 +249,6 @@ private:
     std::vector<int> m_pageObjects;
     std::vector<int> m_contents;  ///< of the pages
     int m_pageTree = 0;
-    bool m_isFilled = true;
     bool m_isOutline = false;   ///< what is drawn now
     bool m_isMirrored = false;  ///< likewise
     bool m_hasOutline = false;

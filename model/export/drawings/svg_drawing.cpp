@@ -32,15 +32,16 @@ public:
 
     void beginLayer(const DrawnLayer& layer) override {
         const std::string colour = formatted("#%06x", layer.colour & 0xFFFFFFU);
-        const std::string paint = layer.isFilled
-                                      ? "fill=\"" + colour + "\" fill-rule=\"evenodd\""
-                                      : "fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + kLineWidth + '"';
+        const std::string filled = "fill=\"" + colour + "\" fill-rule=\"evenodd\"";
+        const std::string contour = "fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + kLineWidth + '"';
+        m_filled = layer.hasContours ? filled + " stroke=\"none\" " : "";
         m_file.write("<g id=\"layer-" + (layer.layer.isValid() ? std::to_string(layer.layer.row() + 1) : "outline") +
-                     "\" " + paint + ">\n<title>" + xmlText(layer.name) + "</title>\n");
+                     "\" " + (layer.hasContours ? contour : filled) + ">\n<title>" + xmlText(layer.name) +
+                     "</title>\n");
     }
 
-    void addRegion(const EdgeLoops& region) override {
-        m_path = "<path d=\"";
+    void addRegion(const EdgeLoops& region, RegionPaint paint) override {
+        m_path = "<path " + (paint == RegionPaint::Filled ? m_filled : "") + "d=\"";
         for (std::size_t i = 0; i < region.loopCount(); ++i) {
             addLoop(region.loop(i));
         }
@@ -85,6 +86,7 @@ private:
     Nm m_margin;
     double m_left = 0.0;
     double m_top = 0.0;
+    std::string m_filled;  ///< says of a path that it is filled, where its layer has contours
     std::string m_path;
 };
 

@@ -57,6 +57,18 @@ inline std::shared_ptr<const model::Document> board() {
     return builder.finish();
 }
 
+/// A layer of type Profile: a track, a disc and an area 20 mm square.
+inline std::shared_ptr<const model::Document> boardOfOutlines() {
+    model::DocumentBuilder builder;
+    const model::LayerId outlines = hand_made::addLayer(builder, "Edge.Cuts");
+    builder.layer(outlines).type = model::LayerType::Profile;
+    builder.beginLayer(outlines);
+    builder.addLine({{20 * kMm, 10 * kMm}, {30 * kMm, 10 * kMm}, kMm}, {});
+    builder.addCircle({{3 * kMm, 4 * kMm}, 2 * kMm, 0}, {});
+    builder.addArea({builder.addShape(hand_made::rectangle({10 * kMm, 10 * kMm}, {30 * kMm, 30 * kMm})), {}}, {});
+    return builder.finish();
+}
+
 /// The board twice: 100 mm to the right, and turned over at x = 0.
 inline std::shared_ptr<const model::Document> panel() {
     const auto step = board();

@@ -173,6 +173,17 @@ private slots:
         QVERIFY(streams[1].find(model::pdfLatin("bottom, job & co, seen from the bottom, 1:1")) != std::string::npos);
     }
 
+    void onLayersOfOutlinesOnlyAreasAreContours() {
+        model::DrawingOptions options;
+        options.colours = {0xFF0000};
+        const std::string stream = pdfOf(*drawn_board::boardOfOutlines(), options, PdfPages::AllOnOne).streams()[0];
+        QVERIFY(stream.find("BDC\n1 0 0 rg\n1 0 0 RG\n") != std::string::npos);
+        const std::size_t contour = stream.rfind("f*\n") + 3;
+        QCOMPARE(QString::fromStdString(stream).count("f*\n"), 2);
+        QVERIFY(isNear(areaOf(stream.substr(0, contour)), drawn_board::kTrack + drawn_board::kDisc));
+        QVERIFY(isNear(areaOf(stream.substr(contour)), 400.0) && stream.ends_with("S\nEMC\n"));
+    }
+
     void captionsAreOfLatinLetters() {
         QCOMPARE(model::pdfLatin("A\xC3\xA4(\\"), std::string("<41E4285C>"));
         QCOMPARE(model::pdfLatin("\xE2\x84\xA6\xFF"), std::string("<3F3F>"));

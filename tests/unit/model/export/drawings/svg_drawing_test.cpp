@@ -11,6 +11,7 @@ namespace {
 struct Layer {
     QString id, title, fill, rule, stroke;
     std::vector<std::string> paths;
+    std::vector<std::string> filled;  ///< of them, those that say it of themselves
 };
 
 struct Svg {
@@ -37,9 +38,12 @@ private:
             height = value("height");
             viewBox = value("viewBox");
         } else if (xml.name() == QLatin1String("g")) {
-            layers.push_back({value("id"), {}, value("fill"), value("fill-rule"), value("stroke"), {}});
+            layers.push_back({value("id"), {}, value("fill"), value("fill-rule"), value("stroke"), {}, {}});
         } else if (xml.name() == QLatin1String("path")) {
             layers.back().paths.push_back(value("d").toStdString());
+            if (value("stroke") == "none" && value("fill").startsWith('#') && value("fill-rule") == "evenodd") {
+                layers.back().filled.push_back(layers.back().paths.back());
+            }
         } else if (xml.name() == QLatin1String("title")) {
             (layers.empty() ? title : layers.back().title) = xml.readElementText();
         }
@@ -127,6 +131,17 @@ private slots:
         QVERIFY(std::abs(areaOf(svg.layers[0]) + drawn_board::kBottom) < 1e-5);
         QVERIFY(std::abs(areaOf(svg.layers[1]) + drawn_board::kTop) < 1e-5);
         QVERIFY(svg.layers[1].paths[0].starts_with("M5 37A1 1 0 0 0 "));  // the disc at (3, 4), from its right end
+    }
+
+    /// A line along the edge of what a pen drew would make it wider than it is.
+    void onLayersOfOutlinesOnlyAreasAreContours() {
+        const Svg svg = svgOf(*drawn_board::boardOfOutlines(), {});
+        const Layer& layer = svg.layers[0];
+        QCOMPARE(layer.fill, QString("none"));
+        QCOMPARE(layer.paths.size(), std::size_t{3});
+        QCOMPARE(layer.filled.size(), std::size_t{2});
+        QVERIFY(std::abs(areaOf(layer.filled[0]) + drawn_board::kTrack) < 1e-5);
+        QVERIFY(std::abs(areaOf(layer.filled[1]) + drawn_board::kDisc) < 1e-5);
     }
 
     void copiesAreDrawn() {
