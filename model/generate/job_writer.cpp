@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "model/generate/job_text.h"
+#include "model/text/file_writer.h"
 
 namespace model::generate {
 
@@ -18,16 +19,22 @@ struct EntryDeleter {
     void operator()(archive_entry* entry) const { archive_entry_free(entry); }
 };
 
-/// A .tgz under construction; after a failure everything else is a no-op.
+la_ssize_t passOn(archive* /*writer*/, void* file, const void* bytes, std::size_t count) {
+    const bool isWritten = static_cast<FileWriter*>(file)->write({static_cast<const char*>(bytes), count});
+    return isWritten ? static_cast<la_ssize_t>(count) : -1;
+}
+
+/// A .tgz under construction; after a failure everything else is a no-op. The file is left to be committed.
 class Tarball {
 public:
-    explicit Tarball(const std::filesystem::path& path) : m_writer(archive_write_new()) {
+    explicit Tarball(FileWriter& file) : m_writer(archive_write_new()) {
         check(archive_write_set_format_pax_restricted(m_writer.get()));
         check(archive_write_add_filter_gzip(m_writer.get()));
         // Level 1 packs this text 6 times smaller at 4 times the speed of the usual level; no time stamp: the same
         // board, the same bytes.
         check(archive_write_set_options(m_writer.get(), "gzip:compression-level=1,gzip:!timestamp"));
-        check(archive_write_open_filename(m_writer.get(), path.c_str()));
+        check(archive_write_set_bytes_in_last_block(m_writer.get(), 1));  // of a file: nothing is filled up
+        check(archive_write_open2(m_writer.get(), &file, nullptr, passOn, nullptr, nullptr));
     }
 
     void add(const JobFile& file) {
@@ -80,23 +87,22 @@ base::Status writeJob(const Wanted& wanted, const std::filesystem::path& path, b
     }
     progress.beginPhase("Writing the job");
     const std::vector<JobFile> files = jobFiles(layout, progress);
-    std::string error;
-    {
-        Tarball tarball(path);
-        for (std::size_t i = 0; i < files.size() && tarball.isGood() && !progress.isCancelled(); ++i) {
-            tarball.add(files[i]);
-            progress.setFraction(static_cast<float>(i + 1) / static_cast<float>(files.size()));
-        }
-        tarball.close();
-        error = tarball.error();
+    FileWriter file(path);
+    RETURN_IF_ERROR(file.status());
+    Tarball tarball(file);
+    for (std::size_t i = 0; i < files.size() && tarball.isGood() && !progress.isCancelled(); ++i) {
+        tarball.add(files[i]);
+        progress.setFraction(static_cast<float>(i + 1) / static_cast<float>(files.size()));
     }
-    if (error.empty() && !progress.isCancelled()) {
-        return base::Done{};
+    tarball.close();
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
-    std::error_code ignored;
-    std::filesystem::remove(path, ignored);
-    return progress.isCancelled() ? base::Error{base::ErrorCode::Cancelled, "cancelled"}
-                                  : base::Error{base::ErrorCode::OutputFailed, path.string() + ": " + error};
+    RETURN_IF_ERROR(file.status());
+    if (!tarball.isGood()) {
+        return base::Error{base::ErrorCode::OutputFailed, path.string() + ": " + tarball.error()};
+    }
+    return file.commit();
 }
 
 }  // namespace model::generate

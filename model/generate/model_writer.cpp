@@ -1,10 +1,7 @@
 #include "model/generate/model_writer.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-
 #include "model/generate/model_text.h"
+#include "model/text/file_writer.h"
 
 namespace model::generate {
 
@@ -15,24 +12,16 @@ base::Status writeModel(const Wanted& wanted, const std::filesystem::path& path,
                            "a board of so many elements is larger than the ±1.07 m that coordinates may reach"};
     }
     progress.beginPhase("Writing the model");
-    errno = 0;
-    std::ofstream file(path, std::ios::binary);
+    FileWriter file(path);
+    RETURN_IF_ERROR(file.status());
     {
-        TextSink sink(
-            [&](std::string_view text) { file.write(text.data(), static_cast<std::streamsize>(text.size())); });
-        if (file) {
-            writeModelText(sink, layout, progress);
-        }
+        TextSink sink([&](std::string_view text) { file.write(text); });
+        writeModelText(sink, layout, progress);
     }
-    file.close();
-    if (file && !progress.isCancelled()) {
-        return base::Done{};
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
-    const std::string why = errno != 0 ? std::strerror(errno) : "the file cannot be written";
-    std::error_code ignored;
-    std::filesystem::remove(path, ignored);
-    return progress.isCancelled() ? base::Error{base::ErrorCode::Cancelled, "cancelled"}
-                                  : base::Error{base::ErrorCode::OutputFailed, path.string() + ": " + why};
+    return file.commit();
 }
 
 }  // namespace model::generate

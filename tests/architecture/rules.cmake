@@ -29,7 +29,7 @@ set(architecture_rows
     "model/export/files            | model           | model/board model/export/drawings model/export/meshes model/export/solids model/geometry model/geometry/loops model/text |"
     "model/export/meshes           | model           | model/board model/export/solids model/geometry model/geometry/loops model/solids/shells model/text tri | json meshopt"
     "model/session                 | model::session  | model/board model/clearance model/measure model/solids model/text | json"
-    "model/generate                | model::generate | | archive"
+    "model/generate                | model::generate | model/text | archive"
     "model/formats/common          | model::formats  | model/board model/figures model/geometry model/geometry/loops model/solids/shells | archive deflate"
     "model/formats/steps           | model::formats  | model/board model/formats/common model/geometry model/geometry/loops model/solids/shells |"
     "model/formats/drawing         | model::formats  | model/board model/formats/common model/formats/steps model/geometry model/packages model/solids |"

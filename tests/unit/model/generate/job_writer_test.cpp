@@ -1,6 +1,7 @@
 #include "model/generate/job_writer.h"
 
 #include <QtTest>
+#include <fstream>
 #include <set>
 
 #include "tests/unit/model/formats/odb/odb_testing.h"
@@ -135,6 +136,17 @@ private slots:
         QVERIFY(!status);
         QCOMPARE(status.error().code, base::ErrorCode::Cancelled);
         QVERIFY(!std::filesystem::exists(folder.path() / "job.tgz"));
+    }
+
+    void whatIsNotFinishedLeavesTheFileThatWasThere() {
+        const Folder folder;
+        std::ofstream(folder.path() / "job.tgz") << "kept";
+        base::Progress cancelled;
+        cancelled.cancel();
+        QVERIFY(!writeJob(wantedLike("t1"), folder.path() / "job.tgz", cancelled));
+        QVERIFY(odb_testing::readFile(folder.path() / "job.tgz") == "kept");
+        const std::filesystem::directory_iterator files(folder.path());
+        QCOMPARE(std::distance(begin(files), end(files)), std::ptrdiff_t{1});
     }
 };
 

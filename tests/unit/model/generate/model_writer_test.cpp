@@ -169,6 +169,17 @@ private slots:
         QVERIFY(!stopped && stopped.error().code == base::ErrorCode::Cancelled);
         QVERIFY(!std::filesystem::exists(folder.path() / "model.txt"));
     }
+
+    void whatIsNotFinishedLeavesTheFileThatWasThere() {
+        const Folder folder;
+        std::ofstream(folder.path() / "model.txt") << "kept";
+        base::Progress cancelled;
+        cancelled.cancel();
+        QVERIFY(!writeModel(wantedLike("t1"), folder.path() / "model.txt", cancelled));
+        QVERIFY(odb_testing::readFile(folder.path() / "model.txt") == "kept");
+        const std::filesystem::directory_iterator files(folder.path());
+        QCOMPARE(std::distance(begin(files), end(files)), std::ptrdiff_t{1});
+    }
 };
 
 QTEST_APPLESS_MAIN(ModelWriterTest)
