@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <string>
 
 #include "app/common/console_progress.h"
+#include "app/common/interrupt.h"
 #include "app/common/window_option.h"
 #include "model/base/thickness_units.h"
 #include "model/export/files/export_file.h"
@@ -23,22 +23,6 @@ namespace {
 
 /// Missing elements that are named on stderr, one by one.
 constexpr std::size_t kNamed = 20;
-
-/// While it lives, an interrupt cancels the work instead of ending the program, so that no half file is left.
-class Interrupt {
-public:
-    explicit Interrupt(base::Progress& progress) {
-        s_progress = &progress;
-        m_before = std::signal(SIGINT, [](int) { s_progress->cancel(); });
-    }
-    ~Interrupt() { std::signal(SIGINT, m_before); }
-    Interrupt(const Interrupt&) = delete;
-    Interrupt& operator=(const Interrupt&) = delete;
-
-private:
-    static inline base::Progress* s_progress = nullptr;
-    void (*m_before)(int) = nullptr;
-};
 
 Result<model::SolidChoice> choiceOf(const Document& board, const ExportArguments& arguments) {
     model::SolidChoice choice;

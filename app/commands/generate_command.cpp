@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/common/console_progress.h"
+#include "app/common/interrupt.h"
 #include "model/generate/job_writer.h"
 #include "model/generate/model_writer.h"
 
@@ -35,6 +36,7 @@ base::Result<model::generate::Wanted> wantedBy(const GenerateArguments& argument
 Outcome runGenerate(const GenerateArguments& arguments) {
     ASSIGN_OR_RETURN(const model::generate::Wanted wanted, wantedBy(arguments));
     ConsoleProgress console;
+    const Interrupt interrupt(console.progress());
     const auto write = arguments.isNurbs ? model::generate::writeModel : model::generate::writeJob;
     RETURN_IF_ERROR(write(wanted, arguments.output, console.progress()));
     return int{kDone};

@@ -3,10 +3,29 @@
 #include <QJsonDocument>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <csignal>
 
 #include "tests/cli/program.h"
 
 using namespace program;
+
+namespace {
+
+/// Sends the signal once the program writes beside the file, and waits for its end. How it ended: the signal it died
+/// of, or 0.
+int signalWhileItWrites(const QStringList& arguments, const QDir& folder, int signal) {
+    QProcess process;
+    process.setChildProcessModifier([signal] { std::signal(signal, SIG_DFL); });  // whoever runs the test may ignore it
+    process.start(locations::kProgram, arguments);
+    while (folder.entryList({"*.part*"}).isEmpty() && process.state() != QProcess::NotRunning) {
+        process.waitForFinished(1);
+    }
+    ::kill(static_cast<pid_t>(process.processId()), signal);
+    process.waitForFinished(300'000);
+    return process.exitStatus() == QProcess::CrashExit ? process.exitCode() : 0;
+}
+
+}  // namespace
 
 class ExportCommandsTest : public QObject {
     Q_OBJECT
@@ -136,6 +155,29 @@ private slots:
         QVERIFY2(run.exitCode == 3, run.err.constData());
         QVERIFY2(run.err.contains(path.toUtf8() + " cannot be written: File too large"), run.err.constData());
         QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void signalsLeaveTheFileThatWasThere_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("ending");
+        QTest::addColumn<int>("signal");
+        for (const auto& [name, signal] : {std::pair{"INT", SIGINT}, {"TERM", SIGTERM}, {"HUP", SIGHUP}}) {
+            QTest::addRow("export, %s", name) << QStringList{"export", locations::kSample} << "step" << signal;
+            QTest::addRow("generate, %s", name) << QStringList{"generate", "--like", "t9"} << "tgz" << signal;
+        }
+    }
+    void signalsLeaveTheFileThatWasThere() {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, ending);
+        QFETCH(int, signal);
+        const QTemporaryDir folder;
+        QFile kept(folder.filePath("kept." + ending));
+        QVERIFY(kept.open(QFile::ReadWrite) && kept.write("kept") == 4 && kept.flush());
+        QCOMPARE(signalWhileItWrites(arguments + QStringList{"-o", kept.fileName()}, folder.path(), signal), signal);
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"kept." + ending});
+        kept.close();
+        QVERIFY(kept.open(QFile::ReadOnly));
+        QCOMPARE(kept.readAll(), QByteArray("kept"));
     }
 
     void solidsAreProvedByAnIndependentReader() {
