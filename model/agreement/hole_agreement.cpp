@@ -1,5 +1,8 @@
 #include "model/agreement/hole_agreement.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "model/agreement/point_matcher.h"
 #include "model/text/formatting.h"
 
@@ -52,39 +55,86 @@ std::string difference(const Hole& a, const Hole& b, Nm pixel) {
     return isSameSpan(a, b) ? "" : "a hole of " + sizeText(a) + " passes " + differs(spanText(a), spanText(b));
 }
 
-std::string onlyIn(const char* board, const Hole& hole) {
-    return std::string("only ") + board + " has a " + (hole.isPlated ? "plated" : "non-plated") + " hole of " +
-           sizeText(hole);
+std::string kindText(const Hole& hole) {
+    return std::string(hole.isPlated ? "plated" : "non-plated") + " hole of " + sizeText(hole);
 }
+
+class HoleComparer {
+public:
+    HoleComparer(const FlatBoard& a, const FlatBoard& b, const AgreementRequest& request)
+        : m_a(a), m_b(b), m_request(request), m_matcher(b.holes.empty() ? std::vector<Point>() : locationsOf(b)) {}
+
+    Comparison run() {
+        m_found.aspect = Aspect::Holes;
+        m_found.counts = {m_a.holes.size(), m_b.holes.size()};
+        std::vector<const Hole*> elsewhere;
+        for (const Hole& hole : m_a.holes) {
+            if (!compareAtItsPlace(hole)) {
+                elsewhere.push_back(&hole);
+            }
+        }
+        // Only what no other hole lies at may have been moved.
+        for (const Hole* hole : elsewhere) {
+            if (!compareNearby(*hole)) {
+                add("only A has a " + kindText(*hole), *hole);
+            }
+        }
+        for (std::size_t row = 0; row < m_b.holes.size(); ++row) {
+            if (!m_matcher.isTaken(row)) {
+                add("only B has a " + kindText(m_b.holes[row]), m_b.holes[row]);
+            }
+        }
+        return std::move(m_found);
+    }
+
+private:
+    void add(const std::string& text, const Hole& at) { m_found.add({text, at.middle}, m_request.most); }
+
+    [[nodiscard]] int unlike(const Hole& hole, const Hole& other) const {
+        return (isSameSize(hole, other, m_request.tolerance) ? 0 : 4) + (hole.isPlated == other.isPlated ? 0 : 2) +
+               (isSameSpan(hole, other) ? 0 : 1);
+    }
+
+    bool compareAtItsPlace(const Hole& hole) {
+        const auto found =
+            m_matcher.take(hole.middle, kSamePlace, [&](std::size_t row) { return unlike(hole, m_b.holes[row]); });
+        if (!found) {
+            return false;
+        }
+        const Hole& other = m_b.holes[*found];
+        m_found.measure(hole.middle, other.middle);
+        const std::string text = difference(hole, other, m_request.tolerance);
+        if (!text.empty()) {
+            add(text, hole);
+        }
+        return true;
+    }
+
+    /// One that is like it in all else and less than its width away is taken for the same hole, moved.
+    bool compareNearby(const Hole& hole) {
+        const auto found = m_matcher.take(hole.middle, std::min(hole.width, hole.height),
+                                          [&](std::size_t row) { return unlike(hole, m_b.holes[row]) == 0 ? 0 : -1; });
+        if (found) {
+            const Point other = m_b.holes[*found].middle;
+            m_found.measure(hole.middle, other);
+            const double by =
+                std::hypot(static_cast<double>(hole.middle.x) - other.x, static_cast<double>(hole.middle.y) - other.y);
+            add("a " + kindText(hole) + " is moved by " + fixedText(base::toMm(by), 4) + " mm", hole);
+        }
+        return found.has_value();
+    }
+
+    const FlatBoard& m_a;
+    const FlatBoard& m_b;
+    const AgreementRequest& m_request;
+    PointMatcher m_matcher;
+    Comparison m_found;
+};
 
 }  // namespace
 
 Comparison compareHoles(const FlatBoard& a, const FlatBoard& b, const AgreementRequest& request) {
-    Comparison comparison;
-    comparison.aspect = Aspect::Holes;
-    comparison.counts = {a.holes.size(), b.holes.size()};
-    PointMatcher matcher(locationsOf(b));
-    for (const Hole& hole : a.holes) {
-        const auto unlike = [&](std::size_t row) {
-            const Hole& other = b.holes[row];
-            return (isSameSize(hole, other, request.tolerance) ? 0 : 4) + (hole.isPlated == other.isPlated ? 0 : 2) +
-                   (isSameSpan(hole, other) ? 0 : 1);
-        };
-        const auto found = b.holes.empty() ? std::nullopt : matcher.take(hole.middle, kSamePlace, unlike);
-        if (found) {
-            comparison.measure(hole.middle, b.holes[*found].middle);
-        }
-        const std::string text = found ? difference(hole, b.holes[*found], request.tolerance) : onlyIn("A", hole);
-        if (!text.empty()) {
-            comparison.add({text, hole.middle}, request.most);
-        }
-    }
-    for (std::size_t row = 0; row < b.holes.size(); ++row) {
-        if (!matcher.isTaken(row)) {
-            comparison.add({onlyIn("B", b.holes[row]), b.holes[row].middle}, request.most);
-        }
-    }
-    return comparison;
+    return HoleComparer(a, b, request).run();
 }
 
 }  // namespace model

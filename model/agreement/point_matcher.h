@@ -21,7 +21,7 @@ public:
     }
 
     /// The free point within `reach` (in x and in y) that is least unlike by `unlike(row)`, and among equals the
-    /// nearest; it is taken then. None if there is no free point.
+    /// nearest; it is taken then. One of which that is negative is no match. None if there is no free point.
     template <class Unlike>
     std::optional<std::size_t> take(base::Point at, base::Nm reach, Unlike unlike) {
         std::optional<std::size_t> best;
@@ -35,7 +35,7 @@ public:
                 continue;
             }
             const std::pair<int, std::int64_t> found(unlike(*next), std::max(dx, dy));
-            if (!best || found < leastUnlike) {
+            if (found.first >= 0 && (!best || found < leastUnlike)) {
                 best = *next;
                 leastUnlike = found;
             }

@@ -145,15 +145,27 @@ private slots:
         QCOMPARE(firstOf(compared(board(), other), Aspect::Holes),
                  std::string("a hole of 0.300 mm passes copper 1 to 2 in A, copper 1 to 1 in B"));
         other = board();
-        other.steps[0].features[3][0].a.x += 2'000;
+        other.steps[0].features[3][0].a.x += 300'001;  // its width, and no longer near
         const Agreement agreement = compared(board(), other);
         QCOMPARE(find(agreement, Aspect::Holes)->differing, std::size_t{2});
         QCOMPARE(firstOf(agreement, Aspect::Holes), std::string("only A has a plated hole of 0.300 mm"));
         QCOMPARE(*find(agreement, Aspect::Holes)->differences[0].location, mm(30, 20));
-        other.steps[0].features[3][0].a.x -= 1'500;
+        other.steps[0].features[3][0].a.x -= 299'501;
         const Agreement near = compared(board(), other);
         QVERIFY(near.isAgreed());
         QCOMPARE(find(near, Aspect::Holes)->farthest, std::optional(500.0));
+    }
+
+    void holesAreMovedWhereOneLikeThemIsNear() {
+        DrawnJob other = board();
+        other.steps[0].features[3][0].a.x += 10'000;
+        const Agreement agreement = compared(board(), other);
+        QCOMPARE(find(agreement, Aspect::Holes)->differing, std::size_t{1});
+        QCOMPARE(firstOf(agreement, Aspect::Holes), std::string("a plated hole of 0.300 mm is moved by 0.0100 mm"));
+        QCOMPARE(*find(agreement, Aspect::Holes)->differences[0].location, mm(30, 20));
+        QCOMPARE(find(agreement, Aspect::Holes)->farthest, std::optional(10'000.0));
+        other.steps[0].features[3][0].plating = model::Plating::NonPlated;
+        QCOMPARE(find(compared(board(), other), Aspect::Holes)->differing, std::size_t{2});
     }
 
     void partsAndPinsAreComparedByName() {
