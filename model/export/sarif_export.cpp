@@ -13,10 +13,11 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// A path as a URI: with percent signs for all but letters, digits and "-._~/".
+/// A path as a URI: without ways there and back ("a/../b"), with percent signs for all but letters, digits and
+/// "-._~/".
 std::string uriOf(const std::filesystem::path& path) {
     std::string uri = path.is_absolute() ? "file://" : "";
-    for (const char c : path.generic_string()) {
+    for (const char c : path.lexically_normal().generic_string()) {
         const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                              std::string_view("-._~/").find(c) != std::string_view::npos;
         uri += isPlain ? std::string(1, c) : formatted("%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));

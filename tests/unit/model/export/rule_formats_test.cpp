@@ -46,7 +46,7 @@ const RuleTable kRules{{},
                         {RuleKind::MaskSliver, 100 * kUm, {}, false},
                         {RuleKind::HoleToHole, 100 * kUm, {}}}};
 
-const model::ReportContext kContext{"boards/my job.tgz", "0.7.0"};
+const model::ReportContext kContext{"boards/new/../my job.tgz", "0.7.0"};
 
 /// A check with the first finding waived, and a waiver of a location that is fine.
 struct Checked {
