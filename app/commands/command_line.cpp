@@ -322,7 +322,9 @@ void addExport(CLI::App& parent, Command& chosen) {
     ExportArguments& arguments = argumentsOf(command, chosen, runExport);
     addBoardOptions(command, arguments.board);
     addChords(command, arguments.board);
-    addFile(command, "-o,--output", arguments.output, "the file to write (" + model::exportEndings() + ")")->required();
+    addFile(command, "-o,--output", arguments.output,
+            "the file to write (" + model::exportEndings() + "); .obj writes its .mtl beside it")
+        ->required();
     addNames(command, "--layers", arguments.layers, "only these layers, separated by commas");
     addNames(command, "--nets", arguments.nets, "only copper of these nets, separated by commas");
     addNumbers(command, "--window", arguments.window,

@@ -141,7 +141,8 @@ Outcome runExport(const ExportArguments& arguments) {
     ASSIGN_OR_RETURN(const model::ExportSummary summary,
                      model::exportBoard(*board, *format, request, arguments.output, console.progress()));
     reportMissing(summary.missing);
-    std::fprintf(stderr, "%s: %s, %.1f MB\n", arguments.output.c_str(), summary.content.c_str(),
+    const std::string beside = summary.beside.empty() ? "" : " and " + summary.beside.string();
+    std::fprintf(stderr, "%s%s: %s, %.1f MB\n", arguments.output.c_str(), beside.c_str(), summary.content.c_str(),
                  static_cast<double>(summary.bytes) / 1e6);
     return int{kDone};
 }

@@ -1,8 +1,11 @@
 #include "app/commands/option_checks.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <vector>
+
+#include "model/export/files/export_file.h"
 
 namespace app {
 
@@ -23,19 +26,35 @@ bool isAddedTo(const CLI::Option& out, const CLI::Option& in) {
     return out.check_lname("write-waivers") && in.check_lname("waivers");
 }
 
-bool isSameFile(const std::string& a, const std::string& b) {
+bool isSameFile(const fs::path& a, const fs::path& b) {
     std::error_code error;
-    return fs::equivalent(fs::path(a), fs::path(b), error) && !error;
+    return fs::equivalent(a, b, error) && !error;
+}
+
+/// What writing the file that an option names writes.
+std::vector<fs::path> filesBy(const CLI::App& command, const std::string& written) {
+    std::vector<fs::path> files{written};
+    const fs::path other = command.get_name() == "export" ? model::otherFileOf(written) : fs::path();
+    if (!other.empty()) {
+        files.push_back(other);
+    }
+    return files;
+}
+
+std::string refusal(const CLI::Option& out, const fs::path& file, const std::string& written) {
+    const std::string whose = file == written ? "" : ", which belongs to " + written + ",";
+    return file.string() + whose + " is read, so it is not written over; name another file for " + out.get_name();
 }
 
 std::optional<std::string> overwrittenInput(const CLI::App& command) {
     for (const CLI::Option* out : command.get_options(isWritten)) {
         for (const CLI::Option* in : command.get_options(isRead)) {
             for (const std::string& written : out->results()) {
-                for (const std::string& read : in->results()) {
-                    if (!isAddedTo(*out, *in) && isSameFile(written, read)) {
-                        return written + " is read, so it is not written over; name another file for " +
-                               out->get_name();
+                for (const fs::path& file : filesBy(command, written)) {
+                    const bool isOfInput = std::ranges::any_of(
+                        in->results(), [&](const std::string& read) { return isSameFile(file, read); });
+                    if (isOfInput && !isAddedTo(*out, *in)) {
+                        return refusal(*out, file, written);
                     }
                 }
             }

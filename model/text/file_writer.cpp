@@ -76,7 +76,11 @@ base::Status FileWriter::status() const {
                : base::Error{base::ErrorCode::OutputFailed, m_path.string() + " cannot be written: " + m_failure};
 }
 
-base::Status FileWriter::commit() {
+base::Status FileWriter::finish() {
+    if (m_isFinished) {
+        return status();
+    }
+    m_isFinished = true;
     flush();
     if (m_gzip) {
         std::string end;
@@ -87,7 +91,12 @@ base::Status FileWriter::commit() {
         fail(std::strerror(errno));
     }
     close();
-    if (m_failure.empty() && m_isPlain) {
+    return status();
+}
+
+base::Status FileWriter::commit() {
+    const base::Status finished = finish();
+    if (finished && m_isPlain) {
         std::error_code error;
         fs::rename(m_beside, m_path, error);
         m_isNamed = !error;

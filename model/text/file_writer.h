@@ -44,6 +44,9 @@ public:
     [[nodiscard]] ScratchPlace scratchPlace() const;
     /// The first failure: OutputFailed with the path and the reason.
     [[nodiscard]] base::Status status() const;
+    /// All of it is on the disk, and only its name is missing: for files of which all or none are to change. Nothing is
+    /// written after it. Errors: as status().
+    base::Status finish();
     /// Once, at the end: the file is whole on the disk and has its name. Errors: as status().
     base::Status commit();
 
@@ -63,6 +66,7 @@ private:
     std::uint64_t m_packedSize = 0;
     int m_file = -1;
     bool m_isPlain = true;
+    bool m_isFinished = false;
     bool m_isNamed = false;  ///< the file has its name
 };
 

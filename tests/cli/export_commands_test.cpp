@@ -54,6 +54,8 @@ private slots:
         QVERIFY(file.open(QFile::ReadOnly));
         QVERIFY(file.size() > 1000);
         QVERIFY(file.read(100).startsWith(begins));
+        QCOMPARE(done.err.contains(path.toUtf8() + " and " + folder.filePath("board.mtl").toUtf8() + ": "),
+                 ending == "obj");
     }
 
     void filtersMakeItSmaller() {

@@ -1,4 +1,5 @@
 // What is refused before anything is read: options that are wrong, that do not fit together or would do nothing.
+#include <QDir>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -30,6 +31,19 @@ private slots:
                      .exitCode,
                  1);
         QCOMPARE(bytes(), before);
+    }
+
+    /// The board has the name of the materials.
+    void whatIsReadIsNoMaterials() {
+        const QTemporaryDir folder;
+        const QString board = folder.filePath("board.mtl");
+        QVERIFY(QFile::copy(locations::kSample, board));
+        const Outcome run = copperscope({"export", board, "-o", folder.filePath("board.obj")});
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(run.err.contains("board.mtl, which belongs to ") && run.err.contains("it is not written over"),
+                 run.err.constData());
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"board.mtl"});
+        QCOMPARE(QFileInfo(board).size(), QFileInfo(locations::kSample).size());
     }
 
     void numbersAreFinite() {

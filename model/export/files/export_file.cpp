@@ -227,6 +227,11 @@ const ExportFormat* exportFormatOf(const fs::path& path) {
     return found != std::end(kFormats) ? found : nullptr;
 }
 
+fs::path otherFileOf(const fs::path& path) {
+    const ExportFormat* format = exportFormatOf(path);
+    return format != nullptr && format->write == writeMesh<MeshOptions, exportObj> ? materialsBeside(path) : fs::path();
+}
+
 Result<std::optional<StepEstimate>> estimateExport(const Document& board, const ExportFormat& format,
                                                    const ExportRequest& request, const Progress& progress) {
     RETURN_IF_ERROR(checkKnown(format, request));
@@ -246,6 +251,7 @@ Result<ExportSummary> exportBoard(const Document& board, const ExportFormat& for
                                   const fs::path& path, Progress& progress) {
     RETURN_IF_ERROR(checkKnown(format, request));
     ASSIGN_OR_RETURN(ExportSummary summary, format.write(board, request, path, progress));
+    summary.beside = otherFileOf(path);
     if (format.isSolid) {
         nameMasks(board, request.choice, summary);
     }

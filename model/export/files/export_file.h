@@ -41,6 +41,7 @@ struct ExportSummary {
     std::uint64_t bytes = 0;
     std::string content;  ///< "1,321 solids, 531 placed copies"
     std::vector<NotExported> missing;
+    std::filesystem::path beside{};  ///< the second file, as otherFileOf; empty where there is none
 };
 
 /// A kind of file.
@@ -62,6 +63,9 @@ struct ExportFormat {
 [[nodiscard]] std::string exportEndings();
 /// By what the name ends with; nullptr if it is none of them.
 [[nodiscard]] const ExportFormat* exportFormatOf(const std::filesystem::path& path);
+
+/// What is written beside the file of that name, as the materials of .obj; empty where that is all.
+[[nodiscard]] std::filesystem::path otherFileOf(const std::filesystem::path& path);
 
 /// About how large the file will be and how long it takes; no value for formats that cannot be told before. Errors:
 /// BadUsage for choices that the format does not know; as planSolids.

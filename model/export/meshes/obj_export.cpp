@@ -113,8 +113,7 @@ base::Result<MeshReport> exportObj(const SolidPlan& plan, const MeshOptions& opt
     MeshReport report;
     ASSIGN_OR_RETURN(const std::vector<StepMeshes> steps, allMeshes(plan, options.how, progress, report));
     progress.beginPhase("Writing triangles");
-    std::filesystem::path beside = path;
-    beside.replace_extension(".mtl");
+    const std::filesystem::path beside = materialsBeside(path);
     FileWriter file(path);
     FileWriter materials(beside);
     ObjWriter writer(plan, options, file, materials);
@@ -125,10 +124,15 @@ base::Result<MeshReport> exportObj(const SolidPlan& plan, const MeshOptions& opt
     }
     report.bytes = file.size() + materials.size();
     report.triangles = writer.triangles;
-    RETURN_IF_ERROR(materials.status());
+    RETURN_IF_ERROR(file.finish());
+    RETURN_IF_ERROR(materials.finish());
     RETURN_IF_ERROR(file.commit());
     RETURN_IF_ERROR(materials.commit());
     return report;
+}
+
+std::filesystem::path materialsBeside(std::filesystem::path path) {
+    return path.replace_extension(".mtl");
 }
 
 }  // namespace model

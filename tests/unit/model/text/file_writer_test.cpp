@@ -49,6 +49,23 @@ private slots:
         QCOMPARE(filesIn(folder), QStringList{"board.step"});
     }
 
+    void onlyTheNameIsMissingOfWhatIsFinished() {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath("board.obj").toStdString();
+        {
+            model::FileWriter left(path);
+            QVERIFY(left.write("left") && left.finish());
+        }
+        QVERIFY(filesIn(folder).isEmpty());
+        model::FileWriter writer(path);
+        QVERIFY(writer.write("whole") && writer.finish());
+        QCOMPARE(filesIn(folder).size(), qsizetype{1});
+        QCOMPARE(QFileInfo(folder.filePath(filesIn(folder).front())).size(), qint64{5});
+        QVERIFY(!std::filesystem::exists(path));
+        QVERIFY(writer.commit());
+        QCOMPARE(*model::readWholeFile(path), std::string("whole"));
+    }
+
     void packedPiecesUnpackToWhatWasWritten() {
         const QTemporaryDir folder;
         const std::string path = folder.filePath("board.stpz").toStdString();
