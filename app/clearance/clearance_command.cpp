@@ -318,7 +318,8 @@ Outcome writeWaivers(const ClearanceArguments& arguments, const Document& board,
     return int{kDone};
 }
 
-Outcome runRules(const ClearanceArguments& arguments, const Document& board, base::Progress& progress) {
+Outcome runRules(const ClearanceArguments& arguments, const model::OpenedBoard& opened, base::Progress& progress) {
+    const Document& board = *opened.document;
     ASSIGN_OR_RETURN(const model::RuleTable table, rulesFor(arguments, &board));
     ASSIGN_OR_RETURN(const Waivers waivers, waiversFor(arguments));
     if (!arguments.newWaivers.empty()) {
@@ -329,7 +330,7 @@ Outcome runRules(const ClearanceArguments& arguments, const Document& board, bas
         steps.front().report.waiverNotes.push_back(std::move(note));
     }
     RETURN_IF_ERROR(listBelow(arguments.below, steps));
-    const model::ReportContext context{orSample(arguments.board.request).path, COPPERSCOPE_VERSION};
+    const model::ReportContext context{fileOf(opened), COPPERSCOPE_VERSION};
     RETURN_IF_ERROR(deliver(arguments, model::ruleReport(table, steps, formatOf(arguments), arguments.worst, context)));
     return exitCodeOf(outlookOf(table, steps), arguments);
 }
@@ -366,19 +367,20 @@ Outcome runClearance(const ClearanceArguments& arguments) {
     }
     RETURN_IF_ERROR(checkUsage(arguments));
     ConsoleProgress console;
-    ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
+    ASSIGN_OR_RETURN(const model::OpenedBoard opened, openWithSession(arguments.board, console.progress()));
+    const Document& board = *opened.document;
     if (arguments.isThroughStackup) {
-        ASSIGN_OR_RETURN(const ThroughStackup found, runThroughStackup(arguments, *board, console.progress()));
+        ASSIGN_OR_RETURN(const ThroughStackup found, runThroughStackup(arguments, board, console.progress()));
         RETURN_IF_ERROR(deliver(arguments, found.report));
         return limitCode(arguments, *board, found.code);
     }
     if (!arguments.map.file.empty()) {
-        return runClearanceMap(arguments.map, *board, arguments.layer, console.progress());
+        return runClearanceMap(arguments.map, board, arguments.layer, console.progress());
     }
     if (!arguments.rules.empty()) {
-        return runRules(arguments, *board, console.progress());
+        return runRules(arguments, opened, console.progress());
     }
-    ASSIGN_OR_RETURN(const auto found, measureSteps(*board, arguments, console.progress()));
+    ASSIGN_OR_RETURN(const auto found, measureSteps(board, arguments, console.progress()));
     RETURN_IF_ERROR(deliver(arguments, model::clearanceReport(found, formatOf(arguments))));
     const bool isAnyClose = std::ranges::any_of(found, [](const StepClearances& s) { return !s.clearances.empty(); });
     return limitCode(arguments, *board, isAnyClose ? kTooClose : kDone);

@@ -71,6 +71,7 @@ base::Result<model::OpenedBoard> open(const AgreeArguments& arguments, const std
     request.noSession = true;
     request.format = format.empty() ? request.format : format;
     ASSIGN_OR_RETURN(model::OpenedBoard board, model::openBoard(request, progress));
+    sayChoice(board, request);
     sayErrors(*board.document);
     return board;
 }

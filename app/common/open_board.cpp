@@ -10,6 +10,7 @@
 #include "app/common/headless_device.h"
 #include "model/base/ascii.h"
 #include "model/board/diagnostic_facts.h"
+#include "model/formats/board_forms.h"
 
 namespace app {
 
@@ -72,13 +73,29 @@ void sayErrors(const model::Document& document) {
     }
 }
 
+void sayChoice(const model::OpenedBoard& board, const model::OpenRequest& asked) {
+    const auto isSame = [&](const model::BoardForm& form) { return form.format->key == board.format; };
+    if (board.forms.empty() || (!asked.format.empty() && std::ranges::count_if(board.forms, isSame) == 1)) {
+        return;
+    }
+    std::fprintf(stderr, "%s: %s\n", asked.path.c_str(), model::choiceText(board.forms, asked.path).c_str());
+}
+
+std::filesystem::path fileOf(const model::OpenedBoard& board) {
+    const std::filesystem::path member = board.request.path / board.request.member;
+    std::error_code error;
+    return !board.request.member.empty() && std::filesystem::exists(member, error) ? member : board.request.path;
+}
+
 base::Result<model::OpenedBoard> openWithSession(const BoardArguments& arguments, base::Progress& progress) {
     if (arguments.saveSession && arguments.request.thicknesses.empty() && !arguments.request.noSession) {
         return base::Error{base::ErrorCode::BadUsage,
                            "--save-session saves what --set-thickness sets, and nothing is set"};
     }
-    ASSIGN_OR_RETURN(model::OpenedBoard board, model::openBoard(orSample(arguments.request), progress));
+    const model::OpenRequest asked = orSample(arguments.request);
+    ASSIGN_OR_RETURN(model::OpenedBoard board, model::openBoard(asked, progress));
     RETURN_IF_ERROR(checkLayerMap(board));
+    sayChoice(board, asked);
     for (const std::string& note : board.notes) {
         std::fprintf(stderr, "copperscope: %s\n", note.c_str());
     }

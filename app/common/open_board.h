@@ -29,9 +29,17 @@ struct BoardArguments {
 /// should be. What else was noticed is for `info`.
 void sayErrors(const model::Document& document);
 
-/// model::openBoard; what of the job could not be read (sayErrors) and what of the session is not used is said on
-/// stderr. Errors: also those of checkLayerMap; BadUsage if there is nothing to save in the session; OutputFailed when
-/// that cannot be saved.
+/// Says on stderr which of several boards, or forms of one, was read where `asked` leads, and what else is there; no
+/// word where the format that was asked for leaves only one.
+void sayChoice(const model::OpenedBoard& board, const model::OpenRequest& asked);
+
+/// The file or folder that was read, for reports: of several in a folder the one that was taken, of several in an
+/// archive the archive.
+[[nodiscard]] std::filesystem::path fileOf(const model::OpenedBoard& board);
+
+/// model::openBoard; which of several was read (sayChoice), what of the job could not be read (sayErrors) and what of
+/// the session is not used is said on stderr. Errors: also those of checkLayerMap; BadUsage if there is nothing to save
+/// in the session; OutputFailed when that cannot be saved.
 [[nodiscard]] base::Result<std::shared_ptr<const model::Document>> openDocument(const BoardArguments& arguments,
                                                                                 base::Progress& progress);
 /// The same with all that is known of it.

@@ -133,4 +133,10 @@ std::string othersOf(std::span<const BoardForm> forms, const fs::path& path) {
     return list + (end < forms.size() ? " and " + std::to_string(forms.size() - end) + " more" : "");
 }
 
+std::string choiceText(std::span<const BoardForm> forms, const fs::path& path) {
+    const std::string file = fileOf(forms.front(), path);
+    return "read as " + std::string(forms.front().format->name) + (file.empty() ? "" : ", " + file) +
+           "; what else is there: " + othersOf(forms, path);
+}
+
 }  // namespace model

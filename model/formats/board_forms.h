@@ -23,6 +23,9 @@ namespace model {
 /// where there are many.
 [[nodiscard]] std::string othersOf(std::span<const BoardForm> forms, const std::filesystem::path& path);
 
+/// Which of several forms was read, the first, and what else is there: "read as KiCad board, a.kicad_pcb; what else …".
+[[nodiscard]] std::string choiceText(std::span<const BoardForm> forms, const std::filesystem::path& path);
+
 /// The folder of files that were named together if at least two of them are of one Gerber job; else empty.
 [[nodiscard]] std::filesystem::path jobOfFiles(std::span<const std::filesystem::path> files);
 

@@ -205,10 +205,7 @@ base::Status unpack(BoardInput& input, base::Progress& progress) {
 
 /// What else lies there is said in the messages of the board.
 void reportOthers(const Forms& forms, BoardInput& input) {
-    const std::string file = fileOf(forms.front(), input.path);
-    input.unpacking.report(Severity::Info, "", 0,
-                           "read as " + std::string(forms.front().format->name) + (file.empty() ? "" : ", " + file) +
-                               "; what else is there: " + othersOf(forms, input.path));
+    input.unpacking.report(Severity::Info, "", 0, choiceText(forms, input.path));
 }
 
 /// The archive in the archive of the input becomes the input. Errors: BadInput if it is none; Cancelled.

@@ -81,6 +81,37 @@ private slots:
         QCOMPARE(copperscope({"agree", locations::kSample, locations::kSample, "--format-b", "paper"}).exitCode, 2);
     }
 
+    /// One of two boards in a folder is no silent choice.
+    void whichOfSeveralBoardsWasReadIsSaid() {
+        const QTemporaryDir folder;
+        const QByteArray board =
+            "(kicad_pcb (version 20241229) (layers (0 \"F.Cu\" signal) (2 \"B.Cu\" signal)) (net 1 \"GND\")\n"
+            "(segment (start 0 0) (end 9 0) (width 1) (layer \"F.Cu\") (net 1)))\n";
+        for (const char* name : {"one.kicad_pcb", "two.kicad_pcb"}) {
+            QFile file(folder.filePath(name));
+            QVERIFY(file.open(QFile::WriteOnly) && file.write(board) == board.size());
+        }
+        const QString one = folder.filePath("one.kicad_pcb");
+        const QByteArray said =
+            folder.path().toUtf8() +
+            ": read as KiCad board, one.kicad_pcb; what else is there: KiCad board (two.kicad_pcb)\n";
+        const QList<QStringList> all{
+            {"info", folder.path()},
+            {"clearance", folder.path()},
+            {"clearance", folder.path(), "--format", "html", "--rules", "default", "--allow-incomplete"},
+            {"measure", folder.path(), "--from", "at:0mm,0mm", "--to", "at:1mm,1mm"},
+            {"export", folder.path(), "-o", folder.filePath("a.svg")},
+            {"agree", one, folder.path()},
+            {"clearance", folder.path(), "--input-format", "kicad"}};
+        for (const QStringList& arguments : all) {
+            const Outcome run = copperscope(arguments);
+            QVERIFY2(run.exitCode == 0 || run.exitCode == 4, run.err.constData());
+            QVERIFY2(run.err.count(said) == 1, run.err.constData());
+            QCOMPARE(run.out.contains("Job " + one.toUtf8()), arguments.contains("html"));
+        }
+        QVERIFY(!copperscope({"clearance", one}).err.contains("what else is there"));
+    }
+
     void whatFilesDrawIsSaid() {
         const QTemporaryDir folder;
         const auto write = [&](const QString& name, const QByteArray& text) {
