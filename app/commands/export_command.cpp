@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <string>
 
 #include "app/common/console_progress.h"
 #include "app/common/interrupt.h"
+#include "app/common/time_of_writing.h"
 #include "app/common/window_option.h"
 #include "model/base/thickness_units.h"
 #include "model/export/files/export_file.h"
@@ -56,14 +56,6 @@ std::vector<model::SolidLook> looksOf(const Document& board) {
     return looks;
 }
 
-std::string now() {
-    char text[32];
-    const std::time_t time = std::time(nullptr);
-    std::tm parts{};
-    std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&time, &parts));
-    return text;
-}
-
 void reportMissing(const std::vector<model::NotExported>& missing) {
     for (std::size_t i = 0; i < std::min(missing.size(), kNamed); ++i) {
         const std::string line = missing[i].line > 0 ? ":" + std::to_string(missing[i].line) : "";
@@ -79,7 +71,7 @@ Result<model::ExportRequest> requestFor(const Document& board, const ExportArgum
     model::ExportRequest request;
     ASSIGN_OR_RETURN(request.choice, choiceOf(board, arguments));
     request.looks = looksOf(board);
-    request.time = now();
+    ASSIGN_OR_RETURN(request.time, timeOfWriting());
     request.isWrittenOut = arguments.isWrittenOut;
     request.hasPolylines = arguments.hasPolylines;
     request.isOnePage = arguments.isOnePage;

@@ -182,6 +182,31 @@ private slots:
         QCOMPARE(kept.readAll(), QByteArray("kept"));
     }
 
+    void theTimeInAFileCanBeSet_data() {
+        QTest::addColumn<QString>("ending");
+        QTest::newRow("STEP") << "step";
+        QTest::newRow("packed") << "stpz";
+        QTest::newRow("PDF") << "pdf";
+    }
+    void theTimeInAFileCanBeSet() {
+        QFETCH(QString, ending);
+        const QTemporaryDir folder;
+        const auto bytes = [&](const QString& name, const QString& seconds) {
+            QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+            environment.insert("SOURCE_DATE_EPOCH", seconds);
+            QFile file(folder.filePath(name + "." + ending));
+            const QStringList arguments{"export", locations::kSample, "--layers", "L01-TOP_LAYER",
+                                        "-o",     file.fileName()};
+            const int code = copperscope(arguments, {}, environment).exitCode;
+            return code == 0 && file.open(QFile::ReadOnly) ? file.readAll() : QByteArray::number(code);
+        };
+        const QByteArray first = bytes("a", "1000000000");
+        QVERIFY(first.size() > 1000 && first == bytes("b", "1000000000"));
+        QVERIFY(ending != "step" || first.contains("'2001-09-09T01:46:40Z'"));
+        QVERIFY(ending == "pdf" || first != bytes("c", "1000000001"));
+        QCOMPARE(bytes("d", "yesterday"), QByteArray("1"));
+    }
+
     void solidsAreProvedByAnIndependentReader() {
         const Outcome done = copperscope({"verify", locations::kSample, "--layers", "L01-TOP_LAYER", "--sample", "60",
                                           "--points", "400", "--no-pictures", "--strict", "--json"});
