@@ -122,6 +122,10 @@ private slots:
                                             << "--one-page";
         QTest::newRow("mirrored outlines") << "dxf"
                                            << "--mirror-bottom";
+        QTest::newRow("milling of a drawing") << "pdf"
+                                              << "--as-designed";
+        QTest::newRow("joined copper in a drawing") << "svg"
+                                                    << "--merge";
         QTest::newRow("polylines of triangles") << "glb"
                                                 << "--polylines";
         QTest::newRow("triangles written out") << "stl"

@@ -169,11 +169,18 @@ std::vector<std::string> endingsOf(const ExportFormat& format) {
 /// What is on in the request and no business of the format.
 base::Status checkKnown(const ExportFormat& format, const ExportRequest& request) {
     const SolidChoice& choice = request.choice;
-    const bool isOnlyForSolids = !choice.nets.empty() || choice.window || choice.minHole > 0 || choice.isOuterOnly ||
-                                 choice.isMerged || choice.isOnePart || choice.hasFittedArcs || choice.isAsDesigned;
-    if (!format.isSolid && isOnlyForSolids) {
-        return base::Error{ErrorCode::BadUsage,
-                           std::string(format.name) + " shows whole layers: it can be limited to layers only"};
+    const std::pair<const char*, bool> ofSolids[] = {
+        {"--nets", !choice.nets.empty()},      {"--window", choice.window.has_value()},
+        {"--min-hole", choice.minHole > 0},    {"--outer-only", choice.isOuterOnly},
+        {"--merge", choice.isMerged},          {"--fit-arcs", choice.hasFittedArcs},
+        {"--as-designed", choice.isAsDesigned}};
+    for (const auto& [option, isOn] : ofSolids) {
+        if (isOn && !format.isSolid) {
+            return base::Error{ErrorCode::BadUsage,
+                               std::string(format.name) + " does not know " + option +
+                                   ", which is for solids and triangles: drawings show whole layers as designed, and "
+                                   "--layers says which"};
+        }
     }
     const struct {
         const char* name;  ///< on the command line; the window offers to a format what that knows
