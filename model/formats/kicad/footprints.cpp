@@ -10,6 +10,7 @@
 #include "model/formats/kicad/barcodes.h"
 #include "model/formats/kicad/dimensions.h"
 #include "model/formats/kicad/pads.h"
+#include "model/formats/kicad/shapes/largest_outline.h"
 #include "model/formats/kicad/text/values.h"
 #include "model/formats/kicad/text_boxes.h"
 #include "model/formats/kicad/texts.h"
@@ -69,7 +70,7 @@ constexpr std::array<std::string_view, 39> kSilent = {"at",
                                                       "version",
                                                       "zone_connect"};
 
-/// Largest closed outline of drawn shapes; the box around them all where none is closed.
+/// The largest outline of drawn shapes; the box around them all where none is closed.
 ShapeSketch bodyOf(const std::vector<Graphic>& graphics) {
     std::vector<ChainEdge> edges;
     Box around;
@@ -79,17 +80,7 @@ ShapeSketch bodyOf(const std::vector<Graphic>& graphics) {
             around.include(node.point);
         }
     }
-    ShapeSketch body;
-    std::int64_t largest = 0;
-    for (const std::vector<PathNode>& loop : chained(edges, kJoint).loops) {
-        const Box box = boxOfPath(PathNodes(loop), true);
-        const std::int64_t area = box.width() * box.height();
-        if (area > largest) {
-            largest = area;
-            body = {};
-            addPath(body, loop, false);
-        }
-    }
+    ShapeSketch body = largestOutline(edges, kJoint);
     if (body.isEmpty() && around.width() > 0 && around.height() > 0) {
         addBox(body, around);
     }

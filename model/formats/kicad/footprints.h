@@ -17,8 +17,8 @@ namespace model::kicad {
 void addEdges(const Graphic& graphic, std::vector<ChainEdge>& edges);
 
 /// Draws footprints, with a component and its package for each. What they draw on Edge.Cuts is part of the board's
-/// outline and goes to `outline`. The body of a package is the largest outline that its fabrication layer draws, else
-/// its courtyard's.
+/// outline and goes to `outline`. The body of a package is the largest outline that its fabrication layer draws
+/// (shapes/largest_outline.h), else its courtyard's.
 class Footprints {
 public:
     /// All must live as long as this.

@@ -93,6 +93,17 @@ void EdgeArrangement::addLoop(std::span<const Edge> loop, int count) {
     }
 }
 
+/// All in one direction, so that counts of what covers each other do not add up to 0: arcs counter-clockwise, lines
+/// towards one side of a direction across which nobody draws.
+void EdgeArrangement::addEdge(const Edge& edge) {
+    constexpr PointD kAhead{1.0, 0.3217};
+    const bool isForward = edge.isArc() ? !edge.isClockwise : dot(minus(edge.b, edge.a), kAhead) >= 0.0;
+    const Edge ahead = isForward ? edge : reversed(edge);
+    const std::uint32_t from = vertexAt(ahead.a);
+    const std::uint32_t to = vertexAt(ahead.b);
+    ahead.isArc() ? addArc(ahead, from, to, 1) : addFragment(from, to, kLine, 1);
+}
+
 /// Counter-clockwise, whatever its sense.
 void EdgeArrangement::addArc(const Edge& arc, std::uint32_t from, std::uint32_t to, int count) {
     if (arc.isClockwise) {

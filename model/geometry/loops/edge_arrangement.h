@@ -37,6 +37,9 @@ public:
 
     /// `count`: 1 adds what the region covers, -1 takes it away.
     void add(const EdgeLoops& region, int count = 1);
+    /// A line or arc of a drawing, which is part of no region: lines that cover each other become one whatever their
+    /// direction is. Of use where counts do not matter (outerBoundaryOf).
+    void addEdge(const Edge& edge);
     /// Cuts until nothing is left to cut: false if that comes to no end.
     [[nodiscard]] bool settle();
 

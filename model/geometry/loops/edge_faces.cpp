@@ -52,13 +52,23 @@ public:
     }
 
     std::optional<std::vector<std::vector<Side>>> boundary() {
-        orderAroundVertices();
-        traceCycles();
-        findComponents();
-        if (!isPlanar() || !findWindings()) {
+        if (!findFaces() || !findWindings()) {
             return std::nullopt;
         }
         dropThinFaces();
+        return linkBoundary();
+    }
+
+    std::optional<std::vector<std::vector<Side>>> outerBoundary() {
+        if (!findFaces()) {
+            return std::nullopt;
+        }
+        for (Cycle& cycle : m_cycles) {
+            cycle.isInside = true;
+        }
+        for (const std::uint32_t outside : m_outsides) {
+            m_cycles[outside].isInside = false;
+        }
         return linkBoundary();
     }
 
@@ -86,6 +96,13 @@ private:
         const PointD out = minus(edge.a, edge.centre);
         const double sense = edge.isClockwise ? -1.0 : 1.0;
         return {side, std::atan2(sense * out.x, -sense * out.y), sense / (2 * edge.radius), reach};
+    }
+
+    bool findFaces() {
+        orderAroundVertices();
+        traceCycles();
+        findComponents();
+        return isPlanar() && findOutsides();
     }
 
     void orderAroundVertices() {
@@ -227,7 +244,7 @@ private:
         return std::ranges::all_of(sum, [](std::int64_t s) { return s == 2; });
     }
 
-    bool findWindings() {
+    bool findOutsides() {
         for (std::uint32_t component = 0; component < m_componentCount; ++component) {
             const std::optional<std::uint32_t> outside = outsideOf(component);
             if (!outside) {
@@ -235,6 +252,10 @@ private:
             }
             m_outsides.push_back(*outside);
         }
+        return true;
+    }
+
+    bool findWindings() {
         const std::optional<BoxIndex> index = m_componentCount > 1 ? std::optional(indexOfEdges()) : std::nullopt;
         std::vector<std::uint8_t> isKnown(m_cycles.size(), 0);
         for (const std::uint32_t outside : m_outsides) {
@@ -371,6 +392,10 @@ private:
 
 std::optional<std::vector<std::vector<Side>>> boundaryOf(const EdgeArrangement& arrangement) {
     return Faces(arrangement).boundary();
+}
+
+std::optional<std::vector<std::vector<Side>>> outerBoundaryOf(const EdgeArrangement& arrangement) {
+    return Faces(arrangement).outerBoundary();
 }
 
 }  // namespace model

@@ -18,5 +18,8 @@ using Side = std::uint32_t;
 /// The faces of the plane follow from the order of fragments around vertices alone. No value when that order
 /// contradicts itself (Euler's formula): fragments cross each other by less than what can be told apart.
 [[nodiscard]] std::optional<std::vector<std::vector<Side>>> boundaryOf(const EdgeArrangement& arrangement);
+/// The outer boundaries of what fragments enclose, whatever their counts are: a loop, counter-clockwise, around all
+/// faces that hang together by more than a vertex. Fragments that lead nowhere are part of none. No value as above.
+[[nodiscard]] std::optional<std::vector<std::vector<Side>>> outerBoundaryOf(const EdgeArrangement& arrangement);
 
 }  // namespace model

@@ -1,6 +1,7 @@
 #include "model/geometry/loops/edge_union.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -17,6 +18,8 @@ namespace {
 
 using Regions = std::vector<EdgeLoops>;
 constexpr int kMostPasses = 3;
+/// What fails with one distance for vertices that are one hardly ever fails with all.
+constexpr std::array<double, 3> kSnapsNm = {EdgeArrangement::kSnapNm, 3.1, 4.7};
 
 struct Loop {
     std::vector<Edge> edges;
@@ -192,12 +195,11 @@ bool isOnBoard(const EdgeLoops& region) {
     });
 }
 
-/// What fails with one distance for vertices that are one hardly ever fails with all.
 std::optional<Regions> combined(const std::vector<Term>& terms) {
     if (!std::ranges::all_of(terms, isOnBoard, [](const Term& term) -> const EdgeLoops& { return *term.region; })) {
         return std::nullopt;
     }
-    for (const double snapNm : {EdgeArrangement::kSnapNm, 3.1, 4.7}) {
+    for (const double snapNm : kSnapsNm) {
         if (std::optional<Regions> regions = combinedWithin(terms, snapNm)) {
             return regions;
         }
@@ -234,6 +236,10 @@ bool isPlausible(std::span<const EdgeLoops> regions, std::span<const EdgeLoops> 
     return area > largest - tolerance && area < sumOfAreas(regions) + tolerance;
 }
 
+std::tuple<double, double, double, double, double, double, double, bool> keyOf(const Edge& edge) {
+    return {edge.a.x, edge.a.y, edge.b.x, edge.b.y, edge.centre.x, edge.centre.y, edge.radius, edge.isClockwise};
+}
+
 /// An order that does not depend on that of the regions.
 std::vector<const EdgeLoops*> inOrder(std::span<const EdgeLoops> regions) {
     std::vector<const EdgeLoops*> sorted;
@@ -242,12 +248,8 @@ std::vector<const EdgeLoops*> inOrder(std::span<const EdgeLoops> regions) {
             sorted.push_back(&region);
         }
     }
-    const auto key = [](const Edge& edge) {
-        return std::tuple(edge.a.x, edge.a.y, edge.b.x, edge.b.y, edge.centre.x, edge.centre.y, edge.radius,
-                          edge.isClockwise);
-    };
-    std::ranges::sort(sorted, [&](const EdgeLoops* a, const EdgeLoops* b) {
-        return std::ranges::lexicographical_compare(a->edges, b->edges, {}, key, key);
+    std::ranges::sort(sorted, [](const EdgeLoops* a, const EdgeLoops* b) {
+        return std::ranges::lexicographical_compare(a->edges, b->edges, {}, keyOf, keyOf);
     });
     return sorted;
 }
@@ -270,6 +272,25 @@ std::optional<Regions> soundOnes(std::span<const EdgeLoops> regions) {
         std::ranges::move(*clean, std::back_inserter(sound));
     }
     return sound;
+}
+
+std::optional<Regions> enclosedWithin(std::span<const Edge> drawing, double snapNm) {
+    EdgeArrangement arrangement(snapNm);
+    for (const Edge& edge : drawing) {
+        arrangement.addEdge(edge);
+    }
+    if (!arrangement.settle()) {
+        return std::nullopt;
+    }
+    const std::optional<std::vector<std::vector<Side>>> boundary = outerBoundaryOf(arrangement);
+    if (!boundary) {
+        return std::nullopt;
+    }
+    Regions regions;
+    for (const Loop& loop : loopsOf(arrangement, *boundary)) {
+        append(regions.emplace_back(), loop, false);
+    }
+    return regions;
 }
 
 }  // namespace
@@ -300,6 +321,21 @@ std::optional<std::vector<EdgeLoops>> subtract(std::span<const EdgeLoops> from, 
         terms.push_back({region, -1});
     }
     return combined(terms);
+}
+
+std::optional<std::vector<EdgeLoops>> enclosedBy(std::span<const Edge> drawing) {
+    EdgeLoops all;
+    all.edges.assign(drawing.begin(), drawing.end());
+    if (!isOnBoard(all)) {
+        return std::nullopt;
+    }
+    std::ranges::sort(all.edges, {}, [](const Edge& edge) { return std::min(keyOf(edge), keyOf(reversed(edge))); });
+    for (const double snapNm : kSnapsNm) {
+        if (std::optional<Regions> regions = enclosedWithin(all.edges, snapNm)) {
+            return regions;
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace model

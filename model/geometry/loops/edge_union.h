@@ -24,5 +24,9 @@ namespace model {
 /// A region whose loops touch, cross or overlap: what has a winding number above 0. Slits close, spikes without width
 /// vanish.
 [[nodiscard]] std::optional<std::vector<EdgeLoops>> cleaned(const EdgeLoops& region);
+/// What a drawing of lines and arcs encloses: all that cannot be reached from outside without crossing one of them, as
+/// regions without holes, one within another where drawings do not meet. Lines may come in any order and direction,
+/// cross, cover each other and lead nowhere.
+[[nodiscard]] std::optional<std::vector<EdgeLoops>> enclosedBy(std::span<const Edge> drawing);
 
 }  // namespace model

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 
@@ -62,6 +64,34 @@ private:
     std::unordered_map<std::int64_t, std::vector<std::uint32_t>> m_cells;
 };
 
+/// Of an edge whose ends are one joint: is it an arc all around, and not one shorter than the joint is wide?
+bool isCircle(const ChainEdge& edge) {
+    const PathNode& from = edge.from;
+    const double cross =
+        double(std::int64_t{from.point.x} - from.centre.x) * double(std::int64_t{edge.to.y} - from.centre.y) -
+        double(std::int64_t{from.point.y} - from.centre.y) * double(std::int64_t{edge.to.x} - from.centre.x);
+    return isArc(from.edge) && (from.edge == EdgeKind::ArcClockwise ? cross >= 0.0 : cross <= 0.0);
+}
+
+/// Joints that edges connect.
+class JointGroups {
+public:
+    explicit JointGroups(std::size_t count) : m_parents(count) {
+        std::iota(m_parents.begin(), m_parents.end(), std::uint32_t{0});
+    }
+
+    std::uint32_t of(std::uint32_t joint) {
+        while (m_parents[joint] != joint) {
+            joint = m_parents[joint] = m_parents[m_parents[joint]];
+        }
+        return joint;
+    }
+    void unite(std::uint32_t a, std::uint32_t b) { m_parents[of(a)] = of(b); }
+
+private:
+    std::vector<std::uint32_t> m_parents;
+};
+
 class Chainer {
 public:
     Chainer(std::span<const ChainEdge> edges, double tolerance) : m_edges(edges), m_joints(tolerance) {
@@ -85,11 +115,45 @@ public:
         return std::move(m_chains);
     }
 
+    std::vector<std::vector<ChainEdge>> drawings() {
+        takeClosedEdges();
+        pruneDeadEnds();
+        JointGroups groups(m_joints.size());
+        for (std::uint32_t i = 0; i < m_edges.size(); ++i) {
+            if (isOfDrawing(i)) {
+                groups.unite(m_ends[i].a, m_ends[i].b);
+            }
+        }
+        std::map<std::uint32_t, std::vector<ChainEdge>> byGroup;
+        for (std::uint32_t i = 0; i < m_edges.size(); ++i) {
+            if (isOfDrawing(i)) {
+                byGroup[groups.of(m_ends[i].a)].push_back(joined(i));
+            }
+        }
+        std::vector<std::vector<ChainEdge>> drawings;
+        for (auto& [group, edges] : byGroup) {
+            drawings.push_back(std::move(edges));
+        }
+        return drawings;
+    }
+
 private:
     struct Ends {
         std::uint32_t a = 0;
         std::uint32_t b = 0;
     };
+
+    /// Is it a closed arc, or has it not been taken out as a dead end?
+    [[nodiscard]] bool isOfDrawing(std::uint32_t edge) const {
+        return !m_isUsed[edge] || (m_ends[edge].a == m_ends[edge].b && isCircle(m_edges[edge]));
+    }
+
+    [[nodiscard]] ChainEdge joined(std::uint32_t row) const {
+        ChainEdge edge = m_edges[row];
+        edge.from.point = m_joints.point(m_ends[row].a);
+        edge.to = m_joints.point(m_ends[row].b);
+        return edge;
+    }
 
     void takeClosedEdges() {
         for (std::uint32_t i = 0; i < m_edges.size(); ++i) {
@@ -100,7 +164,7 @@ private:
                 continue;
             }
             m_isUsed[i] = true;
-            if (isArc(m_edges[i].from.edge)) {
+            if (isCircle(m_edges[i])) {
                 m_chains.loops.push_back({m_edges[i].from});
             }
         }
@@ -210,6 +274,10 @@ bool isInside(Point p, const std::vector<Point>& loop) {
 
 Chains chained(std::span<const ChainEdge> edges, double tolerance) {
     return Chainer(edges, tolerance).run();
+}
+
+std::vector<std::vector<ChainEdge>> drawings(std::span<const ChainEdge> edges, double tolerance) {
+    return Chainer(edges, tolerance).drawings();
 }
 
 ShapeSketch nested(std::span<const std::vector<PathNode>> loops) {

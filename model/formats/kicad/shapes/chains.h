@@ -21,8 +21,13 @@ struct Chains {
 };
 
 /// Joins edges in any order and direction to loops, ends within `tolerance` nm of each other. Edges with equal ends are
-/// loops if they are arcs, and nothing otherwise; edges that lead nowhere are left out.
+/// loops if they are whole circles, and nothing otherwise; edges that lead nowhere are left out.
 [[nodiscard]] Chains chained(std::span<const ChainEdge> edges, double tolerance);
+
+/// Edges that hang together, without those that lead nowhere, each group a drawing of its own; ends within `tolerance`
+/// nm of each other are moved to one point. Edges that only cross or end beside another one's ends do not hang
+/// together.
+[[nodiscard]] std::vector<std::vector<ChainEdge>> drawings(std::span<const ChainEdge> edges, double tolerance);
 
 /// Loops as a shape: those within an even number of others are islands, the rest holes.
 [[nodiscard]] ShapeSketch nested(std::span<const std::vector<PathNode>> loops);

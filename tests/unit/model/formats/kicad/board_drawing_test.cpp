@@ -27,6 +27,12 @@ const ShapeSketch& regionOf(const DrawnJob& job, std::string_view layer) {
     return job.steps[0].regions[static_cast<std::size_t>(found->region)];
 }
 
+/// A board with a layer for fabrication.
+DrawnJob fabBoard(const std::string& items) {
+    return drawn("(kicad_pcb (version 20241229) (layers (0 \"F.Cu\" signal) (2 \"B.Cu\" signal) (49 \"F.Fab\" user)) " +
+                 items + ")");
+}
+
 }  // namespace
 
 class BoardDrawingTest : public QObject {
@@ -127,6 +133,29 @@ private slots:
             QVERIFY(!package.outline.isEmpty());
         }
         QCOMPARE(boxOf(job.steps[0].packages[0].outline).width(), std::int64_t{3 * kMm});
+    }
+
+    void bodiesDoNotDependOnTheOrderOfLines() {
+        // A connector with a plug behind it, one line for both.
+        std::vector<std::string> lines;
+        for (const char* ends :
+             {"(start -3 4.575) (end 3 4.575)", "(start 3 4.575) (end 3 2.575)", "(start -3 2.575) (end -3 4.575)",
+              "(start -3 2.575) (end 3 2.575)", "(start -3 -1.675) (end -3 2.575)", "(start -3 -1.675) (end 3 -1.675)",
+              "(start 3 -1.675) (end 3 2.575)"}) {
+            lines.push_back("(fp_line " + std::string(ends) + " (layer \"F.Fab\"))");
+        }
+        const auto bodyOf = [&] {
+            std::string items = "(footprint \"T:x\" (layer \"F.Cu\") (at 5 5) (property \"Reference\" \"J1\")";
+            for (const std::string& line : lines) {
+                items += line;
+            }
+            return boxOf(fabBoard(items + ")").steps[0].packages[0].outline);
+        };
+        const Box body = bodyOf();
+        QCOMPARE(body.width(), 6 * std::int64_t{kMm});
+        QCOMPARE(body.height(), 25 * std::int64_t{kMm} / 4);
+        std::ranges::reverse(lines);
+        QCOMPARE(bodyOf(), body);
     }
 
     void viasReachFromLayerToLayer() {

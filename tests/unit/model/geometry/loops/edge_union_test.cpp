@@ -389,6 +389,43 @@ private slots:
         }
         QCOMPARE(left, 0);
     }
+
+    void linesInAnyOrderEncloseTheSame() {
+        // A box, a smaller one that is drawn up to its side only, a line across all, one that covers part of a side,
+        // a circle over a corner, and one of its own within.
+        EdgeLoops drawing = box(0, 0, 1000, 600);
+        const std::array<std::array<PointD, 2>, 5> lines = {{{{{1000, 100}, {1300, 100}}},
+                                                             {{{1300, 100}, {1300, 500}}},
+                                                             {{{1300, 500}, {1000, 500}}},
+                                                             {{{-200, 300}, {1500, 300}}},
+                                                             {{{800, 0}, {200, 0}}}}};
+        for (const auto& [a, b] : lines) {
+            drawing.addLine(a, b);
+        }
+        drawing.addCircle({0, 600}, 100);
+        drawing.addCircle({300, 150}, 50);
+        const double area = 600e3 + 300.0 * 400.0 + 0.75 * M_PI * 1e4;
+        std::mt19937 random(3);
+        for (int i = 0; i < 50; ++i) {
+            std::ranges::shuffle(drawing.edges, random);
+            for (model::Edge& edge : drawing.edges) {
+                edge = random() % 2 == 0 ? edge : model::reversed(edge);
+            }
+            const auto enclosed = model::enclosedBy(drawing.edges);
+            QVERIFY(enclosed);
+            QCOMPARE(enclosed->size(), std::size_t{2});
+            const double outer = std::max(areaOf(enclosed->front()), areaOf(enclosed->back()));
+            QVERIFY(std::abs(outer - area) < 1.0);
+        }
+    }
+
+    void openLinesEncloseNothing() {
+        EdgeLoops drawing = polygon({{0, 0}, {1000, 0}, {1000, 1000}});
+        drawing.edges.pop_back();
+        const auto enclosed = model::enclosedBy(drawing.edges);
+        QVERIFY(enclosed && enclosed->empty());
+        QVERIFY(model::enclosedBy({})->empty());
+    }
 };
 
 QTEST_APPLESS_MAIN(EdgeUnionTest)

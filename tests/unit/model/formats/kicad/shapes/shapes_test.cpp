@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "model/formats/kicad/shapes/chains.h"
+#include "model/formats/kicad/shapes/largest_outline.h"
 #include "model/formats/kicad/shapes/pad_outlines.h"
 #include "model/formats/kicad/shapes/regions.h"
 #include "model/geometry/discretise.h"
@@ -34,6 +36,44 @@ PadForm form(PadForm::Kind kind, double width, double height) {
 
 kicad::ChainEdge edge(Point a, Point b) {
     return {{a, {}, EdgeKind::Line}, b};
+}
+
+kicad::ChainEdge reversed(const kicad::ChainEdge& edge) {
+    const EdgeKind kind = edge.from.edge == EdgeKind::ArcClockwise          ? EdgeKind::ArcCounterClockwise
+                          : edge.from.edge == EdgeKind::ArcCounterClockwise ? EdgeKind::ArcClockwise
+                                                                            : EdgeKind::Line;
+    return {{edge.to, edge.from.centre, kind}, edge.from.point};
+}
+
+/// A tower of a wide and a narrower box that share an edge, leads of three lines each that end on a side of the body,
+/// the mark of pin 1 within it, a divider, and a corner that is 2 µm off.
+std::vector<kicad::ChainEdge> bodyWithTab() {
+    return {edge({-3000, -1675}, {3000, -1675}), edge({3000, -1675}, {3000, 2575}), edge({-3000, 2573}, {-3000, -1675}),
+            edge({-3000, 2575}, {3000, 2575}),   edge({3000, 2575}, {3000, 4575}),  edge({3000, 4575}, {-3000, 4575}),
+            edge({-3000, 4575}, {-3000, 2575}),  edge({-3000, 0}, {-5000, 0}),      edge({-5000, 0}, {-5000, 500}),
+            edge({-5000, 500}, {-3000, 500}),    edge({-2000, -1675}, {-1500, -9}), edge({-1500, -9}, {-1000, -1675}),
+            edge({-3000, 1000}, {3000, 1000})};
+}
+
+/// In nm as bodyWithTab() has it in µm.
+std::vector<kicad::ChainEdge> inMicrometres(std::vector<kicad::ChainEdge> edges) {
+    for (kicad::ChainEdge& each : edges) {
+        for (Point* p : {&each.from.point, &each.from.centre, &each.to}) {
+            *p = {p->x * 1000, p->y * 1000};
+        }
+    }
+    return edges;
+}
+
+std::vector<std::array<std::int64_t, 5>> nodesOf(const ShapeSketch& sketch) {
+    std::vector<std::array<std::int64_t, 5>> nodes;
+    for (std::size_t i = 0; i < sketch.contourCount(); ++i) {
+        for (const PathNode& node : sketch.contour(i)) {
+            nodes.push_back(
+                {node.point.x, node.point.y, node.centre.x, node.centre.y, static_cast<std::int64_t>(node.edge)});
+        }
+    }
+    return nodes;
 }
 
 }  // namespace
@@ -162,6 +202,74 @@ private slots:
         const ShapeSketch shape = kicad::nested(loops);
         QCOMPARE(shape.contourCount(), std::size_t{4});
         QVERIFY(isNear(areaOf(shape), 400e12 - 100e12 + 4e12 + std::numbers::pi * 1e14));
+    }
+
+    void bodiesHoldWhatSharesCornersWithThem() {
+        const ShapeSketch body = kicad::largestOutline(inMicrometres(bodyWithTab()), 10'000);
+        QCOMPARE(boxOf(body).min, (Point{-3'000'000, -1'675'000}));
+        QCOMPARE(boxOf(body).max, (Point{3'000'000, 4'575'000}));
+        QVERIFY(isNear(areaOf(body), 6e6 * 6.25e6));
+    }
+
+    void bodiesAreTheSameInAnyOrderOfTheirLines() {
+        std::vector<kicad::ChainEdge> edges = inMicrometres(bodyWithTab());
+        // A bow over the tab, a line that covers part of another one, and a circle of its own.
+        edges.push_back(
+            {{{3'000'000, 4'575'000}, {0, 4'575'000}, EdgeKind::ArcCounterClockwise}, {-3'000'000, 4'575'000}});
+        edges.push_back(edge({1'000'000, 2'575'000}, {3'000'000, 2'575'000}));
+        edges.push_back({{{500'000, 0}, {0, 0}, EdgeKind::ArcClockwise}, {500'000, 0}});
+        const auto expected = nodesOf(kicad::largestOutline(edges, 10'000));
+        QVERIFY(!expected.empty());
+        QCOMPARE(boxOf(kicad::largestOutline(edges, 10'000)).max.y, 7'575'000);
+        std::mt19937 random(7);
+        for (int i = 0; i < 200; ++i) {
+            std::ranges::shuffle(edges, random);
+            for (kicad::ChainEdge& each : edges) {
+                each = random() % 2 == 0 ? each : reversed(each);
+            }
+            QCOMPARE(nodesOf(kicad::largestOutline(edges, 10'000)), expected);
+        }
+    }
+
+    void ofBodiesOfOneSizeTheLeftOneIsTaken() {
+        std::vector<kicad::ChainEdge> edges;
+        for (const Nm x : {0, 5'000'000}) {
+            edges.push_back(edge({x, 0}, {x + 1'000'000, 0}));
+            edges.push_back(edge({x + 1'000'000, 0}, {x, 1'000'000}));
+            edges.push_back(edge({x, 1'000'000}, {x, 0}));
+        }
+        QCOMPARE(boxOf(kicad::largestOutline(edges, 10'000)).min.x, 0);
+        std::ranges::reverse(edges);
+        QCOMPARE(boxOf(kicad::largestOutline(edges, 10'000)).min.x, 0);
+    }
+
+    void linesThatCloseNothingAreNoBody() {
+        const std::vector<kicad::ChainEdge> edges = {edge({0, 0}, {1'000'000, 0}), edge({1'000'000, 0}, {0, 1'000'000}),
+                                                     edge({0, 20'000}, {0, 1'000'000})};
+        QVERIFY(kicad::largestOutline(edges, 10'000).isEmpty());
+    }
+
+    void tanglesOfLinesAreNotTakenApart() {
+        // A star of lines that all cross each other, which would fall into millions of pieces.
+        constexpr int kCorners = 4001;
+        std::vector<Point> corners;
+        for (int i = 0; i < kCorners; ++i) {
+            const double angle = 2 * std::numbers::pi * (i * 2000 % kCorners) / kCorners;
+            corners.push_back({static_cast<Nm>(2e7 * std::cos(angle)), static_cast<Nm>(2e7 * std::sin(angle))});
+        }
+        std::vector<kicad::ChainEdge> edges;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            edges.push_back(edge(corners[i], corners[(i + 1) % corners.size()]));
+        }
+        const Box star = boxOf(kicad::largestOutline(edges, 10'000));
+        QVERIFY(star.width() > 39'000'000 && star.height() > 39'000'000);
+    }
+
+    void arcsShorterThanAJointAreNoCircles() {
+        const std::vector<kicad::ChainEdge> edges = {
+            {{{5'000'000, 0}, {0, 0}, EdgeKind::ArcCounterClockwise}, {5'000'000, 4'000}}};
+        QVERIFY(kicad::largestOutline(edges, 10'000).isEmpty());
+        QVERIFY(kicad::chained(edges, 10'000).loops.empty());
     }
 };
 
