@@ -226,7 +226,9 @@ Nm usualHeight(const Box& body, const PackageFacts& facts, PackageFamily family,
         case PackageFamily::ThroughHole:
             return kind == PartKind::Transistor ? partOf(wide, 1.4, 4 * kMm, 16 * kMm)
                                                 : partOf(wide, 0.7, 2 * kMm, 12 * kMm);
-        default: return partOf(narrow, 0.25, 700'000, 3 * kMm);
+        default:
+            return kind == PartKind::Capacitor ? partOf(narrow, 0.9, 700'000, 12 * kMm)
+                                               : partOf(narrow, 0.25, 700'000, 3 * kMm);
     }
 }
 

@@ -192,6 +192,11 @@ bool isNearlySquare(const Box& box, int tenths = 13) {
     return 10 * box.width() < tenths * box.height() && 10 * box.height() < tenths * box.width();
 }
 
+/// Is the body drawn beside its pads, as of a can that lies over the edge of the board?
+bool isBesidePads(const PackageFacts& facts) {
+    return !facts.box.isEmpty() && !facts.box.holds(facts.boxOfPads().middle());
+}
+
 PackageFamily ofPair(const PackageFacts& facts, PartKind kind) {
     const Box box = facts.box.isEmpty() ? facts.boxOfPads() : facts.box;
     const auto smaller = std::min(box.width(), box.height());
@@ -200,6 +205,12 @@ PackageFamily ofPair(const PackageFacts& facts, PartKind kind) {
         case PartKind::Crystal: return PackageFamily::Crystal;
         case PartKind::Connector:
         case PartKind::Switch: return PackageFamily::Connector;
+        default: break;
+    }
+    if (isBesidePads(facts)) {
+        return PackageFamily::Other;
+    }
+    switch (kind) {
         case PartKind::Diode: return smaller < kMm ? PackageFamily::Chip : PackageFamily::TwoLeads;
         case PartKind::Inductor: return smaller >= kLeastBlock ? PackageFamily::TwoLeads : PackageFamily::Chip;
         case PartKind::Capacitor:

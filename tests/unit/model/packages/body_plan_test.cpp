@@ -92,6 +92,17 @@ private slots:
         QCOMPARE(soic.height, mm(1.75));
     }
 
+    void whatIsDrawnBesideItsPadsIsTheBody() {
+        // A can that lies over the edge of the board, its pads before it.
+        const Box can = boxAt(0, 8, 6.3, 11.5);
+        const BodyPlan plan = planBody(pair("C38", 2.5, 1.5, 4, can), 0);
+        QCOMPARE(plan.box, can);
+        QVERIFY(plan.isAsDrawn);
+        QVERIFY(plan.isHeightAssumed);
+        QVERIFY(isNear(plan.height, 6, 0.5));
+        QCOMPARE(planBody(pair("R1", 2.5, 1.5, 4, can), 0).box, can);
+    }
+
     void withoutAnOutlineThePinsTell() {
         const BodyPlan soic = planBody(dual(1.27, 4, 5.4, 1.55, {}), 0);
         QVERIFY(isNear(soic.box.height(), 5.08, 0.05));
