@@ -69,6 +69,30 @@ bool isOtherDrawing(std::string_view name) {
            name == "AssemblyDrawing" || name == "Topside" || name == "OtherSideView";
 }
 
+Placement placementOf(const DrawnComponent& component) {
+    return {component.position, component.clockwiseDeg, component.isMirrored.value_or(false)};
+}
+
+/// The way back. What is mirrored is rotated the same way once more.
+Placement inverseOf(const Placement& placement) {
+    Placement back{{}, placement.isMirrored ? placement.clockwiseDeg : -placement.clockwiseDeg, placement.isMirrored};
+    const Point moved = back.apply(placement.origin);
+    back.origin = {-moved.x, -moved.y};
+    return back;
+}
+
+/// Of a pad, where it lies on the board; nothing of what is drawn otherwise.
+ShapeSketch outlineOnBoard(const DrawnFeature& pad, const formats::DrawnStep& step) {
+    const Placement placement{pad.a, pad.clockwiseDeg, pad.isMirrored};
+    ShapeSketch outline;
+    if (pad.kind == formats::DrawnKind::Pad && pad.symbol != kNoRow) {
+        outline.append(formats::outlineOf(step.symbols[static_cast<std::size_t>(pad.symbol)].shape), placement);
+    } else if (pad.kind == formats::DrawnKind::Region && pad.region != kNoRow) {
+        outline.append(step.regions[static_cast<std::size_t>(pad.region)], placement);
+    }
+    return outline;
+}
+
 }  // namespace
 
 Bom::Bom(Reading& reading) {
@@ -349,7 +373,7 @@ void PartTable::orient(LayerSide side) {
 void PartTable::placePins() {
     for (std::size_t row = 0; row < m_step.components.size(); ++row) {
         DrawnComponent& component = m_step.components[row];
-        const Placement placement{component.position, component.clockwiseDeg, component.isMirrored.value_or(false)};
+        const Placement placement = placementOf(component);
         for (DrawnPin& pin : component.pins) {
             pin.position = component.position;
             if (pin.packagePin != kNoRow) {
@@ -387,12 +411,69 @@ std::int32_t PartTable::pinAt(const PadUse& use, std::int32_t component) {
     if (nearest != kNoRow) {
         return nearest;
     }
-    addPin(component, use.pin, kNoRow);
+    addPin(component, use.pin, packagePinAt(use, component));
     return static_cast<std::int32_t>(pins.size()) - 1;
 }
 
-/// A pin lies where its pad is, if it has one on copper: that of the layer read first.
+/// A pin of that name that its package lists, and that has its pad where the package puts it; nullptr if there is none.
+const DrawnPackagePin* PartTable::fittingPin(const PadUse& use, std::int32_t component) const {
+    const DrawnComponent& part = m_step.components[static_cast<std::size_t>(component)];
+    const Placement placement = placementOf(part);
+    for (const std::int32_t row : m_pins.at({component, use.pin})) {
+        const DrawnPin& pin = part.pins[static_cast<std::size_t>(row)];
+        if (pin.packagePin != kNoRow) {
+            const DrawnPackage& package = m_step.packages[static_cast<std::size_t>(part.package)];
+            const DrawnPackagePin& listed = package.pins[static_cast<std::size_t>(pin.packagePin)];
+            if (distance(placement.apply(listed.position), pin.position) <= kReach) {
+                return &listed;
+            }
+        }
+    }
+    return nullptr;
+}
+
+/// The pin of the package for another pad of a name that it lists: one that it has learned, or a new one.
+std::int32_t PartTable::packagePinAt(const PadUse& use, std::int32_t component) {
+    const DrawnPackagePin* const like = fittingPin(use, component);
+    if (like == nullptr) {
+        return kNoRow;
+    }
+    const DrawnComponent& part = m_step.components[static_cast<std::size_t>(component)];
+    const Placement onBoard = placementOf(part);
+    const DrawnFeature& pad = featureOf(use);
+    std::vector<DrawnPackagePin>& pins = m_step.packages[static_cast<std::size_t>(part.package)].pins;
+    const std::size_t listed = m_packagePins[static_cast<std::size_t>(part.package)].size();
+    for (std::size_t i = listed; i < pins.size(); ++i) {
+        if (pins[i].name == like->name && distance(onBoard.apply(pins[i].position), pad.a) <= kReach) {
+            return static_cast<std::int32_t>(i);
+        }
+    }
+    if (m_teachers.try_emplace(part.package, component).first->second != component) {
+        return kNoRow;
+    }
+    const Placement back = inverseOf(onBoard);
+    DrawnPackagePin pin{like->name, like->kind, back.apply(pad.a), {}};
+    pin.outline.append(outlineOnBoard(pad, m_step), back);
+    pins.push_back(std::move(pin));
+    return static_cast<std::int32_t>(pins.size()) - 1;
+}
+
+bool PartTable::liesOnItsPin(const PadUse& use) const {
+    const std::int32_t component = use.isCopper ? componentNamed(use.component) : kNoRow;
+    if (component == kNoRow) {
+        return false;
+    }
+    const std::vector<DrawnPin>& pins = m_step.components[static_cast<std::size_t>(component)].pins;
+    return std::ranges::any_of(m_pins.at({component, use.pin}), [&](std::int32_t row) {
+        const DrawnPin& pin = pins[static_cast<std::size_t>(row)];
+        return pin.packagePin != kNoRow && distance(pin.position, featureOf(use).a) <= kReach;
+    });
+}
+
+/// A pin lies where its pad is, if it has one on copper: that of the layer read first. Pads that lie where the package
+/// puts their pin come first, so that none of another place takes it.
 void PartTable::linkPads() {
+    std::ranges::stable_partition(m_pads, [&](const PadUse& use) { return liesOnItsPin(use); });
     for (const PadUse& use : m_pads) {
         const std::int32_t component = use.isCopper ? componentNamed(use.component) : kNoRow;
         if (component == kNoRow) {

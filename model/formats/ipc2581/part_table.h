@@ -39,7 +39,8 @@ struct PadUse {
 ///
 /// Where package coordinates say pins are depends on what a writer means by rotation and mirror, so it is found out:
 /// of the ways to place the parts of a side, the one that puts most pins on the pads that name them counts for all of
-/// them (decision 162). Pads are where they are; a pin lies where its pad is.
+/// them (decision 162). Pads are where they are; a pin lies where its pad is. Where a package lists pads of one name
+/// only once (KiCad), it learns the others from the first part that has them, for bodies follow from all pads.
 class PartTable {
 public:
     PartTable(Reading& reading, const LayerList& layers, const Bom& bom, ShapeReader& shapes, NetTable& nets,
@@ -78,7 +79,10 @@ private:
     void orient(LayerSide side);
     [[nodiscard]] std::size_t score(LayerSide side, const Orientation& orientation) const;
     [[nodiscard]] Placement placed(std::size_t component, const Orientation& orientation) const;
+    [[nodiscard]] bool liesOnItsPin(const PadUse& use) const;
     [[nodiscard]] std::int32_t pinAt(const PadUse& use, std::int32_t component);
+    [[nodiscard]] std::int32_t packagePinAt(const PadUse& use, std::int32_t component);
+    [[nodiscard]] const formats::DrawnPackagePin* fittingPin(const PadUse& use, std::int32_t component) const;
     void addMissingPins();
     void placePins();
     void linkPads();
@@ -98,6 +102,7 @@ private:
     std::unordered_map<std::string_view, std::int32_t> m_components;
     std::vector<Nm> m_packageHeights;
     std::vector<std::vector<std::string_view>> m_packagePins;               ///< names as written
+    std::unordered_map<std::int32_t, std::int32_t> m_teachers;              ///< components that packages learn from
     std::unordered_map<PinKey, std::vector<std::int32_t>, PinHash> m_pins;  ///< several pins may have one name
     std::unordered_map<PinKey, std::int32_t, PinHash> m_pinNets;            ///< as LogicalNets say
     /// Components and pins that have a pad, and on which layer.

@@ -82,6 +82,42 @@ private slots:
         QCOMPARE(placement.apply(Point{-kMm, 0}), feature.a);
     }
 
+    void packagesLearnPadsThatTheyListOnce() {
+        // As KiCad writes a connector with two pads of one name: its package has only one of them.
+        const auto pad = [](const char* part, const char* pin, const char* at) {
+            return "<Pad><Location " + std::string(at) + "/><RectCenter width='2' height='1'/><PinRef componentRef='" +
+                   part + "' pin='" + pin + "'/></Pad>";
+        };
+        const auto pads = [&](const char* part, const char* one, const char* missing, const char* listed) {
+            return pad(part, "1", one) + pad(part, "M", missing) + pad(part, "M", listed);
+        };
+        const std::string package =
+            "<Package name='p'><Pin number='1' type='SURFACE'><Location x='0' y='-2'/><RectCenter width='1' "
+            "height='2'/></Pin><Pin number='M' type='SURFACE'><Location x='3' y='2'/><RectCenter width='1' "
+            "height='2'/></Pin></Package>";
+        const auto part = [](const char* name, const char* x) {
+            return "<Component refDes='" + std::string(name) + "' packageRef='p' layerRef='T'><Xform rotation='90'/>" +
+                   "<Location x='" + x + "' y='5'/></Component>";
+        };
+        const auto job = parse(fileWith(package + part("J1", "10") + part("J2", "30") +
+                                        onTop("<Set>" + pads("J1", "x='12' y='5'", "x='8' y='2'", "x='8' y='8'") +
+                                              pads("J2", "x='32' y='5'", "x='28' y='2'", "x='28' y='8'") + "</Set>")));
+        QVERIFY(job.ok());
+        const auto& step = job->steps[0];
+        QCOMPARE(step.packages.at(0).pins.size(), std::size_t{3});
+        QCOMPARE(step.packages[0].pins[2].position, (Point{-3 * kMm, 2 * kMm}));
+        const Box pads3 = boxOf(step.packages[0].pins[2].outline);
+        QCOMPARE(pads3, (Box{{-7 * kMm / 2, kMm}, {-5 * kMm / 2, 3 * kMm}}));
+        for (const formats::DrawnComponent& component : step.components) {
+            const Placement placement{component.position, component.clockwiseDeg, false};
+            QCOMPARE(component.pins.size(), std::size_t{3});
+            for (const formats::DrawnPin& pin : component.pins) {
+                QCOMPARE(placement.apply(step.packages[0].pins.at(static_cast<std::size_t>(pin.packagePin)).position),
+                         pin.position);
+            }
+        }
+    }
+
     void padstacksOfRevisionBHoldPadsAndHoles() {
         const auto job = parse(corpusFile("panel_b.xml"), "board");
         QVERIFY(job.ok());
