@@ -54,6 +54,12 @@ bool PinFinder::mayHavePins(ElementId element) const {
            (elements.net[element.row()].isValid() || layer.isCopper() || layer.type == LayerType::Drill);
 }
 
+bool PinFinder::mayBeByLocation(ElementId element) const {
+    const SubnetId subnet = m_document->elements.subnet[element.row()];
+    const SubnetKind kind = subnet.isValid() ? m_document->subnets[subnet.row()].kind : SubnetKind::Other;
+    return kind == SubnetKind::PinPads || kind == SubnetKind::Other;
+}
+
 bool PinFinder::mayBeOn(PinId id, const Layer& layer) const {
     const Pin& pin = m_document->pins[id.row()];
     if (!layer.isCopper() || !pin.component.isValid() || pin.packagePin >= m_document->packagePins.size()) {
@@ -75,6 +81,9 @@ std::vector<PinId> PinFinder::pinsOf(ElementId element) const {
         return {m_document->subnets[subnet.row()].pin};
     }
     std::vector<PinId> pins;
+    if (!mayBeByLocation(element)) {
+        return pins;
+    }
     const Layer& layer = m_document->layer(elements.layer[element.row()]);
     const Box box = m_document->boxOf(element);
     const std::size_t group = groupOf(elements.net[element.row()]);
@@ -130,7 +139,7 @@ std::vector<ElementId> PinFinder::sharedBy(const Pin& pin) const {
     std::vector<ElementId> found;
     if (pin.net.isValid()) {
         std::ranges::copy_if(m_document->elementsOf(pin.net), std::back_inserter(found), [&](ElementId element) {
-            return mayHavePins(element) && m_document->boxOf(element).holds(pin.position);
+            return mayHavePins(element) && mayBeByLocation(element) && m_document->boxOf(element).holds(pin.position);
         });
     }
     return found;

@@ -9,11 +9,12 @@
 namespace model {
 
 /// From elements to the pins and components they belong to, and back. A pad or plated hole belongs to the pin that its
-/// subnet names; where the job names none, to the pins of its net (of none, if it has none) that lie within its box,
-/// but a pad on the far side of the board to no pin of a surface-mount component. Pins that have no element by that, as
-/// those of a second part on the same pads, share those of their net that they lie in. A body belongs to its component.
-/// Made once for a document, which must outlive it, with its index (BoardIndex::pins): 20 bytes a pin, and one look at
-/// every pad and hole.
+/// subnet names, and to none if the job says that it is of a via, track or plane: vias lie in the exposed pads of many
+/// packages. Where the job says nothing, it belongs to the pins of its net (of none, if it has none) that lie within
+/// its box, but a pad on the far side of the board to no pin of a surface-mount component. Pins that have no element by
+/// that, as those of a second part on the same pads, share those of their net that they lie in. A body belongs to its
+/// component. Made once for a document, which must outlive it, with its index (BoardIndex::pins): 20 bytes a pin, and
+/// one look at every pad and hole.
 class PinFinder {
 public:
     explicit PinFinder(const Document& document);
@@ -34,6 +35,8 @@ public:
 private:
     [[nodiscard]] std::size_t groupOf(NetId net) const;
     [[nodiscard]] bool mayHavePins(ElementId element) const;
+    /// May it be of the pins that lie in it? Not if the job says what else it is.
+    [[nodiscard]] bool mayBeByLocation(ElementId element) const;
     [[nodiscard]] bool mayBeOn(PinId pin, const Layer& layer) const;
     void groupPins();
     void listElements();

@@ -90,6 +90,60 @@ private slots:
         QVERIFY(!finder.componentOf(board.trackA).isValid());
     }
 
+    /// An exposed pad with a via in its middle: the job says which pad is the pin's.
+    void padsOfViasTracksAndPlanesAreNoPinsOfWhatLiesThere() {
+        for (const SubnetKind kind : {SubnetKind::Via, SubnetKind::Trace, SubnetKind::Plane, SubnetKind::Other}) {
+            DocumentBuilder builder;
+            Pin pin;
+            pin.net = builder.addNet("GND");
+            builder.addComponent({}, std::vector{pin});
+            Subnet subnet;
+            subnet.net = pin.net;
+            subnet.kind = kind;
+            DocumentBuilder::Origin other;
+            other.net = pin.net;
+            other.subnet = builder.addSubnet(subnet);
+            other.flags = kPad;
+            subnet.kind = SubnetKind::PinPads;
+            subnet.pin = PinId{std::size_t{0}};
+            DocumentBuilder::Origin own = other;
+            own.subnet = builder.addSubnet(subnet);
+            builder.beginLayer(builder.addLayer({}));
+            const ElementId exposed = builder.addCircle({{0, 0}, 4 * kMm, 0}, own);
+            const ElementId pad = builder.addCircle({{0, 0}, kMm, 0}, other);
+            other.flags = kHole | kPlated;
+            const ElementId hole = builder.addCircle({{0, 0}, kMm / 2, 0}, other);
+            const auto document = builder.finish();
+            const auto found = PinFinder(*document).elementsOf(PinId{std::size_t{0}});
+            const std::vector<ElementId> all{exposed, pad, hole};
+            QCOMPARE(found, kind == SubnetKind::Other ? all : std::vector{exposed});
+        }
+    }
+
+    /// The second of two parts on the same pads, and a via between them.
+    void sharedPadsAreNotThoseOfVias() {
+        DocumentBuilder builder;
+        Pin pin;
+        pin.net = builder.addNet("A");
+        builder.addComponent({}, std::vector{pin, pin});
+        Subnet subnet;
+        subnet.net = pin.net;
+        subnet.kind = SubnetKind::Via;
+        DocumentBuilder::Origin via;
+        via.net = pin.net;
+        via.flags = kPad;
+        via.subnet = builder.addSubnet(subnet);
+        subnet.kind = SubnetKind::PinPads;
+        subnet.pin = PinId{std::size_t{0}};
+        DocumentBuilder::Origin pad = via;
+        pad.subnet = builder.addSubnet(subnet);
+        builder.beginLayer(builder.addLayer({}));
+        const ElementId shared = builder.addCircle({{0, 0}, 4 * kMm, 0}, pad);
+        builder.addCircle({{0, 0}, kMm, 0}, via);
+        const auto document = builder.finish();
+        QCOMPARE(PinFinder(*document).elementsOf(PinId{std::size_t{1}}), std::vector{shared});
+    }
+
     /// Two pads of one net above each other, and a pin of a component on the lower side.
     void padsOnTheFarSideAreNoPinsOfSurfaceMountComponents() {
         for (const MountType mount : {MountType::Surface, MountType::Unknown}) {
