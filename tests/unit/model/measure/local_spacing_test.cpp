@@ -43,8 +43,38 @@ private slots:
         const auto gap = at(index, {-100'000, 0});
         QVERIFY(gap.has_value());
         QCOMPARE(gap->from.element, other);
-        // From the point of the other disc that is nearest to the cursor, so a little more than 4 mm.
-        QVERIFY(gap->spacing.distance > 4e6 && gap->spacing.distance < 4.001e6);
+        QVERIFY2(std::abs(gap->spacing.distance - 4e6) < 1e-2, qPrintable(QString::number(gap->spacing.distance)));
+    }
+
+    /// Round pads in a row, and another one farther off: each place on a pad gives the same.
+    void onAPadItIsTheLeastWhereverThePointerStands() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        DocumentBuilder::Origin origin;
+        origin.flags = kPad;
+        const ElementId pad = builder.addCircle({{0, 0}, 1'700'000, 0}, origin);
+        const ElementId next = builder.addCircle({{2'540'000, 0}, 1'700'000, 0}, origin);
+        builder.addCircle({{0, 3 * kMm}, 1'700'000, 0}, origin);
+        const auto index = indexed(builder.finish());
+        for (const PointD pointer : {PointD{0, 0}, {-8e5, 0}, {1e5, 8e5}, {3e5, -4e5}, {0.84e6, 1e4}}) {
+            const auto gap = at(index, pointer);
+            QVERIFY(gap.has_value());
+            QVERIFY2(std::abs(gap->spacing.distance - 840'000) < 1e-3, qPrintable(QString::number(pointer.x)));
+            QCOMPARE(gap->from.element, next);
+            QCOMPARE(gap->to.element, pad);
+        }
+    }
+
+    /// Between two pads the spacing is theirs, not that of the place where the pointer is.
+    void betweenPadsItIsTheirs() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        builder.addCircle({{0, 0}, 1'700'000, 0}, {});
+        builder.addCircle({{2'540'000, 0}, 1'700'000, 0}, {});
+        const auto gap = at(indexed(builder.finish()), {1'200'000, 300'000});
+        QVERIFY(gap && std::abs(gap->spacing.distance - 840'000) < 1e-3);
     }
 
     void onlyOneLayerAtATimeCounts() {
