@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "model/figures/distance.h"
 #include "model/figures/overlap.h"
@@ -238,6 +239,27 @@ void noteOnEdge(const BoardIndex& index, const MeasureItem& edge, const PieceDis
     }
 }
 
+/// The heights from `low` to `high` that layers lying one on the other lead to: from `low` upwards, or from `high`
+/// downwards.
+std::set<Nm> facesReached(const Stackup& stackup, Nm low, Nm high, bool isUpwards) {
+    std::set<Nm> reached;
+    std::vector<Nm> next{isUpwards ? low : high};
+    while (!next.empty()) {
+        const Nm face = next.back();
+        next.pop_back();
+        if (face < low || face > high || !reached.insert(face).second) {
+            continue;
+        }
+        for (const StackupRow& row : stackup.rows) {
+            const Nm top = row.z + row.thickness;
+            if (face == (isUpwards ? row.z : top)) {
+                next.push_back(isUpwards ? top : row.z);
+            }
+        }
+    }
+    return reached;
+}
+
 void noteOnNames(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b, Separation& separation) {
     for (const MeasureItem* item : {&a, &b}) {
         if (std::string note = noteOnName(index, *item); !note.empty()) {
@@ -254,9 +276,15 @@ const char* toString(Relation relation) {
 }
 
 std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high) {
+    const std::set<Nm> above = facesReached(board.stackup, low, high, true);
+    const std::set<Nm> below = facesReached(board.stackup, low, high, false);
     std::vector<std::string> names;
     for (const StackupRow& row : board.stackup.rows) {
-        if (row.source == Source::Assumed && row.z < high && row.z + row.thickness > low) {
+        const Nm top = row.z + row.thickness;
+        // Of heights that are no faces of the stackup every layer counts that lies between them in part.
+        const bool counts =
+            above.contains(high) ? above.contains(row.z) && below.contains(top) : row.z < high && top > low;
+        if (row.source == Source::Assumed && counts) {
             names.push_back(row.name);
         }
     }

@@ -50,7 +50,9 @@ struct Separation {
 [[nodiscard]] base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b,
                                                     base::Progress& progress);
 
-/// The stackup rows between two heights whose thickness the job does not state, for notes; empty if all are known.
+/// The stackup rows between two heights whose thickness the job does not state, for notes; empty if all are known. Of
+/// layers beside each other, as solder mask and paste on the same copper, those lie between that lead from one height
+/// to the other.
 [[nodiscard]] std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high);
 /// What must be known to read the height between the faces of two layers that face each other; empty: nothing.
 [[nodiscard]] std::string noteOnHeight(const Document& board, ZRange a, ZRange b);

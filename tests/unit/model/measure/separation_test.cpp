@@ -421,6 +421,25 @@ private slots:
         QCOMPARE(nets.throughStackup->distance, 2.1e6);
     }
 
+    /// Paste lies beside the solder mask, on the same copper: silkscreen on the mask does not rest on it.
+    void layersBesideTheHeightAreNotWhatItRestsOn() {
+        Document board;
+        const auto row = [&](const char* name, LayerType type, Nm z, Nm thickness, Source source) {
+            board.stackup.rows.push_back({name, {}, type, z, thickness, source, {}});
+        };
+        row("silk", LayerType::SilkScreen, 1'590'000, 15'000, Source::Assumed);
+        row("paste", LayerType::SolderPaste, 1'580'000, 100'000, Source::Assumed);
+        row("thin paste", LayerType::SolderPaste, 1'580'000, 5'000, Source::Assumed);
+        row("mask", LayerType::SolderMask, 1'580'000, 10'000, Source::Job);
+        row("copper", LayerType::Signal, 1'545'000, 35'000, Source::Job);
+        using Names = std::vector<std::string>;
+        QCOMPARE(assumedBetween(board, 1'580'000, 1'590'000), Names{});
+        QCOMPARE(assumedBetween(board, 1'580'000, 1'605'000), Names{"silk"});
+        QCOMPARE(assumedBetween(board, 1'545'000, 1'680'000), Names{"paste"});
+        // No layer ends there.
+        QCOMPARE(assumedBetween(board, 1'600'000, 1'650'000), (Names{"silk", "paste"}));
+    }
+
     void holesReachAllTheirLayers() {
         DocumentBuilder builder;
         addLayers(builder);
