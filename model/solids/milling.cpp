@@ -1,6 +1,7 @@
 #include "model/solids/milling.h"
 
 #include <algorithm>
+#include <array>
 
 #include "model/base/parallel.h"
 #include "model/board/copies.h"
@@ -25,8 +26,7 @@ enum class Lie : std::uint8_t { Within, Beyond, Across };
 
 class Outline {
 public:
-    Outline(const Document& document, const Discretisation& how)
-        : m_region(discretise(document.shapes, document.profile, how)), m_edges(m_region) {}
+    explicit Outline(PolygonSet region) : m_region(std::move(region)), m_edges(m_region) {}
 
     [[nodiscard]] const PolygonSet& region() const { return m_region; }
 
@@ -183,8 +183,9 @@ void addCopies(const Document& document, const Outline& outline, CopperCount& co
 
 class Miller {
 public:
-    Miller(const Document& document, const Discretisation& how, const base::Progress& progress)
-        : m_document(document), m_how(how), m_progress(progress), m_outline(document, how) {}
+    /// `region`: what is not milled.
+    Miller(const Document& document, PolygonSet region, const Discretisation& how, const base::Progress& progress)
+        : m_document(document), m_how(how), m_progress(progress), m_outline(std::move(region)) {}
 
     [[nodiscard]] MilledBoard run() {
         findLies();
@@ -287,10 +288,52 @@ private:
     std::vector<Lie> m_lies;  ///< by element
 };
 
+/// Around all that a step draws, and clear of it.
+Box boxAround(const Document& step) {
+    Box box = step.shapes.shapes[step.profile.row()].box;
+    for (std::uint32_t row = 0; row < step.elements.size(); ++row) {
+        box.include(step.boxOf(ElementId{row}));
+    }
+    return box.grownBy(base::kNmPerMm);
+}
+
+/// All but the cut-outs.
+PolygonSet around(const PolygonSet& cutouts, const Document& step) {
+    const Box box = boxAround(step);
+    const std::array<Point, 4> corners{box.min, Point{box.max.x, box.min.y}, box.max, Point{box.min.x, box.max.y}};
+    PolygonSet all;
+    all.beginPolygon();
+    all.addLoop(corners);
+    return subtract(all, cutouts);
+}
+
 }  // namespace
 
 MilledBoard findMilled(const Document& document, const Discretisation& how, const base::Progress& progress) {
-    return document.profile.isValid() ? Miller(document, how, progress).run() : MilledBoard{};
+    if (!document.profile.isValid()) {
+        return {};
+    }
+    return Miller(document, discretise(document.shapes, document.profile, how), how, progress).run();
+}
+
+PolygonSet cutoutsOf(const Document& step, const Discretisation& how) {
+    const bool hasCutouts =
+        step.profile.isValid() && std::ranges::any_of(step.shapes.contoursOf(step.profile), &Contour::isHole);
+    if (!hasCutouts) {
+        return {};
+    }
+    const PolygonSet outline = discretise(step.shapes, step.profile, how);
+    PolygonSet filled;
+    for (const PolygonSet::Polygon& polygon : outline.polygons) {
+        filled.beginPolygon();
+        filled.addLoop(outline.loop(polygon.firstLoop));
+    }
+    return subtract(filled, outline);
+}
+
+MilledBoard findInCutouts(const Document& step, const Discretisation& how, const base::Progress& progress) {
+    const PolygonSet cutouts = cutoutsOf(step, how);
+    return cutouts.polygons.empty() ? MilledBoard{} : Miller(step, around(cutouts, step), how, progress).run();
 }
 
 }  // namespace model

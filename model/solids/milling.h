@@ -30,10 +30,18 @@ struct MilledBoard {
 /// outline, or a doubtful one.
 ///
 /// A hole across the outline (a castellation) keeps its plating within the outline; what it passes is open there.
-/// Layers that we add (Layer::isSynthetic) end at the outline already. Copies of other steps are not milled: a panel is
-/// whole until it is. Curves become chords of `how`, of the elements listed only. The same with 1 and N
-/// threads; incomplete when cancelled.
+/// Layers that we add (Layer::isSynthetic) end at the outline already. Copies of other steps are not looked at: a panel
+/// is whole until it is milled, but for their cut-outs (findInCutouts). Curves become chords of `how`, of the elements
+/// listed only. The same with 1 and N threads; incomplete when cancelled.
 [[nodiscard]] MilledBoard findMilled(const Document& document, const Discretisation& how,
                                      const base::Progress& progress);
+
+/// The regions that cut-outs of the outline of a step take out of it, as chords of `how`; empty where there are none.
+[[nodiscard]] PolygonSet cutoutsOf(const Document& step, const Discretisation& how);
+
+/// The same as findMilled of a step that a panel places: only what reaches into cut-outs of its outline. Those are open
+/// in the panel too; beyond the outline it goes on.
+[[nodiscard]] MilledBoard findInCutouts(const Document& step, const Discretisation& how,
+                                        const base::Progress& progress);
 
 }  // namespace model

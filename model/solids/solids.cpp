@@ -6,6 +6,7 @@
 #include "model/base/parallel.h"
 #include "model/board/holes.h"
 #include "model/geometry/boolean.h"
+#include "model/geometry/curve_edges.h"
 #include "model/geometry/region.h"
 #include "model/solids/bodies.h"
 #include "model/solids/cutouts.h"
@@ -127,8 +128,38 @@ void planSolderMasks(const Document& document, std::vector<Plate>& plates) {
     }
 }
 
-/// Cuts what a document and, below it, its copies take away. A copy with an outline is cut out whole: it has solids of
-/// its own. One without lies on ours.
+bool isWithin(Point location, const PathNodes& contour) {
+    int winding = 0;
+    forEachEdge(contour, [&](const Edge& edge) { winding += windingAround(edge, toDouble(location)); });
+    return winding != 0;
+}
+
+/// What the outline of a step encloses, its cut-outs filled: each island that lies in no other.
+ShapeSketch filled(const ShapeTable& shapes, ShapeId outline) {
+    std::vector<PathNodes> islands;
+    for (const Contour& contour : shapes.contoursOf(outline)) {
+        if (!contour.isHole) {
+            islands.push_back(shapes.nodesOf(contour));
+        }
+    }
+    ShapeSketch sketch;
+    for (std::size_t i = 0; i < islands.size(); ++i) {
+        bool isInAnother = false;
+        for (std::size_t j = 0; j < islands.size() && !isInAnother; ++j) {
+            // Of two that are equal one stays.
+            isInAnother = i != j && isWithin(islands[i][0].point, islands[j]) &&
+                          (j < i || !isWithin(islands[j][0].point, islands[i]));
+        }
+        if (!isInAnother) {
+            sketch.beginContour(false);
+            sketch.addNodes(islands[i]);
+        }
+    }
+    return sketch;
+}
+
+/// Cuts what a document and, below it, its copies take away. A copy with an outline is cut out with all that this
+/// encloses: it has solids of its own, and its cut-outs are open in the panel too. One without lies on ours.
 class PlateCutter {
 public:
     explicit PlateCutter(const Plate& plate) : m_plate(plate) {}
@@ -141,7 +172,9 @@ public:
             const Document& step = *document.steps[instance.step];
             const Placement location = placement.after(instance.placement);
             if (step.profile.isValid()) {
-                m_cutouts.add(step.shapes, step.profile, location);
+                ShapeTable enclosed;
+                const ShapeId outline = enclosed.add(filled(step.shapes, step.profile));
+                m_cutouts.add(enclosed, outline, location);
             } else {
                 take(step, location, isFlipped != instance.isFlipped);
             }

@@ -19,9 +19,10 @@ inline constexpr Nm kWidestTent = 500'000;
 /// - the solder masks (LayerType::SolderMask): the outline minus the mask's openings and minus the
 /// holes
 ///   that stay open (routs, NPTHs, plated ones wider than kWidestTent), named "<mask> solder mask".
-/// Layers with an outline of their own keep within it. On a panel the outlines of the steps it places are cut out: they
-/// have solids of their own. The layers depend on those of the job only, so that all steps of a panel have the same
-/// rows; they are empty where there is no outline, or a mask has no openings. False when cancelled.
+/// Layers with an outline of their own keep within it. On a panel all that the outlines of the steps it places enclose
+/// is cut out: they have solids of their own, and where an outline has a cut-out there is nothing. The layers depend on
+/// those of the job only, so that all steps of a panel have the same rows; they are empty where there is no outline, or
+/// a mask has no openings. False when cancelled.
 [[nodiscard]] bool addSolids(DocumentBuilder& builder, const base::Progress& progress);
 
 /// Gives solids that are there already the heights that follow from what the layers of the job now have. Which holes

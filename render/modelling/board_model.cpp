@@ -360,10 +360,11 @@ BoardModel putTogether(const Document& document, LooseModel loose) {
     return std::move(out);
 }
 
-/// The steps of a panel are milled from it later.
+/// The steps of a panel are milled from it later; their cut-outs are open.
 Milling millingOf(const Document& document, bool isBoard, const model::Discretisation& how, base::Progress& progress) {
     progress.beginPhase("Milling");
-    return {document, isBoard ? model::findMilled(document, how, progress) : model::MilledBoard{}};
+    return {document,
+            isBoard ? model::findMilled(document, how, progress) : model::findInCutouts(document, how, progress)};
 }
 
 /// Takes what is said about a step over into what is said about the board, where its elements have no numbers.

@@ -2,21 +2,40 @@
 
 #include <algorithm>
 
+#include "model/board/copies.h"
 #include "model/geometry/vectors.h"
+#include "model/solids/milling.h"
 
 namespace ui {
 
 MilledAway::MilledAway(const LoadedBoard& board) {
-    if (board.model && !board.model->milled.empty()) {
-        const model::Document& document = *board.document;
-        m_elements = board.model->milled;
-        m_outline.emplace(model::discretise(document.shapes, document.profile, {}));
+    if (!board.model) {
+        return;
+    }
+    const model::Document& document = *board.document;
+    if (!board.model->milled.empty()) {
+        const model::PolygonSet outline = model::discretise(document.shapes, document.profile, {});
+        m_copies.emplace(0, Copy{board.model->milled, model::EdgeStrips(outline)});
+    }
+    const model::StepTree tree = model::unfoldCopies(document);
+    for (std::uint32_t row = 1; row < tree.copies.size(); ++row) {
+        const model::StepCopy& copy = tree.copies[row];
+        const render::BoardModel& step = board.model->steps[copy.step - 1];
+        if (!step.milled.empty()) {
+            const model::PolygonSet cutouts =
+                model::placed(model::cutoutsOf(*tree.steps[copy.step], {}), copy.placement);
+            m_copies.emplace(row, Copy{step.milled, model::EdgeStrips(cutouts)});
+        }
     }
 }
 
 bool MilledAway::has(const model::BoardElement& at, base::PointD location) const {
-    return m_outline && at.copy == 0 && std::ranges::binary_search(m_elements, at.element) &&
-           !m_outline->contains({model::toNm(location.x), model::toNm(location.y)});
+    const auto found = m_copies.find(at.copy);
+    if (found == m_copies.end() || !std::ranges::binary_search(found->second.elements, at.element)) {
+        return false;
+    }
+    const bool isInside = found->second.outline.contains({model::toNm(location.x), model::toNm(location.y)});
+    return isInside == (at.copy != 0);
 }
 
 }  // namespace ui

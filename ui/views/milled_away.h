@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <map>
 #include <vector>
 
 #include "model/index/board_index.h"
@@ -16,12 +16,17 @@ public:
     MilledAway() = default;
     explicit MilledAway(const LoadedBoard& board);
 
-    /// The element is milled, and the location (nm) lies beyond the outline of the board.
+    /// The element is milled, and the location (nm) lies beyond the outline of the board, or of a copy in one of its
+    /// cut-outs.
     [[nodiscard]] bool has(const model::BoardElement& at, base::PointD location) const;
 
 private:
-    std::vector<model::ElementId> m_elements;    ///< of the board itself, rising
-    std::optional<model::EdgeStrips> m_outline;  ///< none: nothing is milled
+    struct Copy {
+        std::vector<model::ElementId> elements;  ///< milled, rising
+        model::EdgeStrips outline;               ///< in nm of the board; of copies of steps that of their cut-outs
+    };
+
+    std::map<std::uint32_t, Copy> m_copies;  ///< of which something is milled, the board itself as 0
 };
 
 }  // namespace ui

@@ -1,8 +1,11 @@
 #include "ui/views/outline_veil.h"
 
 #include <QPainter>
+#include <span>
 
+#include "model/board/copies.h"
 #include "model/geometry/discretise.h"
+#include "model/solids/milling.h"
 
 namespace ui {
 
@@ -48,6 +51,12 @@ void OutlineVeil::setBoard(const LoadedBoard& board) {
     if (document.profile.isValid()) {
         m_outline = pathOf(model::discretise(document.shapes, document.profile, {}), m_view.position());
     }
+    m_cutouts.clear();
+    const model::StepTree tree = model::unfoldCopies(document);
+    for (const model::StepCopy& copy : std::span(tree.copies).subspan(1)) {
+        const model::PolygonSet cutouts = model::cutoutsOf(*tree.steps[copy.step], {});
+        m_cutouts.addPath(pathOf(model::placed(cutouts, copy.placement), m_view.position()));
+    }
 }
 
 std::optional<QTransform> OutlineVeil::toCanvas() const {
@@ -63,10 +72,13 @@ std::optional<QTransform> OutlineVeil::toCanvas() const {
     return QTransform(x.x(), x.y(), y.x(), y.y(), origin->x(), origin->y());
 }
 
-void OutlineVeil::fadeBeyond(QPainter& painter, const QPainterPath& outline) const {
+void OutlineVeil::fadeBeyond(QPainter& painter, const QPainterPath& outline, const QPainterPath& cutouts) const {
     QPainterPath beyond;  // odd-even: all of the canvas but the board
-    beyond.addRect(QRectF({0.0, 0.0}, m_view.controller().viewport()));
-    beyond.addPath(outline);
+    if (m_isAnythingMilled) {
+        beyond.addRect(QRectF({0.0, 0.0}, m_view.controller().viewport()));
+        beyond.addPath(outline);
+    }
+    beyond.addPath(cutouts);
     painter.fillPath(beyond, backgroundOf(m_view.background()));
 }
 
@@ -76,11 +88,13 @@ void OutlineVeil::paint(QPainter& painter) const {
         return;
     }
     const QPainterPath outline = transform->map(m_outline);
-    if (m_isOn && m_isAnythingMilled) {
-        fadeBeyond(painter, outline);
+    const QPainterPath cutouts = transform->map(m_cutouts);
+    if (m_isOn) {
+        fadeBeyond(painter, outline, cutouts);
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.strokePath(outline, QPen(kEdge, 1.0));
+    painter.strokePath(cutouts, QPen(kEdge, 1.0));
 }
 
 }  // namespace ui

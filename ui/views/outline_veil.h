@@ -11,7 +11,8 @@
 namespace ui {
 
 /// The board outline in a 2D view, as a thin line. What lies beyond it fades into the background: drawing frames, stray
-/// texts, and all else that a fabricator mills away (model/solids/milling.h). Nothing fades where 3D mills nothing.
+/// texts, and all else that a fabricator mills away (model/solids/milling.h), as is what lies in the cut-outs of the
+/// boards of a panel. Nothing fades where 3D mills nothing.
 class OutlineVeil : public QObject {
 public:
     /// Paints over `view` from now on, which must live as long.
@@ -25,11 +26,12 @@ private:
     void paint(QPainter& painter) const;
     /// From mm of the board model to the canvas; none where the view has no camera yet.
     [[nodiscard]] std::optional<QTransform> toCanvas() const;
-    void fadeBeyond(QPainter& painter, const QPainterPath& outline) const;
+    void fadeBeyond(QPainter& painter, const QPainterPath& outline, const QPainterPath& cutouts) const;
 
     BoardView& m_view;
-    QPainterPath m_outline;  ///< mm of the board model
-    bool m_isAnythingMilled = false;
+    QPainterPath m_outline;           ///< mm of the board model
+    QPainterPath m_cutouts;           ///< likewise, of all copies of steps
+    bool m_isAnythingMilled = false;  ///< beyond the outline
     bool m_isOn = true;
 };
 

@@ -440,7 +440,10 @@ base::Result<SolidPlan> planSolids(const Document& board, const SolidChoice& cho
         plan.copies.push_back({row, ofFlipped(copy.placement)});
     }
     for (StepSolids& step : plan.steps) {
-        if (!choice.isAsDesigned && plan.copies.size() == 1) {
+        const bool isPlaced = &step != &plan.steps[plan.copies.front().step];
+        if (!choice.isAsDesigned && isPlaced) {
+            step.milled = findInCutouts(*step.document, {}, progress).elements;
+        } else if (!choice.isAsDesigned && plan.copies.size() == 1) {
             step.milled = findMilled(*step.document, {}, progress).elements;
         }
         step.holes = holesOf(step, choice);

@@ -1,7 +1,10 @@
 #include "ui/views/milled_away.h"
 
 #include <QtTest>
+#include <array>
 
+#include "model/board/document_builder.h"
+#include "render/modelling/board_model.h"
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
 
@@ -57,6 +60,41 @@ private slots:
         QVERIFY(!milled.has({0, m_milled}, inside));
         QVERIFY2(!milled.has({1, m_milled}, beyond), "elements of other copies are not milled");
         QVERIFY2(!milled.has({0, notMilled()}, beyond), "what overhangs the board is there");
+    }
+
+    /// A plane over the cut-out of a board that a panel places.
+    void nothingIsPickedInCutoutsOfTheBoardsOfAPanel() {
+        const auto square = [](model::ShapeSketch& sketch, model::Nm low, model::Nm high, bool isHole) {
+            sketch.addPolygon(std::array<model::Point, 4>{{{low, low}, {high, low}, {high, high}, {low, high}}},
+                              isHole);
+        };
+        model::Layer copper;
+        copper.type = model::LayerType::Signal;
+        model::DocumentBuilder card;
+        model::ShapeSketch outline;
+        square(outline, 0, 10'000'000, false);
+        square(outline, 4'000'000, 6'000'000, true);
+        card.setProfile(card.addShape(outline));
+        card.beginLayer(card.addLayer(copper));
+        model::ShapeSketch plane;
+        square(plane, 1'000'000, 9'000'000, false);
+        const ElementId element = card.addArea({card.addShape(plane), {}}, {});
+        model::DocumentBuilder panel;
+        panel.addLayer(copper);
+        model::ShapeSketch frame;
+        square(frame, 0, 30'000'000, false);
+        panel.setProfile(panel.addShape(frame));
+        panel.addInstance({panel.addStep(card.finish()), {{10'000'000, 10'000'000}, 0.0, false}, false});
+        ui::LoadedBoard board;
+        board.document = panel.finish();
+        base::Progress progress;
+        auto made = render::buildBoardModel(*board.document, {}, progress);
+        QVERIFY(made.ok());
+        board.model = std::make_shared<const render::BoardModel>(std::move(*made));
+        const ui::MilledAway milled(board);
+        QVERIFY(milled.has({1, element}, {15e6, 15e6}));
+        QVERIFY(!milled.has({1, element}, {12e6, 12e6}));
+        QVERIFY2(!milled.has({0, element}, {15e6, 15e6}), "it is of the copy");
     }
 
 private:

@@ -158,6 +158,25 @@ private slots:
         QCOMPARE(areaMm2(milled[0].rest), 18.0 * 8.0 - 4.0 * 2.0);
     }
 
+    void ofAStepOfAPanelOnlyItsCutoutsAreOpen() {
+        Board board(false);
+        auto& builder = board.on(0);
+        auto outline = rectangle({0, 0}, {20 * kMm, 10 * kMm});
+        const std::array<Point, 4> cutout{
+            {{8 * kMm, 4 * kMm}, {8 * kMm, 6 * kMm}, {12 * kMm, 6 * kMm}, {12 * kMm, 4 * kMm}}};
+        outline.addPolygon(cutout, true);
+        builder.setProfile(builder.addShape(outline));
+        builder.addArea({builder.addShape(rectangle({-kMm, kMm}, {19 * kMm, 9 * kMm})), {}}, {});
+        board.disc({-5 * kMm, 5 * kMm}, kMm);
+        board.disc({10 * kMm, 5 * kMm}, kMm);
+        const auto milled = model::findInCutouts(board.document(), model::kBooleanChords, {}).elements;
+        QCOMPARE(milled.size(), 2U);
+        QCOMPARE(areaMm2(milled[0].rest), 20.0 * 8.0 - 4.0 * 2.0);
+        QVERIFY(milled[1].rest.polygons.empty());
+        QCOMPARE(areaMm2(model::cutoutsOf(board.document(), model::kBooleanChords)), 4.0 * 2.0);
+        QCOMPARE(model::findInCutouts(Board().document(), model::kBooleanChords, {}).elements.size(), 0U);
+    }
+
     void aCastellationKeepsHalfOfItsPlatingAndOpensWhatItPasses() {
         Board board;
         auto& builder = board.on(0);

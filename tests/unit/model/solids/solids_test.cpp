@@ -217,6 +217,38 @@ private slots:
         QCOMPARE(areaMm2(*document, document->layers.back()), 360.0 - 200.0);
     }
 
+    /// One with an island in its cut-out, one with two islands beside each other.
+    void cutoutsOfTheBoardsOfAPanelAreOpenInIt() {
+        const auto square = [](model::ShapeSketch& sketch, model::Nm low, model::Nm high, bool isHole) {
+            const model::Point corners[] = {{low, low}, {high, low}, {high, high}, {low, high}};
+            sketch.addPolygon(corners, isHole);
+        };
+        const auto stepOf = [](const model::ShapeSketch& outline) {
+            DocumentBuilder step;
+            step.setProfile(step.addShape(outline));
+            return step.finish();
+        };
+        model::ShapeSketch nested;
+        square(nested, 0, 10'000'000, false);
+        square(nested, 2'000'000, 8'000'000, true);
+        square(nested, 4'000'000, 5'000'000, false);
+        model::ShapeSketch pair;
+        square(pair, 0, 4'000'000, false);
+        square(pair, 1'000'000, 2'000'000, true);
+        square(pair, 5'000'000, 9'000'000, false);
+        DocumentBuilder panel;
+        model::ShapeSketch outline;
+        square(outline, 0, 40'000'000, false);
+        panel.setProfile(panel.addShape(outline));
+        panel.setBoardThickness(1'600'000);
+        const std::uint32_t first = panel.addStep(stepOf(nested));
+        panel.addInstance({first, {{1'000'000, 1'000'000}, 0.0, false}, false});
+        panel.addInstance({first, {{29'000'000, 11'000'000}, 90.0, true}, true});
+        panel.addInstance({panel.addStep(stepOf(pair)), {{20'000'000, 20'000'000}, 0.0, false}, false});
+        const auto document = withSolids(panel);
+        QCOMPARE(areaMm2(*document, document->layers.back()), 1600.0 - 200.0 - 32.0);
+    }
+
     void oneAndManyThreadsAgree() {
         const auto areas = [] {
             const auto document = boardWithMask();
