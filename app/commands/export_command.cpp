@@ -45,10 +45,11 @@ Result<model::SolidChoice> choiceOf(const Document& board, const ExportArguments
     return choice;
 }
 
-/// As the 3D view has them.
-std::vector<model::SolidLook> looksOf(const Document& board) {
+/// Solids as the 3D view has them, drawings as the 2D view: outer copper under a finish would be of one colour there.
+std::vector<model::SolidLook> looksOf(const Document& board, const model::ExportFormat& format) {
+    const auto appearance = format.isSolid ? render::Appearance::Solid : render::Appearance::Flat;
     std::vector<model::SolidLook> looks;
-    for (const render::LayerStyle& style : render::defaultStyles(board)) {
+    for (const render::LayerStyle& style : render::defaultStyles(board, appearance)) {
         const auto byte = [](float value) { return static_cast<std::uint32_t>(std::lround(value * 255.0F)); };
         looks.push_back({byte(style.colour.r) << 16U | byte(style.colour.g) << 8U | byte(style.colour.b),
                          static_cast<double>(style.opacity)});
@@ -67,10 +68,11 @@ void reportMissing(const std::vector<model::NotExported>& missing) {
     }
 }
 
-Result<model::ExportRequest> requestFor(const Document& board, const ExportArguments& arguments) {
+Result<model::ExportRequest> requestFor(const Document& board, const model::ExportFormat& format,
+                                        const ExportArguments& arguments) {
     model::ExportRequest request;
     ASSIGN_OR_RETURN(request.choice, choiceOf(board, arguments));
-    request.looks = looksOf(board);
+    request.looks = looksOf(board, format);
     ASSIGN_OR_RETURN(request.time, timeOfWriting());
     request.isWrittenOut = arguments.isWrittenOut;
     request.hasPolylines = arguments.hasPolylines;
@@ -128,7 +130,7 @@ Outcome runExport(const ExportArguments& arguments) {
     ConsoleProgress console;
     const Interrupt interrupt(console.progress());
     ASSIGN_OR_RETURN(const auto board, openDocument(arguments.board, console.progress()));
-    ASSIGN_OR_RETURN(const model::ExportRequest request, requestFor(*board, arguments));
+    ASSIGN_OR_RETURN(const model::ExportRequest request, requestFor(*board, *format, arguments));
     RETURN_IF_ERROR(sayEstimate(*board, *format, request, console.progress()));
     ASSIGN_OR_RETURN(const model::ExportSummary summary,
                      model::exportBoard(*board, *format, request, arguments.output, console.progress()));

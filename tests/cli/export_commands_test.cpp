@@ -101,6 +101,26 @@ private slots:
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
+    /// Not in those of the 3D view, where all outer copper has the colour of its finish.
+    void drawingsHaveTheColoursOfTheFlatView() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("board.svg");
+        QCOMPARE(copperscope({"export", locations::kSample, "-o", path, "--layers", "TOP,BOTTOM"}).exitCode, 0);
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray svg = file.readAll();
+        const auto colourOf = [&](const QByteArray& layer) {
+            const qsizetype title = svg.indexOf("<title>" + layer + "</title>");
+            const qsizetype fill = svg.lastIndexOf("fill=\"#", title);
+            const int rgb = svg.mid(fill + 7, 6).toInt(nullptr, 16);
+            return std::pair(rgb >> 16, rgb & 0xFF);
+        };
+        const auto [topRed, topBlue] = colourOf("TOP");
+        const auto [bottomRed, bottomBlue] = colourOf("BOTTOM");
+        QVERIFY2(topRed > 2 * topBlue, qPrintable(QString::number(topBlue)));
+        QVERIFY2(bottomBlue > 2 * bottomRed, qPrintable(QString::number(bottomRed)));
+    }
+
     void refusesInPlainWords() {
         const QTemporaryDir folder;
         const Outcome unknown = copperscope({"export", locations::kSample, "-o", folder.filePath("board.xyz")});

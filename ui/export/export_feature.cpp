@@ -127,12 +127,16 @@ void ExportFeature::showEstimate() {
     }
 }
 
-std::vector<model::SolidLook> ExportFeature::looks() const {
+/// Solids as the 3D view has them, drawings as the 2D view: outer copper under a finish would be of one colour there.
+std::vector<model::SolidLook> ExportFeature::looks(const model::ExportFormat& format) const {
     const LayerModel& layers = m_context.layers;
+    const std::vector<LayerAppearance> appearances = layers.effectiveStyles();
+    const std::vector<render::LayerStyle> styles =
+        format.isSolid ? solidStyles(*layers.document(), appearances, m_context.settings.choice<render::Palette>(),
+                                     layers.boardColours())
+                       : flatStyles(*layers.document(), appearances);
     std::vector<model::SolidLook> looks;
-    for (const render::LayerStyle& style :
-         solidStyles(*layers.document(), layers.effectiveStyles(), m_context.settings.choice<render::Palette>(),
-                     layers.boardColours())) {
+    for (const render::LayerStyle& style : styles) {
         const auto byte = [](float value) { return static_cast<std::uint32_t>(std::lround(value * 255.0F)); };
         looks.push_back({byte(style.colour.r) << 16U | byte(style.colour.g) << 8U | byte(style.colour.b),
                          static_cast<double>(style.opacity)});
@@ -142,7 +146,7 @@ std::vector<model::SolidLook> ExportFeature::looks() const {
 
 void ExportFeature::write() {
     model::ExportRequest request = m_dialog->request();
-    request.looks = looks();
+    request.looks = looks(m_dialog->format());
     request.time = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     m_path = m_dialog->path();
     m_isOfThisBoard = true;

@@ -26,7 +26,7 @@ private:
     void showEstimate();
     void write();
     void reportWritten();
-    [[nodiscard]] std::vector<model::SolidLook> looks() const;
+    [[nodiscard]] std::vector<model::SolidLook> looks(const model::ExportFormat& format) const;
 
     FeatureContext& m_context;
     Workspace& m_workspace;
