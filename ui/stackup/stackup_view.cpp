@@ -12,6 +12,7 @@ namespace ui {
 
 namespace {
 
+constexpr double kLabelGap = 6.0;  // between names and thicknesses
 constexpr double kMargin = 8.0;
 constexpr double kBoreWidth = 10.0;
 constexpr double kLeader = 28.0;  // between a layer and its label
@@ -113,14 +114,29 @@ void StackupView::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), palette().base());
     painter.setRenderHint(QPainter::Antialiasing);
     paintZoneNames(painter);
+    const NameCut cut = nameCut();
     for (std::size_t row = 0; row < m_drawing.bands.size(); ++row) {
         paintBand(painter, row);
-        paintLabel(painter, row);
+        paintLabel(painter, row, cut);
     }
     for (std::size_t row = 0; row < m_drawing.bores.size(); ++row) {
         paintBore(painter, row);
         paintCaption(painter, row);
     }
+}
+
+NameCut StackupView::nameCut() const {
+    QStringList names;
+    for (std::size_t row = 0; row < m_drawing.bands.size(); ++row) {
+        if (m_document->stackup.rows[row].layer.isValid()) {
+            names << QString::fromStdString(m_document->stackup.rows[row].name);
+        }
+    }
+    return NameCut::forAll(names, fontMetrics(), static_cast<int>(thicknessLeft() - kLabelGap - labelLeft()));
+}
+
+double StackupView::thicknessLeft() const {
+    return width() - fontMetrics().horizontalAdvance(QStringLiteral(" 888.888 µm "));
 }
 
 /// In the line above the layers; a board without zones has none.
@@ -150,7 +166,7 @@ void StackupView::paintBand(QPainter& painter, std::size_t row) const {
     }
 }
 
-void StackupView::paintLabel(QPainter& painter, std::size_t row) const {
+void StackupView::paintLabel(QPainter& painter, std::size_t row, const NameCut& cut) const {
     const model::StackupRow& layer = m_document->stackup.rows[row];
     const QRectF band = bandRect(row);
     const double y = kMargin + lineHeight() + m_drawing.bands[row].label;
@@ -165,17 +181,17 @@ void StackupView::paintLabel(QPainter& painter, std::size_t row) const {
                          palette().highlight());
     }
     painter.setPen(palette().color(isSelected ? QPalette::HighlightedText : QPalette::Text));
-    const double thicknessLeft = width() - fontMetrics().horizontalAdvance(QStringLiteral(" 888.888 µm "));
     const auto write = [&](double left, double right, const QString& text) {
-        painter.drawText(QRectF(left, y - lineHeight() / 2, right - left, lineHeight()), Qt::AlignVCenter,
-                         fontMetrics().elidedText(text, Qt::ElideMiddle, static_cast<int>(right - left)));
+        painter.drawText(QRectF(left, y - lineHeight() / 2, right - left, lineHeight()), Qt::AlignVCenter, text);
     };
-    write(labelLeft(), thicknessLeft - 6.0, QString::fromStdString(layer.name));
+    const double nameRight = thicknessLeft() - kLabelGap;
+    write(labelLeft(), nameRight,
+          cut.of(QString::fromStdString(layer.name), fontMetrics(), static_cast<int>(nameRight - labelLeft())));
     QFont slanted = font();
     slanted.setItalic(layer.source == model::Source::Assumed);
     slanted.setBold(layer.source == model::Source::Session);
     painter.setFont(slanted);
-    write(thicknessLeft, width(), thicknessText(layer.thickness, m_unit));
+    write(thicknessLeft(), width(), thicknessText(layer.thickness, m_unit));
     painter.setFont(font());
 }
 

@@ -6,6 +6,7 @@
 
 #include "model/export/stackup_drawing.h"
 #include "ui/common/display_units.h"
+#include "ui/stackup/name_cut.h"
 
 namespace ui {
 
@@ -55,6 +56,8 @@ private:
     void step(int by);
     [[nodiscard]] double roomBeside() const;
     [[nodiscard]] double lineHeight() const { return fontMetrics().height() + 1.0; }
+    [[nodiscard]] double thicknessLeft() const;
+    [[nodiscard]] NameCut nameCut() const;
     [[nodiscard]] double labelLeft() const { return width() * (m_drawing.columns.size() > 1 ? 0.52 : 0.42); }
     /// The layer at a position, a hole before the layers it passes; none beside them or where the job has no layer.
     [[nodiscard]] model::LayerId layerAt(QPointF at) const;
@@ -65,7 +68,7 @@ private:
     [[nodiscard]] QColor colourOf(const model::StackupRow& row) const;
     void paintZoneNames(QPainter& painter) const;
     void paintBand(QPainter& painter, std::size_t row) const;
-    void paintLabel(QPainter& painter, std::size_t row) const;
+    void paintLabel(QPainter& painter, std::size_t row, const NameCut& cut) const;
     void paintBore(QPainter& painter, std::size_t row) const;
     void paintCaption(QPainter& painter, std::size_t row) const;
 

@@ -151,6 +151,23 @@ private slots:
         QVERIFY(panel().findings().isHidden());
     }
 
+    /// Of EasyEDA's files: whatever is left of a name tells it from the others.
+    void namesThatDoNotFitAreCutWhereTheyAreAlike() {
+        const QStringList names{"Gerber_TopSilkLayer", "Gerber_TopPasteMaskLayer", "Gerber_TopSolderMaskLayer",
+                                "Gerber_TopLayer",     "Gerber_BottomLayer",       "Gerber_BottomSolderMaskLayer"};
+        const QFontMetrics metrics = view().fontMetrics();
+        const int width = metrics.horizontalAdvance("Gerber_TopLay");
+        const ui::NameCut cut = ui::NameCut::forAll(names, metrics, width);
+        QSet<QString> shown;
+        for (const QString& name : names) {
+            shown.insert(cut.of(name, metrics, width));
+            QVERIFY(metrics.horizontalAdvance(cut.of(name, metrics, width)) <= width);
+        }
+        QVERIFY2(shown.size() == names.size(), qPrintable(QStringList(shown.values()).join(' ')));
+        const ui::NameCut plain = ui::NameCut::forAll({"TOP", "BOTTOM"}, metrics, width);
+        QCOMPARE(plain.of("TOP", metrics, width), "TOP");
+    }
+
     void theTotalIsSeenWithoutScrolling() {
         QLabel* total = window().findChild<QLabel*>("stackupTotal");
         QCOMPARE(total->text(), "Cu to Cu 1.6 mm");
