@@ -264,6 +264,9 @@ base::Result<Forms> findForms(BoardInput& input, const ReadOptions& options, bas
     if (!fs::exists(input.path, error)) {
         return badInput(input.path, "there is no such file or folder");
     }
+    if (!fs::is_regular_file(input.path, error) && !fs::is_directory(input.path, error)) {
+        return badInput(input.path, "a board must be a file or folder, and this is a pipe or device");
+    }
     Forms forms;
     if (const BoardFormat* format = formatOf(input)) {
         forms.push_back({format, input.path});

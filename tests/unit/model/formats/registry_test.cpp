@@ -1,5 +1,7 @@
 #include "model/formats/registry.h"
 
+#include <sys/stat.h>
+
 #include <QtTest>
 #include <algorithm>
 #include <cctype>
@@ -194,6 +196,16 @@ private slots:
         QVERIFY(missing.error().text.find("no board of format ipc2581, but ODB++ job (odb)") != std::string::npos);
         options.format = "pdf";
         QCOMPARE(model::readBoard(locations::kSample, options, progress).error().code, base::ErrorCode::BadUsage);
+    }
+
+    void aBoardFromAPipeIsRefusedWithTheReason() {
+        const QTemporaryDir folder;
+        const std::string pipe = folder.filePath("board.tgz").toStdString();
+        QCOMPARE(mkfifo(pipe.c_str(), 0600), 0);
+        base::Progress progress;
+        const auto result = model::readBoard(pipe, {}, progress);
+        QVERIFY(!result);
+        QCOMPARE(result.error().text, pipe + ": a board must be a file or folder, and this is a pipe or device");
     }
 
     void aCancelledReadSaysSo() {
