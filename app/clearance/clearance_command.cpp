@@ -139,11 +139,23 @@ void reportLeftOut(const model::RuleFile& file, const std::string& path) {
     }
 }
 
+/// The error with the file that is at fault, where it does not name one.
+base::Error inFile(const std::string& path, base::Error error) {
+    if (error.text.find(path) == std::string::npos) {
+        error.text.insert(0, path + ": ");
+    }
+    return error;
+}
+
 /// `board`: what they are for; null: as the file has them.
 base::Result<model::RuleTable> rulesFor(const ClearanceArguments& arguments, const model::Document* board) {
     model::RuleTable table = model::defaultRules();
     if (arguments.rules != "default") {
-        ASSIGN_OR_RETURN(model::RuleFile file, model::readRules(arguments.rules));
+        base::Result<model::RuleFile> read = model::readRules(arguments.rules);
+        if (!read) {
+            return inFile(arguments.rules, read.error());
+        }
+        model::RuleFile& file = *read;
         if (board != nullptr) {
             model::leaveOutUnusedClasses(file, *board);
         }
@@ -241,7 +253,11 @@ base::Status listBelow(const std::string& below, std::vector<StepRules>& steps) 
 using Waivers = std::vector<model::Waiver>;
 
 base::Result<Waivers> waiversFor(const ClearanceArguments& arguments) {
-    return arguments.waivers.empty() ? base::Result<Waivers>(Waivers{}) : model::readWaivers(arguments.waivers);
+    base::Result<Waivers> waivers = Waivers{};
+    if (!arguments.waivers.empty()) {
+        waivers = model::readWaivers(arguments.waivers);
+    }
+    return waivers ? waivers : inFile(arguments.waivers, waivers.error());
 }
 
 std::string today() {

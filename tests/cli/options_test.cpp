@@ -66,6 +66,19 @@ private slots:
         }
     }
 
+    void aFileThatCannotBeUsedIsNamed() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("setting.json");
+        QFile file(path);
+        QVERIFY(file.open(QFile::WriteOnly) && file.write("{}") == 2);
+        file.close();
+        for (const QStringList& options : {QStringList{"--rules", path}, {"--rules", "default", "--waivers", path}}) {
+            const Outcome run = copperscope(QStringList{"clearance", locations::kSample} + options);
+            QCOMPARE(run.exitCode, 2);
+            QVERIFY2(run.err.contains((path + ": the ").toUtf8()), run.err.constData());
+        }
+    }
+
     void aMisspeltCommandIsNamed() {
         const auto errorOf = [](const QStringList& arguments) {
             const Outcome run = copperscope(arguments, QDir::tempPath());
