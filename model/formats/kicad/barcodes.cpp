@@ -58,10 +58,14 @@ public:
         if (m_dark.empty()) {
             return {};
         }
+        const bool isKnockout = m_item.isSet("knockout");
         if (!m_item.isSet("hide")) {
             addText();
         }
-        const bool isKnockout = m_item.isSet("knockout");
+        if (!isOnBoard(isKnockout)) {
+            report("it is larger than a board can be");
+            return {};
+        }
         return isKnockout ? without(std::array{boxAround()}, m_dark) : united(m_dark);
     }
 
@@ -136,12 +140,23 @@ private:
         }
     }
 
-    [[nodiscard]] EdgeLoops boxAround() const {
+    [[nodiscard]] PointD margin() const {
         const double tenth = std::ceil(std::min(m_size.x, m_size.y) / 10.0 / kMarginStep) * kMarginStep;
         const PointD given = size(m_item, "margins").value_or(PointD());
-        const PointD margin{std::max(given.x, tenth), std::max(given.y, tenth)};
-        return rectangle({m_extent.min.x - margin.x, m_extent.min.y - margin.y},
-                         {m_extent.max.x + margin.x, m_extent.max.y + margin.y});
+        return {std::max(given.x, tenth), std::max(given.y, tenth)};
+    }
+
+    [[nodiscard]] EdgeLoops boxAround() const {
+        return rectangle({m_extent.min.x - margin().x, m_extent.min.y - margin().y},
+                         {m_extent.max.x + margin().x, m_extent.max.y + margin().y});
+    }
+
+    /// Do all of its coordinates keep within what regions can have?
+    [[nodiscard]] bool isOnBoard(bool hasMargin) const {
+        const PointD beside = hasMargin ? margin() : PointD();
+        const double reach = std::max({beside.x - m_extent.min.x, beside.x + m_extent.max.x, beside.y - m_extent.min.y,
+                                       beside.y + m_extent.max.y});
+        return reach <= base::kMaxCoordinate;
     }
 
     Canvas& m_canvas;

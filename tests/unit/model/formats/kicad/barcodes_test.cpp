@@ -277,6 +277,11 @@ private slots:
         QCOMPARE(messages(boardWith("(barcode (at 1 1) (layer \"F.Cu\") (size 1 1) (text \"\") (type qr))").diagnostics,
                           "it has no text"),
                  1U);
+        for (const char* size : {"(size 2211 2211)", "(size 1 1) (text_height 3000)", "(size 1 1) (margins 2000 1)"}) {
+            const std::string wide =
+                std::string("(barcode (at 1 1) (layer \"F.Cu\") ") + size + " (text \"1\") (type qr) (knockout yes))";
+            QCOMPARE(messages(boardWith(wide).diagnostics, "it is larger than a board can be"), 1U);
+        }
         QVERIFY(!kicad::barsOf(BarcodeKind::Code39,
                                "Gr\xc3\xbc\xc3\x9f"
                                "e",
