@@ -105,7 +105,9 @@ private slots:
     void drawingsHaveTheColoursOfTheFlatView() {
         const QTemporaryDir folder;
         const QString path = folder.filePath("board.svg");
-        QCOMPARE(copperscope({"export", locations::kSample, "-o", path, "--layers", "TOP,BOTTOM"}).exitCode, 0);
+        QCOMPARE(copperscope({"export", locations::kSample, "-o", path, "--layers", "L01-TOP_LAYER,L04-BOTTOM_LAYER"})
+                     .exitCode,
+                 0);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray svg = file.readAll();
@@ -115,8 +117,8 @@ private slots:
             const int rgb = svg.mid(fill + 7, 6).toInt(nullptr, 16);
             return std::pair(rgb >> 16, rgb & 0xFF);
         };
-        const auto [topRed, topBlue] = colourOf("TOP");
-        const auto [bottomRed, bottomBlue] = colourOf("BOTTOM");
+        const auto [topRed, topBlue] = colourOf("L01-TOP_LAYER");
+        const auto [bottomRed, bottomBlue] = colourOf("L04-BOTTOM_LAYER");
         QVERIFY2(topRed > 2 * topBlue, qPrintable(QString::number(topBlue)));
         QVERIFY2(bottomBlue > 2 * bottomRed, qPrintable(QString::number(bottomRed)));
     }
