@@ -388,7 +388,7 @@ Outcome runClearance(const ClearanceArguments& arguments) {
     if (arguments.isThroughStackup) {
         ASSIGN_OR_RETURN(const ThroughStackup found, runThroughStackup(arguments, board, console.progress()));
         RETURN_IF_ERROR(deliver(arguments, found.report));
-        return limitCode(arguments, *board, found.code);
+        return limitCode(arguments, board, found.code);
     }
     if (!arguments.map.file.empty()) {
         return runClearanceMap(arguments.map, board, arguments.layer, console.progress());
@@ -399,7 +399,7 @@ Outcome runClearance(const ClearanceArguments& arguments) {
     ASSIGN_OR_RETURN(const auto found, measureSteps(board, arguments, console.progress()));
     RETURN_IF_ERROR(deliver(arguments, model::clearanceReport(found, formatOf(arguments))));
     const bool isAnyClose = std::ranges::any_of(found, [](const StepClearances& s) { return !s.clearances.empty(); });
-    return limitCode(arguments, *board, isAnyClose ? kTooClose : kDone);
+    return limitCode(arguments, board, isAnyClose ? kTooClose : kDone);
 }
 
 }  // namespace app
