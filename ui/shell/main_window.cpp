@@ -224,7 +224,6 @@ void MainWindow::connectFiles() {
             openPath(path);
         });
     };
-    m_features.on(ActionId::NewWindow, [this] { emit newWindowRequested(); });
     m_features.on(ActionId::OpenFile, [choose] { choose(tr("Open a board"), boardFilters()); });
     m_features.on(ActionId::OpenFolder, [choose] { choose(tr("Open a board folder"), {}); });
     m_features.on(ActionId::Reload, [this] { m_workspace.reload(); });

@@ -40,9 +40,6 @@ public:
     /// Back to the state of a first start, except for the board.
     void resetSettings();
 
-signals:
-    void newWindowRequested();
-
 protected:
     void closeEvent(QCloseEvent* event) override;
 

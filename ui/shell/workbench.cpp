@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QIcon>
-#include <QProcess>
 #include <clocale>
 #include <cstdio>
 
@@ -31,11 +30,6 @@ bool hasDisplay() {
 #endif
 }
 
-/// Each window is a program of its own: what goes wrong in one costs the other nothing.
-void startAnother() {
-    QProcess::startDetached(QCoreApplication::applicationFilePath(), {});
-}
-
 }  // namespace
 
 int runWorkbench(int argc, char** argv, const StartOptions& options) {
@@ -59,7 +53,6 @@ int runWorkbench(int argc, char** argv, const StartOptions& options) {
     const CardCalibration calibration((*context)->device().caps());
     Settings settings;
     MainWindow window(**context, settings);
-    QObject::connect(&window, &MainWindow::newWindowRequested, startAnother);
     window.appear();
     if (options.board) {
         window.open(*options.board);

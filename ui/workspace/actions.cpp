@@ -25,7 +25,6 @@ bool isChoice(MenuId menu) {
 // A row a line: the table is read by columns.
 // clang-format off
 const ActionSpec ActionSet::kSpecs[kActionCount] = {
-    {NewWindow, MenuId::File, QT_TR_NOOP("Ne&w window"), "Ctrl+K,N", QT_TR_NOOP("Open another window, for a second board beside this one")},
     {OpenFile, MenuId::File, QT_TR_NOOP("&Open…"), "Ctrl+O", QT_TR_NOOP("Open a board of any known format")},
     {OpenFolder, MenuId::File, QT_TR_NOOP("Open &folder…"), "Ctrl+Shift+O", QT_TR_NOOP("Open a board that is a folder of files")},
     {Reload, MenuId::File, QT_TR_NOOP("&Reload"), "F5 Ctrl+R", QT_TR_NOOP("Read the board again from disk"), kNeedsBoard},
@@ -36,7 +35,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {SavePicture, MenuId::File, QT_TR_NOOP("&Save picture…"), "Ctrl+Shift+S", QT_TR_NOOP("Save the view as a PNG file"), kNeedsBoard},
     {SaveLargePicture, MenuId::File, QT_TR_NOOP("Save picture of any si&ze…"), "Ctrl+Alt+S", QT_TR_NOOP("Save the view as a PNG file of any number of pixels"), kNeedsBoard},
     {CopyPicture, MenuId::File, QT_TR_NOOP("Copy &picture"), "Ctrl+Shift+C", QT_TR_NOOP("Copy the view to the clipboard"), kNeedsBoard},
-    {Quit, MenuId::File, QT_TR_NOOP("&Quit"), "Ctrl+Q Ctrl+W", QT_TR_NOOP("Close the window"), kNewGroup},
+    {Quit, MenuId::File, QT_TR_NOOP("&Quit"), "Ctrl+Q", QT_TR_NOOP("Close the workbench"), kNewGroup},
     {Undo, MenuId::Edit, QT_TR_NOOP("&Undo"), "Ctrl+Z", QT_TR_NOOP("Undo the last change")},
     {Redo, MenuId::Edit, QT_TR_NOOP("&Redo"), "Ctrl+Shift+Z Ctrl+Y", QT_TR_NOOP("Redo the change that was undone")},
     {Find, MenuId::Edit, QT_TR_NOOP("&Find…"), "Ctrl+F", QT_TR_NOOP("Find a net, component, pin, attribute, layer, location or command"), kNewGroup},

@@ -16,8 +16,8 @@ namespace ui {
 // A menu a line or more, in the order of the table.
 // clang-format off
 enum class ActionId {
-    NewWindow, OpenFile, OpenFolder, Reload, AssignLayers, CancelLoading, SaveSession, ExportBoard, SavePicture, SaveLargePicture,
-    CopyPicture, Quit,
+    OpenFile, OpenFolder, Reload, AssignLayers, CancelLoading, SaveSession, ExportBoard, SavePicture, SaveLargePicture, CopyPicture,
+    Quit,
     Undo, Redo, Find, Commands,
     Fit, ViewTop, ViewBottom, ViewIso, Flip, ZoomIn, ZoomOut, ViewBack, ViewForward, SaveView, Orthographic, Explode,
     ShowViewCube, ShowFrameDisplay,

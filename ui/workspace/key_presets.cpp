@@ -15,11 +15,10 @@ struct PresetKeys {
     const char* keys;  ///< all that the command has, as in ActionSpec::shortcuts
 };
 
-// Many keyboards cannot type KiCad's backtick alone: N stays beside it.
+// KiCad and others highlight nets by a backtick, which many keyboards cannot type alone: N stays.
 constexpr PresetKeys kPresetKeys[] = {
     {KeyPreset::KiCad, Fit, "Home F"},
     {KeyPreset::KiCad, ShowSelection, "Ctrl+Home"},
-    {KeyPreset::KiCad, HighlightNet, "` N"},
     {KeyPreset::KiCad, ZoomIn, "F1 Ctrl++ Ctrl+="},
     {KeyPreset::KiCad, ZoomOut, "F2 Ctrl+-"},
     {KeyPreset::KiCad, ShowGuide, "Ctrl+F1"},

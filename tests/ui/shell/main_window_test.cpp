@@ -76,12 +76,6 @@ class MainWindowTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void anotherWindowIsAskedForWithOrWithoutABoard() {
-        const QSignalSpy asked(&window(), &ui::MainWindow::newWindowRequested);
-        window().actions()[ActionId::NewWindow].trigger();
-        QCOMPARE(asked.count(), 1);
-    }
-
     void init() {
         m_fixture = std::make_unique<WindowFixture>(workWithSlowBoards);
         window().actions()[ActionId::ShowViewCube].trigger();  // it is on the screen and not in pictures
