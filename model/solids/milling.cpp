@@ -294,7 +294,8 @@ Box boxAround(const Document& step) {
     for (std::uint32_t row = 0; row < step.elements.size(); ++row) {
         box.include(step.boxOf(ElementId{row}));
     }
-    return box.grownBy(base::kNmPerMm);
+    constexpr Nm kClear = 1'000'000;
+    return box.grownBy(kClear);
 }
 
 /// All but the cut-outs.

@@ -25,7 +25,11 @@ template <class Json>
             return json;
         }
     } catch (const typename Json::exception& error) {
-        return base::Error{base::ErrorCode::BadInput, std::string("this is no file of JSON: ") + error.what()};
+        const std::string_view why = error.what();  // "[json.exception.parse_error.101] parse error at line 1, …"
+        const std::size_t name = why.starts_with('[') ? why.find("] ") : std::string_view::npos;
+        return base::Error{
+            base::ErrorCode::BadInput,
+            "this is no file of JSON: " + std::string(name == std::string_view::npos ? why : why.substr(name + 2))};
     }
     return base::Error{base::ErrorCode::BadInput, "its values have " + base::moreThan(base::kMostJsonDepth, "levels")};
 }

@@ -3,10 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <system_error>
 
 #include "model/text/file_writer.h"
 
 namespace model {
+
+namespace {
+
+std::string reasonFor(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::file_type type = std::filesystem::status(path, error).type();
+    return type == std::filesystem::file_type::not_found   ? ": there is no such file"
+           : type == std::filesystem::file_type::directory ? ": it is a folder"
+                                                           : "";
+}
+
+}  // namespace
 
 base::Result<std::string> readWholeFile(const std::filesystem::path& path, std::uint64_t most) {
     std::ifstream file(path, std::ios::binary);
@@ -20,7 +33,7 @@ base::Result<std::string> readWholeFile(const std::filesystem::path& path, std::
         text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
     }
     if (!file.is_open() || file.bad()) {
-        return base::Error{base::ErrorCode::BadInput, path.string() + " cannot be read"};
+        return base::Error{base::ErrorCode::BadInput, path.string() + " cannot be read" + reasonFor(path)};
     }
     if (text.size() > most) {
         return base::Error{base::ErrorCode::BadInput,

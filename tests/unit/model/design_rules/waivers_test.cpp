@@ -239,7 +239,7 @@ private slots:
                                   << "line 9, waiver 1: \"distance_nm\"";
         QTest::newRow("no JSON") << "]"
                                  << ""
-                                 << "no file of JSON";
+                                 << "no file of JSON: parse error at line";
         QTest::newRow("version") << R"("copperscope_waivers": 1)"
                                  << R"("copperscope_waivers": 2)"
                                  << "version 1";

@@ -16,7 +16,10 @@ private slots:
         QVERIFY(model::writeWholeFile(path, "two"));
         QCOMPARE(*model::readWholeFile(path), std::string("two"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
-        QVERIFY(!model::readWholeFile(path + ".gone"));
+        QCOMPARE(model::readWholeFile(path + ".gone").error().text,
+                 path + ".gone cannot be read: there is no such file");
+        const std::string at = folder.path().toStdString();
+        QCOMPARE(model::readWholeFile(at).error().text, at + " cannot be read: it is a folder");
     }
 
     void aLinkStaysOne() {
