@@ -9,7 +9,6 @@
 #include "app/common/incomplete_job.h"
 #include "model/agreement/agreement.h"
 #include "model/base/thickness_units.h"
-#include "model/board/diagnostic_facts.h"
 #include "model/text/formatting.h"
 #include "model/text/json_text.h"
 
@@ -213,8 +212,7 @@ Outcome runAgree(const AgreeArguments& arguments) {
     ASSIGN_OR_RETURN(const Agreement agreement,
                      model::compareBoards(*a.document, *b.document, request, console.progress()));
     const model::Document* const jobs[] = {a.document.get(), b.document.get()};
-    const bool isComplete = std::ranges::all_of(
-        jobs, [](const model::Document* job) { return model::firstError(job->diagnostics) == nullptr; });
+    const bool isComplete = areComplete(jobs);
     arguments.asJson ? printJson(arguments, agreement, isComplete) : printText(arguments, agreement, isComplete);
     return verdictCode(agreement.isAgreed() ? kDone : kTooClose, jobs, arguments.allowsIncomplete);
 }

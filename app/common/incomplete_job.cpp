@@ -8,10 +8,13 @@
 
 namespace app {
 
+bool areComplete(std::span<const model::Document* const> jobs) {
+    return std::ranges::all_of(
+        jobs, [](const model::Document* job) { return model::firstError(job->diagnostics) == nullptr; });
+}
+
 int verdictCode(int code, std::span<const model::Document* const> jobs, bool allowsIncomplete) {
-    const bool isPart = std::ranges::any_of(
-        jobs, [](const model::Document* job) { return model::firstError(job->diagnostics) != nullptr; });
-    if (!isPart) {
+    if (areComplete(jobs)) {
         return code;
     }
     std::fprintf(stderr, "copperscope: not everything could be checked: not all of the job could be read%s\n",

@@ -115,6 +115,10 @@ void addClearances(std::vector<ClassOfNets> classes, Nm least, bool isOn, RuleTa
     }
 }
 
+std::string tooMany(const std::string& netClass) {
+    return "net class " + netClass + ", of which there are too many, is left out";
+}
+
 /// As many as a table may have; those with a clearance of their own come first.
 void addClasses(std::vector<ClassOfNets>& classes, RuleFile& file) {
     const auto hasClearance = [](const ClassOfNets& one) { return one.clearance.has_value(); };
@@ -125,7 +129,7 @@ void addClasses(std::vector<ClassOfNets>& classes, RuleFile& file) {
             continue;
         }
         if (kept == kMostNetClasses) {
-            file.leftOut.push_back({"net class " + one.name + ", of which there are too many, is left out"});
+            file.leftOut.push_back({tooMany(one.name)});
             one.clearance.reset();
             continue;
         }
@@ -325,7 +329,7 @@ NetClass withNetsOf(const std::vector<NetClass>& classes, NetClass one) {
 }
 
 /// Adds rules that go before those that are there, with what they say of net classes that are there already.
-void append(RuleFile& file, RuleFile others) {
+void append(RuleFile& file, RuleFile others, const fs::path& from) {
     const std::vector<NetClass> classes = file.table.classes;
     std::ranges::move(others.table.rules, std::back_inserter(file.table.rules));
     std::ranges::move(others.leftOut, std::back_inserter(file.leftOut));
@@ -334,6 +338,8 @@ void append(RuleFile& file, RuleFile others) {
         const bool isNew = std::ranges::find(file.table.classes, one.name, &NetClass::name) == file.table.classes.end();
         if (isNew && file.table.classes.size() < kMostNetClasses) {
             file.table.classes.push_back(withNetsOf(classes, std::move(one)));
+        } else if (isNew) {
+            file.leftOut.push_back({tooMany(one.name), 0, from});
         }
     }
 }
@@ -368,7 +374,7 @@ std::optional<FileOfProject> projectOf(const fs::path& board) {
             {"without a .kicad_pro beside it, the rules of the project are left out", 0, beside(".kicad_dru")});
         project->rules.isOfKicad = true;
     }
-    append(project->rules, std::move(custom->rules));
+    append(project->rules, std::move(custom->rules), beside(".kicad_dru"));
     project->damage = project->damage ? project->damage : custom->damage;
     return project;
 }

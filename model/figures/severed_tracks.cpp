@@ -37,6 +37,9 @@ bool isTrack(const Document& document, ElementId element) {
 SeveringHoles::SeveringHoles(const Document& document) : m_document(document), m_index(std::span<const Box>{}) {
     std::vector<Box> boxes;
     for (std::size_t row = 0; row < document.layers.size(); ++row) {
+        if (!document.layers[row].spanTop.isValid()) {
+            continue;  // passes no copper
+        }
         const auto [first, count] = document.layers[row].elements;
         for (std::uint32_t i = first; i < first + count; ++i) {
             const std::uint8_t flags = document.elements.flags[i];

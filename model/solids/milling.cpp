@@ -332,6 +332,18 @@ PolygonSet cutoutsOf(const Document& step, const Discretisation& how) {
     return subtract(filled, outline);
 }
 
+std::vector<PolygonSet> cutoutsOfCopies(const StepTree& tree, const Discretisation& how) {
+    std::vector<PolygonSet> ofSteps(tree.steps.size());
+    for (std::size_t row = 1; row < tree.steps.size(); ++row) {
+        ofSteps[row] = cutoutsOf(*tree.steps[row], how);
+    }
+    std::vector<PolygonSet> ofCopies(tree.copies.size());
+    for (std::size_t row = 1; row < tree.copies.size(); ++row) {
+        ofCopies[row] = placed(ofSteps[tree.copies[row].step], tree.copies[row].placement);
+    }
+    return ofCopies;
+}
+
 MilledBoard findInCutouts(const Document& step, const Discretisation& how, const base::Progress& progress) {
     const PolygonSet cutouts = cutoutsOf(step, how);
     return cutouts.polygons.empty() ? MilledBoard{} : Miller(step, around(cutouts, step), how, progress).run();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "model/base/progress.h"
+#include "model/board/copies.h"
 #include "model/board/document.h"
 #include "model/geometry/discretise.h"
 
@@ -38,6 +39,10 @@ struct MilledBoard {
 
 /// The regions that cut-outs of the outline of a step take out of it, as chords of `how`; empty where there are none.
 [[nodiscard]] PolygonSet cutoutsOf(const Document& step, const Discretisation& how);
+
+/// The same of every copy of a step on the board, where it lies there; rows as StepTree::copies, that of the board
+/// itself is empty. Each step is looked at once.
+[[nodiscard]] std::vector<PolygonSet> cutoutsOfCopies(const StepTree& tree, const Discretisation& how);
 
 /// The same as findMilled of a step that a panel places: only what reaches into cut-outs of its outline. Those are open
 /// in the panel too; beyond the outline it goes on.

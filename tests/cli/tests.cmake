@@ -1,4 +1,4 @@
-foreach(name IN ITEMS cli_test options_test inspection_commands_test export_commands_test bench_commands_test)
+foreach(name IN ITEMS cli_test options_test forms_commands_test inspection_commands_test export_commands_test bench_commands_test)
     copperscope_test(${name} cli/${name}.cpp LABEL cli LINK copperscope_options)
     add_dependencies(${name} copperscope)
     set_tests_properties(${name} PROPERTIES ENVIRONMENT "COPPERSCOPE_VALIDATION=abort")

@@ -46,8 +46,8 @@ std::optional<Caught> MeasuringCursor::at(const BoardView& view, QPointF positio
         if (std::optional<Caught> edge = edgeAt(view, *pointed)) {
             return edge;
         }
-        if (pointed->hit && !modifiers.testFlag(Qt::AltModifier)) {
-            takePad(view, position, *pointed->hit);
+        if (pointed->pad && !modifiers.testFlag(Qt::AltModifier)) {
+            pointed->hit = pointed->pad;
         }
     }
     if (std::exchange(m_last, position) != position) {
@@ -92,21 +92,19 @@ std::optional<Caught> MeasuringCursor::edgeAt(const BoardView& view, const Point
     return Caught{.at = *on, .kind = SnapKind::Edge, .layer = {}, .element = std::nullopt, .isOnEdge = true};
 }
 
-void MeasuringCursor::takePad(const BoardView& view, QPointF position, model::Hit& hole) {
+std::optional<model::Hit> MeasuringCursor::padAround(const model::Hit& hole, std::span<const model::Hit> hits) const {
     const auto flagsOf = [this](const model::BoardElement& at) {
         return m_index->stepOf(at.copy).elements.flags[at.element.row()];
     };
     if (!model::isPlatedHole(flagsOf(hole.at))) {
-        return;
+        return std::nullopt;
     }
     const model::NetId net = model::netOf(*m_index, hole.at);
-    for (const model::Hit& hit : m_probing.hitsAt(view, position)) {
-        if (hit.missedBy == 0.0 && (flagsOf(hit.at) & model::kPad) != 0 && hit.at.copy == hole.at.copy &&
-            m_index->board->layer(hit.layer).isCopper() && model::netOf(*m_index, hit.at) == net) {
-            hole = hit;
-            return;
-        }
-    }
+    const auto pad = std::ranges::find_if(hits, [&](const model::Hit& hit) {
+        return hit.missedBy == 0.0 && (flagsOf(hit.at) & model::kPad) != 0 && hit.at.copy == hole.at.copy &&
+               m_index->board->layer(hit.layer).isCopper() && model::netOf(*m_index, hit.at) == net;
+    });
+    return pad == hits.end() ? std::nullopt : std::optional(*pad);
 }
 
 void MeasuringCursor::step(int by) {
@@ -135,15 +133,17 @@ std::optional<MeasuringCursor::Pointed> MeasuringCursor::pointedAt(const BoardVi
         // The picker counts its steps in millimetres.
         return isFlat ? origin : origin + glm::normalize(direction) * static_cast<float>(hit.depth);
     };
-    Pointed pointed{location.toJob(origin), std::nullopt, direction.z > 0.0F};
+    Pointed pointed{location.toJob(origin), std::nullopt, std::nullopt, direction.z > 0.0F};
     if (isFlat && what == Catch::Points) {
         return pointed;  // everything there is a candidate, nothing need be searched
     }
-    for (const model::Hit& hit : m_probing.hitsAt(view, position)) {
+    const std::vector<model::Hit> hits = m_probing.hitsAt(view, position);
+    for (const model::Hit& hit : hits) {
         const base::PointD seen = location.toJob(seenAt(hit));
         if (isWanted(hit, seen, reachIn(view), what)) {
             pointed.location = seen;
             pointed.hit = hit;
+            pointed.pad = what == Catch::Elements ? padAround(hit, hits) : std::nullopt;
             return pointed;
         }
     }

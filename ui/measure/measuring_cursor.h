@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "model/measure/edge_at.h"
 #include "model/measure/local_spacing.h"
@@ -63,6 +64,7 @@ private:
     struct Pointed {
         base::PointD location;
         std::optional<model::Hit> hit;  ///< none: nothing to snap to
+        std::optional<model::Hit> pad;  ///< around a plated hole that was hit
         bool isFromBelow = false;
     };
 
@@ -77,8 +79,8 @@ private:
     [[nodiscard]] Caught elementAt(const Pointed& pointed, double reach, Catch what);
     /// The board's edge, where nothing but a drawing lies over it.
     [[nodiscard]] std::optional<Caught> edgeAt(const BoardView& view, const Pointed& pointed) const;
-    /// The pad around a plated hole that is seen.
-    void takePad(const BoardView& view, QPointF position, model::Hit& hole);
+    /// The pad of a plated hole that is seen; none of anything else.
+    [[nodiscard]] std::optional<model::Hit> padAround(const model::Hit& hole, std::span<const model::Hit> hits) const;
     /// On which layers points are snapped to.
     [[nodiscard]] std::vector<model::PickLayer> layersFor(const BoardView& view, const Pointed& pointed,
                                                           Catch what) const;

@@ -18,13 +18,11 @@ MilledAway::MilledAway(const LoadedBoard& board) {
         m_copies.emplace(0, Copy{board.model->milled, model::EdgeStrips(outline)});
     }
     const model::StepTree tree = model::unfoldCopies(document);
+    const std::vector<model::PolygonSet> cutouts = model::cutoutsOfCopies(tree, {});
     for (std::uint32_t row = 1; row < tree.copies.size(); ++row) {
-        const model::StepCopy& copy = tree.copies[row];
-        const render::BoardModel& step = board.model->steps[copy.step - 1];
+        const render::BoardModel& step = board.model->steps[tree.copies[row].step - 1];
         if (!step.milled.empty()) {
-            const model::PolygonSet cutouts =
-                model::placed(model::cutoutsOf(*tree.steps[copy.step], {}), copy.placement);
-            m_copies.emplace(row, Copy{step.milled, model::EdgeStrips(cutouts)});
+            m_copies.emplace(row, Copy{step.milled, model::EdgeStrips(cutouts[row])});
         }
     }
 }

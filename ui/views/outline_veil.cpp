@@ -1,7 +1,6 @@
 #include "ui/views/outline_veil.h"
 
 #include <QPainter>
-#include <span>
 
 #include "model/board/copies.h"
 #include "model/geometry/discretise.h"
@@ -52,10 +51,8 @@ void OutlineVeil::setBoard(const LoadedBoard& board) {
         m_outline = pathOf(model::discretise(document.shapes, document.profile, {}), m_view.position());
     }
     m_cutouts.clear();
-    const model::StepTree tree = model::unfoldCopies(document);
-    for (const model::StepCopy& copy : std::span(tree.copies).subspan(1)) {
-        const model::PolygonSet cutouts = model::cutoutsOf(*tree.steps[copy.step], {});
-        m_cutouts.addPath(pathOf(model::placed(cutouts, copy.placement), m_view.position()));
+    for (const model::PolygonSet& cutouts : model::cutoutsOfCopies(model::unfoldCopies(document), {})) {
+        m_cutouts.addPath(pathOf(cutouts, m_view.position()));
     }
 }
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <unordered_map>
 
+#include "model/base/disjoint_sets.h"
 #include "model/geometry/discretise.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
@@ -73,25 +73,6 @@ bool isCircle(const ChainEdge& edge) {
     return isArc(from.edge) && (from.edge == EdgeKind::ArcClockwise ? cross >= 0.0 : cross <= 0.0);
 }
 
-/// Joints that edges connect.
-class JointGroups {
-public:
-    explicit JointGroups(std::size_t count) : m_parents(count) {
-        std::iota(m_parents.begin(), m_parents.end(), std::uint32_t{0});
-    }
-
-    std::uint32_t of(std::uint32_t joint) {
-        while (m_parents[joint] != joint) {
-            joint = m_parents[joint] = m_parents[m_parents[joint]];
-        }
-        return joint;
-    }
-    void unite(std::uint32_t a, std::uint32_t b) { m_parents[of(a)] = of(b); }
-
-private:
-    std::vector<std::uint32_t> m_parents;
-};
-
 class Chainer {
 public:
     Chainer(std::span<const ChainEdge> edges, double tolerance) : m_edges(edges), m_joints(tolerance) {
@@ -118,16 +99,16 @@ public:
     std::vector<std::vector<ChainEdge>> drawings() {
         takeClosedEdges();
         pruneDeadEnds();
-        JointGroups groups(m_joints.size());
+        DisjointSets groups(m_joints.size());
         for (std::uint32_t i = 0; i < m_edges.size(); ++i) {
             if (isOfDrawing(i)) {
-                groups.unite(m_ends[i].a, m_ends[i].b);
+                groups.join(m_ends[i].a, m_ends[i].b);
             }
         }
         std::map<std::uint32_t, std::vector<ChainEdge>> byGroup;
         for (std::uint32_t i = 0; i < m_edges.size(); ++i) {
             if (isOfDrawing(i)) {
-                byGroup[groups.of(m_ends[i].a)].push_back(joined(i));
+                byGroup[groups.find(m_ends[i].a)].push_back(joined(i));
             }
         }
         std::vector<std::vector<ChainEdge>> drawings;

@@ -72,6 +72,15 @@ double areaMm2(const PolygonSet& set) {
     return static_cast<double>(model::twiceArea(set)) / 2.0 / kMm / kMm;
 }
 
+/// 20 mm × 10 mm with a cut-out of 4 mm × 2 mm in its middle.
+model::ShapeSketch outlineWithCutout() {
+    model::ShapeSketch outline = rectangle({0, 0}, {20 * kMm, 10 * kMm});
+    const std::array<Point, 4> cutout{
+        {{8 * kMm, 4 * kMm}, {8 * kMm, 6 * kMm}, {12 * kMm, 6 * kMm}, {12 * kMm, 4 * kMm}}};
+    outline.addPolygon(cutout, true);
+    return outline;
+}
+
 }  // namespace
 
 class MillingTest : public QObject {
@@ -147,11 +156,7 @@ private slots:
     void aPlaneOverACutoutOfTheOutlineIsOpenThere() {
         Board board(false);
         auto& builder = board.on(0);
-        auto outline = rectangle({0, 0}, {20 * kMm, 10 * kMm});
-        const std::array<Point, 4> cutout{
-            {{8 * kMm, 4 * kMm}, {8 * kMm, 6 * kMm}, {12 * kMm, 6 * kMm}, {12 * kMm, 4 * kMm}}};
-        outline.addPolygon(cutout, true);
-        builder.setProfile(builder.addShape(outline));
+        builder.setProfile(builder.addShape(outlineWithCutout()));
         builder.addArea({builder.addShape(rectangle({kMm, kMm}, {19 * kMm, 9 * kMm})), {}}, {});
         const auto milled = board.milled();
         QCOMPARE(milled.size(), 1U);
@@ -161,11 +166,7 @@ private slots:
     void ofAStepOfAPanelOnlyItsCutoutsAreOpen() {
         Board board(false);
         auto& builder = board.on(0);
-        auto outline = rectangle({0, 0}, {20 * kMm, 10 * kMm});
-        const std::array<Point, 4> cutout{
-            {{8 * kMm, 4 * kMm}, {8 * kMm, 6 * kMm}, {12 * kMm, 6 * kMm}, {12 * kMm, 4 * kMm}}};
-        outline.addPolygon(cutout, true);
-        builder.setProfile(builder.addShape(outline));
+        builder.setProfile(builder.addShape(outlineWithCutout()));
         builder.addArea({builder.addShape(rectangle({-kMm, kMm}, {19 * kMm, 9 * kMm})), {}}, {});
         board.disc({-5 * kMm, 5 * kMm}, kMm);
         board.disc({10 * kMm, 5 * kMm}, kMm);
