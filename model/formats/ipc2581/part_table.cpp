@@ -473,7 +473,7 @@ bool PartTable::liesOnItsPin(const PadUse& use) const {
 /// A pin lies where its pad is, if it has one on copper: that of the layer read first. Pads that lie where the package
 /// puts their pin come first, so that none of another place takes it.
 void PartTable::linkPads() {
-    std::ranges::stable_partition(m_pads, [&](const PadUse& use) { return liesOnItsPin(use); });
+    std::stable_partition(m_pads.begin(), m_pads.end(), [&](const PadUse& use) { return liesOnItsPin(use); });
     for (const PadUse& use : m_pads) {
         const std::int32_t component = use.isCopper ? componentNamed(use.component) : kNoRow;
         if (component == kNoRow) {
