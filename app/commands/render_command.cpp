@@ -12,6 +12,7 @@
 #include "app/common/headless_device.h"
 #include "app/common/memory_limit.h"
 #include "model/board/copies.h"
+#include "model/text/whole_file.h"
 #include "render/frame/transparent.h"
 #include "render/gpu/check.h"
 #include "render/scene/explosion.h"
@@ -301,7 +302,8 @@ base::Status renderToFile(const RenderArguments& arguments) {
     ASSIGN_OR_RETURN(const Highlights highlight, elementsOfNets(*document, arguments.nets));
     ASSIGN_OR_RETURN(const render::Image image,
                      modelAndDraw(arguments, document, {styles, highlight, view, nullptr}, opening));
-    return render::writePng(image, arguments.output);
+    ASSIGN_OR_RETURN(const std::string png, render::encodePng(image));
+    return model::writeWholeFile(arguments.output, png);
 }
 
 }  // namespace

@@ -301,6 +301,21 @@ private slots:
         QVERIFY(run.err.contains("/nowhere/out.png"));
     }
 
+    void aPictureThatDoesNotFitLeavesTheOneBefore() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("out.png");
+        QFile before(path);
+        QVERIFY(before.open(QIODevice::WriteOnly));
+        before.write("the picture before");
+        before.close();
+        const Outcome run = copperscopeInShell("ulimit -f 4; exec %1", {"render", "-o", path, "--mode", "2d"});
+        QCOMPARE(run.exitCode, 3);
+        QVERIFY2(run.err.contains(path.toUtf8() + " cannot be written: File too large"), run.err.constData());
+        QVERIFY(before.open(QIODevice::ReadOnly));
+        QCOMPARE(before.readAll(), QByteArray("the picture before"));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+    }
+
     // ---- thicknesses ----
 
     static QJsonObject stackupRow(const QByteArray& json, const QString& name) {

@@ -4,6 +4,7 @@
 
 #include "model/board/copies.h"
 #include "model/board/document_builder.h"
+#include "model/text/whole_file.h"
 #include "render/frame/png.h"
 #include "tests/gpu/gpu_fixture.h"
 
@@ -226,6 +227,12 @@ struct Drawn {
 class PanelTest : public QObject {
     Q_OBJECT
 
+    static void keep(const Image& image, const std::string& path) {
+        const auto png = encodePng(image);
+        QVERIFY(png);
+        QVERIFY(model::writeWholeFile(path, *png));
+    }
+
     static void compare(const Image& a, const Image& b, std::size_t most) {
         const std::size_t differing = differingPixels(a, b, 60);
         QVERIFY2(differing <= most, qPrintable(QString::number(differing)));
@@ -267,8 +274,8 @@ private slots:
                 5000);
         if (qEnvironmentVariableIsSet("COPPERSCOPE_KEEP_PICTURES")) {
             const std::string name = qgetenv("COPPERSCOPE_KEEP_PICTURES").toStdString() + "/" + QTest::currentDataTag();
-            QVERIFY(writePng(image, name + " copies.png"));
-            QVERIFY(writePng(flat.draw(settings, static_cast<NamedView>(view), zoom), name + " flat.png"));
+            keep(image, name + " copies.png");
+            keep(flat.draw(settings, static_cast<NamedView>(view), zoom), name + " flat.png");
         }
         compare(image, flat.draw(settings, static_cast<NamedView>(view), zoom), 150);
     }
