@@ -37,6 +37,13 @@ bool isCopperBetween(const Document& document, LayerId top, LayerId bottom) {
     return false;
 }
 
+bool isOnlyCopper(const Document& document, LayerId layer) {
+    const auto isOther = [&](const Layer& other) {
+        return other.isCopper() && other.context == LayerContext::Board && &other != &document.layer(layer);
+    };
+    return std::ranges::none_of(document.layers, isOther);
+}
+
 /// By the layer alone.
 HoleSpan layerSpan(const Document& document, const Layer& layer) {
     if (layer.use == LayerUse::Backdrill) {
@@ -47,7 +54,8 @@ HoleSpan layerSpan(const Document& document, const Layer& layer) {
     }
     const bool isTop = document.layer(layer.spanTop).side == LayerSide::Top;
     const bool isBottom = document.layer(layer.spanBottom).side == LayerSide::Bottom;
-    const bool isSingle = layer.spanTop == layer.spanBottom && isTop && layer.use != LayerUse::DualDiameter;
+    const bool isSingle = layer.spanTop == layer.spanBottom && layer.use != LayerUse::DualDiameter &&
+                          (isTop || isOnlyCopper(document, layer.spanTop));
     if ((isTop && isBottom) || isSingle) {
         return HoleSpan::Through;
     }

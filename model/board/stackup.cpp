@@ -5,6 +5,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "model/base/ascii.h"
 #include "model/base/assert.h"
 #include "model/board/holes.h"
 
@@ -28,17 +29,10 @@ struct Part {
     std::optional<Nm> stated{};  ///< by the job
 };
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-}
-
 std::string lowered(std::string text) {
-    std::ranges::transform(text, text.begin(), lower);
+    std::ranges::transform(text, text.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
     return text;
-}
-
-bool sameName(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b, {}, lower, lower);
 }
 
 std::string inUm(double nm) {
@@ -136,13 +130,35 @@ private:
             if (isBoardCopper(m_layers[i])) {
                 m_first = std::min(m_first, i);
                 m_last = i;
-                m_layers[i].side = LayerSide::Inner;
             }
         }
-        if (m_first < m_layers.size()) {
-            m_layers[m_last].side = LayerSide::Bottom;
-            m_layers[m_first].side = LayerSide::Top;
+        m_isAlone = m_first < m_layers.size() && m_first == m_last;
+        m_isBottomAlone = m_isAlone && isBottom(m_layers[m_first]);
+        for (std::size_t i = m_first; i < m_layers.size(); ++i) {
+            if (isBoardCopper(m_layers[i])) {
+                m_layers[i].side = sideOfCopper(i);
+            }
         }
+    }
+
+    /// Is the one copper layer the bottom one? By the job's word, by where its dielectrics are, or else by the name.
+    [[nodiscard]] bool isBottom(const Layer& copper) const {
+        const bool isUnder = hasDielectric(0, m_first);
+        const bool isNamed = namesBottom(copper) && lowered(copper.name).find("top") == std::string::npos;
+        const bool isAtBottom = isUnder != hasDielectric(m_first, m_layers.size()) ? isUnder : isNamed;
+        return copper.side == LayerSide::Bottom || (copper.side != LayerSide::Top && isAtBottom);
+    }
+
+    [[nodiscard]] bool hasDielectric(std::size_t first, std::size_t end) const {
+        while (first < end && !(isBoardDielectric(m_layers[first]) && isRow(first))) {
+            ++first;
+        }
+        return first < end;
+    }
+
+    [[nodiscard]] LayerSide sideOfCopper(std::size_t i) const {
+        const bool isTop = i == m_first && !m_isBottomAlone;
+        return isTop ? LayerSide::Top : i == m_last ? LayerSide::Bottom : LayerSide::Inner;
     }
 
     /// A value of the job within its bounds; one outside is replaced by the bound and reported.
@@ -171,17 +187,22 @@ private:
                 addLayer(i, m_most);
             }
         }
-        if (m_first < m_layers.size() && m_first == m_last) {
-            addDielectricBelow();
+        if (m_isAlone && std::ranges::count_if(m_parts, &Part::isCore) == 1) {
+            addSubstrate();
         }
     }
 
     void addLayer(std::size_t i, double most) {
         const Layer& layer = m_layers[i];
         const bool isCopper = isBoardCopper(layer);
-        const bool isCore = isCopper || (isBoardDielectric(layer) && i > m_first && i < m_last);
+        const bool isCore = isCopper || (isBoardDielectric(layer) && isWithin(i));
         StackupRow row{layer.name, LayerId{i}, layer.type, 0, 0, Source::Job, m_facts.layers[i].material};
         addPart({std::move(row), isCopper, isCore, false}, statedThickness(i), std::min(most, m_most));
+    }
+
+    /// Is a dielectric between copper layers, or what the only one lies on?
+    [[nodiscard]] bool isWithin(std::size_t i) const {
+        return m_isAlone ? (m_isBottomAlone ? i < m_first : i > m_first) : i > m_first && i < m_last;
     }
 
     std::optional<double> statedThickness(std::size_t i) {
@@ -223,8 +244,8 @@ private:
     }
 
     const ThicknessOverride* findOverride(const std::string& name) const {
-        const auto found =
-            std::ranges::find_if(m_facts.set, [&](const ThicknessOverride& set) { return sameName(set.layer, name); });
+        const auto found = std::ranges::find_if(
+            m_facts.set, [&](const ThicknessOverride& set) { return base::equalsIgnoringCase(set.layer, name); });
         return found == m_facts.set.end() ? nullptr : &*found;
     }
 
@@ -242,21 +263,23 @@ private:
         }
     }
 
-    /// A board of one copper layer has its substrate below it.
-    void addDielectricBelow() {
+    /// A board of one copper layer has its substrate below it, or above it where that is the bottom layer.
+    void addSubstrate() {
+        const std::string where = m_isBottomAlone ? "above" : "below";
         Part part = spacingBelow(m_first);
+        part.row.name = where + " " + m_layers[m_first].name;
         const auto copper = std::ranges::find_if(m_parts, &Part::isCopper);
         part.row.name = uniqueName(part.row.name);
         const ThicknessOverride* set = findOverride(part.row.name);
         part.row.thickness = set != nullptr ? set->thickness : m_board.value_or(kDefaultBoard);
         part.row.source = set != nullptr ? Source::Session : m_board ? Source::Job : Source::Assumed;
         part.isKnown = true;
-        m_floor = -part.row.thickness;
-        report(Severity::Info, "there is one copper layer; below it lies a dielectric of " + inUm(part.row.thickness) +
+        report(Severity::Info, "there is one copper layer; " + where + " it lies a dielectric of " +
+                                   inUm(part.row.thickness) +
                                    (set != nullptr ? ", set by you"
                                     : m_board      ? ", the board's thickness"
                                                    : ", which is assumed"));
-        m_parts.insert(copper + 1, std::move(part));
+        m_parts.insert(m_isBottomAlone ? copper : copper + 1, std::move(part));
     }
 
     // ---- what is not known ----
@@ -307,6 +330,9 @@ private:
         if (!dielectrics.empty()) {
             fillDielectrics(dielectrics);
         }
+        for (const Part& part : m_parts) {
+            m_floor -= m_isAlone && !m_isBottomAlone && part.isCore && !part.isCopper ? part.row.thickness : 0;
+        }
     }
 
     /// Where all dielectrics are known, the copper is what is left of the board.
@@ -319,7 +345,7 @@ private:
         const std::int64_t share = m_board ? (*m_board - statedSum()) / notStatedCopper() : 0;
         const std::string layers = "the job gives no thickness for " + std::to_string(count) + " copper layer(s); ";
         const auto nm = static_cast<double>(share);
-        if (areDielectricsKnown && m_floor == 0 && nm >= kLeastCopperShare && nm <= kMostCopperShare) {
+        if (areDielectricsKnown && !m_isAlone && nm >= kLeastCopperShare && nm <= kMostCopperShare) {
             setAll(copper, share, Source::Derived);
             report(Severity::Info, layers + "taken as " + inUm(nm) +
                                        " each, an even share of what the dielectrics leave of the board's " +
@@ -476,8 +502,8 @@ private:
             }
             layer.side = LayerSide::Through;
             layer.thicknessSource = Source::Derived;
-            layer.z = m_floor < 0 || !layer.spanBottom.isValid() ? m_floor : m_layers[layer.spanBottom.row()].z;
-            const Nm upper = layer.spanTop.isValid() ? upperFace(m_layers[layer.spanTop.row()]) : top;
+            layer.z = m_isAlone || !layer.spanBottom.isValid() ? m_floor : m_layers[layer.spanBottom.row()].z;
+            const Nm upper = m_isAlone || !layer.spanTop.isValid() ? top : upperFace(m_layers[layer.spanTop.row()]);
             layer.thickness = upper - layer.z;
         }
     }
@@ -508,7 +534,9 @@ private:
     std::unordered_map<std::string, int> m_used;  ///< how often a name was requested, in lower case
     std::size_t m_first = 0;
     std::size_t m_last = 0;
-    Nm m_floor = 0;  ///< lower face of the board
+    bool m_isAlone = false;        ///< there is one copper layer
+    bool m_isBottomAlone = false;  ///< and it is the bottom one
+    Nm m_floor = 0;                ///< lower face of the board
 };
 
 }  // namespace
@@ -530,13 +558,29 @@ Nm thicknessOf(const Stackup& stackup) {
     if (first == stackup.rows.end()) {
         return 0;
     }
-    // A single copper layer's substrate is the row below it.
-    return &*first == &*last ? (first + 1)->thickness : first->z + first->thickness - last->z;
+    if (&*first != &*last) {
+        return first->z + first->thickness - last->z;
+    }
+    const SubstrateRows substrate = substrateOf(stackup.rows, static_cast<std::size_t>(first - stackup.rows.begin()));
+    Nm thickness = 0;
+    for (std::size_t row = substrate.first; row < substrate.end; ++row) {
+        thickness += stackup.rows[row].thickness;
+    }
+    return thickness;
+}
+
+SubstrateRows substrateOf(const std::vector<StackupRow>& rows, std::size_t copper) {
+    const auto isDielectric = [](const StackupRow& row) { return row.type == LayerType::Dielectric; };
+    const auto at = rows.begin() + static_cast<std::ptrdiff_t>(copper);
+    const auto end = std::find_if_not(at + 1, rows.end(), isDielectric);
+    const auto first = std::find_if_not(std::make_reverse_iterator(at), rows.rend(), isDielectric).base();
+    const auto rowOf = [&](auto row) { return static_cast<std::size_t>(row - rows.begin()); };
+    return end != at + 1 ? SubstrateRows{copper + 1, rowOf(end)} : SubstrateRows{rowOf(first), copper};
 }
 
 const StackupRow* findRow(const Stackup& stackup, std::string_view name) {
-    const auto found =
-        std::ranges::find_if(stackup.rows, [name](const StackupRow& row) { return sameName(row.name, name); });
+    const auto found = std::ranges::find_if(
+        stackup.rows, [name](const StackupRow& row) { return base::equalsIgnoringCase(row.name, name); });
     return found == stackup.rows.end() ? nullptr : &*found;
 }
 

@@ -32,8 +32,8 @@ inline constexpr double kOunceTolerance = 0.035;
 /// entry per layer. z = 0 is the lower face of the lowest copper; surface layers lie outside of the outer copper;
 /// drills and routs must have their spans set and reach from the lower face of the lowest to the upper face of the
 /// highest copper they pass; everything else, layers without material (LayerFacts::hasMaterial) too, is a plane above
-/// or below the board. A board of one copper layer has its
-/// substrate below z = 0. Coverlays, adhesives and stiffeners lie one on the other, from the board outwards; between
+/// or below the board. A board of one copper layer has its substrate below z = 0, or above the copper where that is the
+/// bottom layer, by its side, its name or where the job's dielectrics lie; holes pass both. Coverlays, adhesives and stiffeners lie one on the other, from the board outwards; between
 /// copper layers they lie on the flexible copper next to them.
 ///
 /// What the user set counts most, then the job's own number; what is left of the job's board thickness is shared by
@@ -45,6 +45,14 @@ inline constexpr double kOunceTolerance = 0.035;
 /// From the lowest to the highest face of copper and what lies between; the substrate of a single copper layer for
 /// itself.
 [[nodiscard]] Nm thicknessOf(const Stackup& stackup);
+
+/// The dielectrics that the one copper layer at `copper` lies on: those below it, or else those above it.
+struct SubstrateRows {
+    std::size_t first = 0;
+    std::size_t end = 0;  ///< first: there are none
+    [[nodiscard]] bool has(std::size_t row) const { return row >= first && row < end; }
+};
+[[nodiscard]] SubstrateRows substrateOf(const std::vector<StackupRow>& rows, std::size_t copper);
 
 /// The row of this name, in any case; nullptr if there is none.
 [[nodiscard]] const StackupRow* findRow(const Stackup& stackup, std::string_view name);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "model/board/stackup.h"
+
 namespace model {
 
 namespace {
@@ -75,8 +77,8 @@ void addThicknesses(const Document& document, Substack& part) {
         const bool isCounted = part.has[i] && counts(kindOf(rows[i], document)) && (!isBetween || isCore(rows[i]));
         part.overall += isCounted ? rows[i].thickness : 0;
         part.cumulative.push_back(isCounted ? std::optional(part.overall) : std::nullopt);
-        // The substrate of a single copper layer is the row below it, and counts for itself.
-        const bool isBoard = isSingle ? i == copper.first + 1 && isCore(rows[i]) : isBetween && isCore(rows[i]);
+        // The substrate of a single copper layer counts for itself.
+        const bool isBoard = isSingle ? substrateOf(rows, copper.first).has(i) : isBetween && isCore(rows[i]);
         part.copperToCopper += part.has[i] && isBoard ? rows[i].thickness : 0;
     }
 }

@@ -18,9 +18,11 @@ bool isAnyRow(std::uint32_t) {
     return true;
 }
 
-/// The copper layer that a layer of mask or silkscreen lies on; none on boards without copper.
+/// The copper layer that a layer of mask or silkscreen lies on; none on a face without copper.
 LayerId copperUnder(const Document& document, LayerId layer) {
-    return outerCopper(document, faceOf(document, layer));
+    const LayerSide face = faceOf(document, layer);
+    const LayerId copper = outerCopper(document, face);
+    return copper.isValid() && document.layer(copper).side == face ? copper : LayerId{};
 }
 
 /// Pads of components on a copper layer that are still there.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "model/board/stackup.h"
 #include "model/text/formatting.h"
 
 namespace model {
@@ -63,6 +64,17 @@ bool isLineAlone(const DrillRow& row) {
     return row.shape == std::string_view("path") && row.diameter == 0;
 }
 
+/// Holes through the only copper layer pass what it lies on, too.
+void passSubstrate(const Document& document, const StackupDrawing& drawing, StackupBarrel& bore) {
+    const auto& rows = document.stackup.rows;
+    const auto copper = std::ranges::find(rows, document.layer(bore.layer).spanTop, &StackupRow::layer);
+    const SubstrateRows substrate = substrateOf(rows, static_cast<std::size_t>(copper - rows.begin()));
+    for (std::size_t row = substrate.first; row < substrate.end; ++row) {
+        bore.top = std::min(bore.top, drawing.bands[row].top);
+        bore.bottom = std::max(bore.bottom, drawing.bands[row].bottom);
+    }
+}
+
 void placeBores(const Document& document, StackupDrawing& out) {
     for (const DrillRow& row : drillTableWithCopies(document)) {
         if (isLineAlone(row)) {
@@ -82,6 +94,9 @@ void placeBores(const Document& document, StackupDrawing& out) {
         if (first != nullptr && last != nullptr) {
             out.bores.push_back({row.layer, row.span, isPlated, first->top, last->bottom});
             addHoles(row, out.bores.back());
+            if (first == last && row.span == HoleSpan::Through) {
+                passSubstrate(document, out, out.bores.back());
+            }
         }
     }
 }

@@ -52,8 +52,10 @@ BoardFace faceOf(const Document& board, const Layer& copper, bool isTop, bool is
     BoardFace face;
     face.isTop = isTop;
     face.isFlat = isFlat;
-    face.copper = isTop ? copper.z + copper.thickness : copper.z;
-    face.substrate = isTop ? copper.z : copper.z + copper.thickness;
+    const bool isBare = copper.side == (isTop ? LayerSide::Bottom : LayerSide::Top);  // one copper layer, on the other
+    const Nm bare = isTop ? copper.z + copper.thickness + board.boardThickness : copper.z - board.boardThickness;
+    face.copper = isBare ? bare : isTop ? copper.z + copper.thickness : copper.z;
+    face.substrate = isBare ? bare : isTop ? copper.z : copper.z + copper.thickness;
     for (std::size_t row = 0; row < board.layers.size(); ++row) {
         const Layer& layer = board.layers[row];
         const Nm inner = isTop ? layer.z : layer.z + layer.thickness;

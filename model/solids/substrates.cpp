@@ -36,7 +36,8 @@ Heights bodyHeights(const Document& document) {
         return {0, document.boardThickness};
     }
     if (lowest == highest) {
-        return {highest->z - document.boardThickness, highest->z};
+        const Nm bottom = lowest->side == LayerSide::Bottom ? upperFace(*lowest) : lowest->z - document.boardThickness;
+        return {bottom, bottom + document.boardThickness};
     }
     return {upperFace(*lowest), highest->z};
 }

@@ -33,17 +33,23 @@ void setHeights(const model::Document& document, BoardFrame& out) {
     }
 }
 
-/// The lower and the upper face of the board: of its copper, and of the substrate below a single copper layer.
+/// The lower and the upper face of the board: of its copper, and of the substrate that a single copper layer lies on.
 float sumOfFaces(const model::Document& document) {
     model::Nm low = 0;
     model::Nm high = document.boardThickness;
+    const model::Layer* single = nullptr;
     std::size_t copper = 0;
     for (const model::Layer& layer : document.layers) {
         if (layer.isCopper() && layer.context == model::LayerContext::Board) {
             high = copper++ == 0 ? layer.z + layer.thickness : std::max(high, layer.z + layer.thickness);
+            single = &layer;
         }
     }
-    low = copper == 1 ? high - document.boardThickness : low;
+    if (copper == 1) {
+        const bool isBottom = single->side == model::LayerSide::Bottom;
+        low = isBottom ? single->z : high - document.boardThickness;
+        high = isBottom ? high + document.boardThickness : high;
+    }
     return static_cast<float>(base::toMm(double(low) + high));
 }
 

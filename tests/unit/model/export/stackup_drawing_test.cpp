@@ -7,6 +7,7 @@
 
 #include "model/export/stackup_export.h"
 #include "tests/locations.h"
+#include "tests/unit/model/formats/gerber/gerber_testing.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
 
 using model::HoleSpan;
@@ -58,6 +59,29 @@ class StackupDrawingTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Its one copper layer is the bottom one: what is drilled passes the laminate above it, too.
+    void holesOfSingleSidedBoardsPassAllOfThem() {
+        using namespace gerber_testing;
+        const Job job({{"b.GTO", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {"b.GBS", image(kCopper)},
+                       {"b.GKO", image(kOutline)},
+                       {"b.drl", kDrills}});
+        const Board read = job.open();
+        QVERIFY(read.ok());
+        const model::Document& document = **read;
+        const auto& rows = document.stackup.rows;
+        const std::size_t substrate = rowOf(document, "above bottom copper");
+        QVERIFY(substrate < rows.size());
+        const model::Layer& copper = document.layer(rows[substrate + 1].layer);
+        QCOMPARE(copper.side, model::LayerSide::Bottom);
+        const StackupDrawing drawing = model::drawStackup(document, {1000.0, 10.0, false});
+        QCOMPARE(drawing.bores.size(), std::size_t{1});
+        QCOMPARE(drawing.bores[0].span, HoleSpan::Through);
+        QCOMPARE(drawing.bores[0].top, drawing.bands[substrate].top);
+        QCOMPARE(drawing.bores[0].bottom, drawing.bands[substrate + 1].bottom);
+    }
+
     void toScaleHeightsAreThicknesses() {
         const auto document = board("everything");
         const StackupDrawing drawing = model::drawStackup(*document, {1000.0, 10.0, false});

@@ -379,6 +379,48 @@ private slots:
         QCOMPARE(stack[3].thickness, 1'535'000);
     }
 
+    void aSingleCopperLayerAtTheBottomLiesUnderItsLaminate_data() {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<LayerSide>("side");
+        QTest::newRow("by the job's word") << "only" << LayerSide::Bottom;
+        QTest::newRow("by its name") << "BOT" << LayerSide::None;
+    }
+    void aSingleCopperLayerAtTheBottomLiesUnderItsLaminate() {
+        QFETCH(QString, name);
+        QFETCH(LayerSide, side);
+        Stack stack;
+        stack.add(LayerType::SilkScreen, "silk").copper(qPrintable(name), 35'000).add(LayerType::SolderMask, "below");
+        stack.layers[1].side = side;
+        stack.add(LayerType::Drill, "drill");
+        stack.layers.back().spanTop = stack.layers.back().spanBottom = LayerId{std::size_t{1}};
+        stack.build(1'500'000);
+        QCOMPARE(stack[1].side, LayerSide::Bottom);
+        QCOMPARE(stack[1].z, 0);
+        QCOMPARE(stack.thickness, 1'500'000);
+        QCOMPARE(stack.built.rows[1].name, "above " + name.toStdString());
+        QCOMPARE(stack[0].z, 1'535'000);
+        QCOMPARE(stack[2].z, -model::kDefaultMask);
+        QCOMPARE(stack[3].z, 0);
+        QCOMPARE(stack[3].thickness, 1'535'000);
+    }
+
+    void dielectricsOfTheJobAreTheLaminateOfASingleCopperLayer() {
+        Stack top;
+        top.copper("copper", 35'000).dielectric("glue", 100'000).dielectric("base").build(1'500'000);
+        QCOMPARE(top.built.rows.size(), std::size_t{3});
+        QCOMPARE(top[0].side, LayerSide::Top);
+        QCOMPARE(top[1].z, -100'000);
+        QCOMPARE(top[2].thickness, 1'500'000 - 135'000);
+        QCOMPARE(top[2].z, -(1'500'000 - 35'000));
+        QCOMPARE(top.thickness, 1'500'000 - 35'000);
+        Stack bottom;
+        bottom.dielectric("base", 1'000'000).copper("copper", 35'000).add(LayerType::SolderMask, "mask").build();
+        QCOMPARE(bottom[1].side, LayerSide::Bottom);
+        QCOMPARE(bottom[0].z, 35'000);
+        QCOMPARE(bottom[2].z, -model::kDefaultMask);
+        QCOMPARE(bottom.thickness, 1'000'000);
+    }
+
     void documentLayersArePlanesOnTheirSide() {
         Stack stack;
         stack.copper("top")
