@@ -27,11 +27,22 @@ void SectionPlaneTool::setAsDesigned(bool isOn) {
 
 void SectionPlaneTool::setOn(bool isOn) {
     m_isOn = isOn && m_index != nullptr;
-    m_through = m_pointer.value_or(base::toDouble(m_origin));
+    m_through = isOverBoard() ? *m_pointer : base::toDouble(m_origin);
     m_angle = 0.0;
     m_eighths = 0;
     m_isAlongLine = false;
     apply();
+}
+
+/// Beside the board a plane would cut nothing, or all of it away.
+bool SectionPlaneTool::isOverBoard() const {
+    if (!m_pointer || m_index == nullptr) {
+        return false;
+    }
+    const model::Document& document = *m_index->board;
+    const base::Box& board = document.board.isEmpty() ? document.extent : document.board;
+    return m_pointer->x > board.min.x && m_pointer->x < board.max.x && m_pointer->y > board.min.y &&
+           m_pointer->y < board.max.y;
 }
 
 void SectionPlaneTool::cutAlong(base::PointD from, base::PointD to) {

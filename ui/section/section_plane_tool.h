@@ -21,8 +21,8 @@ public:
     void setAsDesigned(bool isOn);
     /// Where the pointer is, nm of the board; none: beside the board.
     void pointAt(std::optional<base::PointD> location) { m_pointer = location; }
-    /// Cuts through the pointer, or through the middle of the board, what is in front of an isometric view going; or
-    /// makes the board whole again.
+    /// Cuts through the pointer, or through the middle of the board where that is not over it, what is in front of an
+    /// isometric view going; or makes the board whole again.
     void setOn(bool isOn);
     [[nodiscard]] bool isOn() const { return m_isOn; }
     /// Cuts through two places of the board; what is to the right on the way from one to the other goes.
@@ -35,6 +35,7 @@ public:
     void move(double part);
 
 private:
+    [[nodiscard]] bool isOverBoard() const;
     [[nodiscard]] base::PointD direction() const;
     void apply();
 

@@ -122,6 +122,23 @@ private slots:
         QVERIFY(window().views().solid().cut() == nullptr);
     }
 
+    void besideTheBoardThePlaneGoesThroughItsMiddle() {
+        const model::Box& board = m_index->board->board;
+        const auto heightOf = [&](double part) {
+            const double y = board.min.y + part * static_cast<double>(board.height());
+            const base::PointD at{(double{1} * board.min.x + board.max.x) / 2, y};
+            mouse(QEvent::MouseMove, *flat().controller().screenOf(window().probing().position().toModel(at)));
+            window().actions()[ActionId::SectionPlane].trigger();
+            const double cut = window().views().solid().cut()->plane.start.y;
+            window().actions()[ActionId::SectionPlane].trigger();
+            return cut;
+        };
+        const double middle = heightOf(0.5);
+        QVERIFY(std::abs(heightOf(0.25) - middle) > 1.0);
+        QVERIFY(std::abs(heightOf(1.05) - middle) < 0.01);
+        QVERIFY(std::abs(heightOf(-0.05) - middle) < 0.01);
+    }
+
     void otherHeightsAreCutAtOnce() {
         drawLine();
         const SectionPiece piece = aCopperPiece();
