@@ -6,6 +6,7 @@
 #include "model/base/thickness_units.h"
 #include "model/clearance/kicad_conditions.h"
 #include "model/text/s_expression.h"
+#include "model/text/utf8.h"
 
 namespace model {
 
@@ -75,6 +76,10 @@ private:
         std::vector<Rule> rules = condition == nullptr ? std::vector{rule} : rulesUnder(rule, condition->at(1));
         if (rules.empty()) {
             return leaveOut(*condition, name + "condition " + condition->at(1));
+        }
+        const bool isText = isUtf8(rule.layer) && (condition == nullptr || isUtf8(condition->at(1)));
+        if (!isText) {  // rules are saved as JSON, which knows no other text
+            return leaveOut(constraint, name + constraint.at(1) + " with names that are no UTF-8");
         }
         std::ranges::for_each(rules, [this](const Rule& one) { addClasses(one); });
         std::ranges::move(rules, std::back_inserter(m_file.table.rules));

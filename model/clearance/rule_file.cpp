@@ -290,6 +290,9 @@ std::string toJson(const RuleTable& table) {
 }
 
 std::string commentedJson(const RuleTable& table) {
+    const auto inOneLine = [](const ordered_json& json) {
+        return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+    };
     ordered_json classes = ordered_json::object();
     for (const NetClass& netClass : table.classes) {
         classes[netClass.name] = netClass.nets;
@@ -297,15 +300,15 @@ std::string commentedJson(const RuleTable& table) {
     std::string text = "// Design rules for copperscope clearance --rules FILE. Lengths in micrometres.\n{\n";
     text += "  \"" + std::string(kVersionKey) + "\": " + std::to_string(kVersion) + ",\n";
     text += "  // How far a distance may be below its limit and still pass, 0 to 10.\n";
-    text += "  \"tolerance_um\": " + ordered_json(table.tolerance / base::kNmPerUm).dump() + ",\n";
+    text += "  \"tolerance_um\": " + inOneLine(table.tolerance / base::kNmPerUm) + ",\n";
     text += "  // Net classes: {\"power\": [\"VCC*\", \"GND\"]}, with * for any text and ? for any letter.\n";
-    text += "  \"classes\": " + classes.dump() + ",\n";
+    text += "  \"classes\": " + inOneLine(classes) + ",\n";
     text +=
         "  // Of several rules that fit the last one holds. \"between\": [\"power\", \"\"] names net classes of a\n"
         "  // copper-copper rule (\"\": any net); \"on\": false switches a rule off.\n  \"rules\": [\n";
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
         const Rule& rule = table.rules[row];
-        text += std::string("    // ") + meaningOf(rule.kind) + "\n    " + jsonOf(rule).dump() +
+        text += std::string("    // ") + meaningOf(rule.kind) + "\n    " + inOneLine(jsonOf(rule)) +
                 (row + 1 < table.rules.size() ? ",\n" : "\n");
     }
     return text + "  ]\n}\n";

@@ -138,6 +138,26 @@ private slots:
         QVERIFY(import("(rule x (constraint clearance (min 1mm)) (condition \"" + many + "\"))").table.rules.empty());
     }
 
+    void namesThatAreNoUtf8AreLeftOut() {
+        const auto file = model::parseKicadRules(
+            "(version 1)(rule a (condition \"A.NetClass == 'gr\xFC"
+            "n'\") (constraint clearance (min 0.2mm)))(rule b (layer \"\xE0\x80\x80\") (constraint clearance (min "
+            "0.2mm)))(rule c (constraint clearance (min 0.3mm)))");
+        QVERIFY(file);
+        QCOMPARE(file->table.rules.size(), std::size_t{1});
+        QCOMPARE(file->leftOut.size(), std::size_t{2});
+        QVERIFY(file->leftOut[0].text.find("no UTF-8") != std::string::npos);
+    }
+
+    /// Whoever makes a table may name what JSON does not know.
+    void aTableWithSuchNamesIsPrinted() {
+        model::RuleTable table = model::defaultRules();
+        table.classes.push_back({"gr\xFCn", {"\xFF*"}});
+        table.rules.push_back({RuleKind::CopperToCopper, 100'000, {"gr\xFCn", ""}});
+        QVERIFY(model::parseRules(model::commentedJson(table)));
+        QVERIFY(model::parseRules(model::toJson(table)));
+    }
+
     void rulesThatKicadIgnoresAreNamed() {
         const model::RuleFile file =
             import("(version 1)\n(rule a (severity ignore) (constraint clearance (min 0.2mm)))\n");

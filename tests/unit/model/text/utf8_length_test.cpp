@@ -14,8 +14,8 @@ private slots:
     }
 
     void brokenOnesHaveNone() {
-        for (const char* broken :
-             {"\x80", "\xC0\x80", "\xC2", "\xC2 ", "\xE2\x82", "\xF0\x9F\x98", "\xF5\x80\x80\x80", "\xFF"}) {
+        for (const char* broken : {"\x80", "\xC0\x80", "\xC2", "\xC2 ", "\xE2\x82", "\xF0\x9F\x98", "\xF5\x80\x80\x80",
+                                   "\xFF", "\xE0\x80\x80", "\xED\xA0\x80", "\xF0\x80\x80\x80", "\xF4\x90\x80\x80"}) {
             QCOMPARE(model::utf8Length(broken), std::size_t{0});
         }
     }
