@@ -172,7 +172,7 @@ void PartTable::addPackagePin(XmlCursor& at, DrawnPackage& package, std::vector<
         }
     });
     turn.origin = {turn.origin.x + location.x, turn.origin.y + location.y};
-    pin.position = m_reading.rounded(location, line);
+    pin.position = m_reading.rounded(turn.origin, line);  // offsets too: a pin lies where its pad is drawn
     for (XmlCursor& shape : shapes) {
         pin.outline = pin.outline.isEmpty() ? m_shapes.sketch(shape, turn, unit) : pin.outline;
     }

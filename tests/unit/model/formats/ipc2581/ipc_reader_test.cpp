@@ -82,6 +82,25 @@ private slots:
         QCOMPARE(placement.apply(Point{-kMm, 0}), feature.a);
     }
 
+    void pinsLieWhereTheirOffsetMovesThem() {
+        // As Allegro writes pads that lie beside the location of their pin: on the board they are where they are drawn.
+        const auto pad = [](const char* pin, const char* x) {
+            return "<Set><Pad><Location x='" + std::string(x) + "' y='5'/><RectCenter width='2' height='1'/>" +
+                   "<PinRef componentRef='R1' pin='" + pin + "'/></Pad></Set>";
+        };
+        const std::string package =
+            "<Package name='p'><Pin number='1'><Xform xOffset='0.05'/><Location x='0' y='0'/><Circle diameter='1'/>"
+            "</Pin><Pin number='2'><Xform xOffset='-0.05' rotation='180'/><Location x='3' y='0'/><Circle "
+            "diameter='1'/></Pin></Package>"
+            "<Component refDes='R1' packageRef='p' layerRef='T'><Location x='10' y='5'/></Component>";
+        const auto job = parse(fileWith(package + onTop(pad("1", "10.05") + pad("2", "12.95"))));
+        QVERIFY(job.ok());
+        const auto& pins = job->steps[0].packages.at(0).pins;
+        QCOMPARE(pins.at(0).position, (Point{50'000, 0}));
+        QCOMPARE(pins.at(1).position, (Point{2'950'000, 0}));
+        QCOMPARE(job->steps[0].components.at(0).pins.at(1).position, (Point{12'950'000, 5 * kMm}));
+    }
+
     void packagesLearnPadsThatTheyListOnce() {
         // As KiCad writes a connector with two pads of one name: its package has only one of them.
         const auto pad = [](const char* part, const char* pin, const char* at) {
