@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 
@@ -264,6 +265,22 @@ PieceNet winner(const std::map<NetId, std::size_t>& counts) {
     return most == counts.end() ? PieceNet{} : PieceNet{most->first, counts.size() > 1};
 }
 
+/// The piece in the middle of the vote, or else one that its hole cuts; past the last one if there is none.
+std::size_t pieceAt(const PieceLocator& locator, const NetVote& vote, std::size_t none) {
+    // Pieces have chords within 1 µm: copper that only touches the wall of a hole may lie on either side of it.
+    constexpr Nm kWithin = 2'000;
+    std::size_t piece = locator.pieceAt(vote.location);
+    const Nm reach = vote.radius - kWithin;
+    for (int x = -1; x <= 1 && piece == none && reach > 0; ++x) {
+        for (int y = -1; y <= 1 && piece == none; ++y) {
+            const double along = x != 0 && y != 0 ? reach * std::numbers::sqrt2 / 2.0 : reach;
+            const Nm step = static_cast<Nm>(along);
+            piece = locator.pieceAt({vote.location.x + x * step, vote.location.y + y * step});
+        }
+    }
+    return piece;
+}
+
 Inverse::Piece pieceOf(const EdgeLoops& region, NetId net, const OutlineSources& sources) {
     Inverse::Piece piece{sketchOf({&region, 1}), net, {}};
     std::set<std::uint32_t> features;
@@ -303,7 +320,9 @@ std::vector<NetVote> votesOn(const Document& document, LayerId layer, const Docu
             const std::size_t row = holes.elements.first + i;
             const NetId net = document.elements.net[row];
             if ((document.elements.flags[row] & kPlated) != 0 && net.isValid()) {
-                votes.push_back({document.boxOf(ElementId{row}).middle(), net});
+                const Box box = document.boxOf(ElementId{row});
+                const bool isRound = document.elements.kind[row] == ElementKind::Circle;
+                votes.push_back({box.middle(), net, isRound ? static_cast<Nm>(box.width() / 2) : 0});
             }
         }
     }
@@ -319,7 +338,7 @@ std::vector<PieceNet> netsOf(const PolygonSet& pieces, std::span<const NetVote> 
     std::vector<std::map<NetId, std::size_t>> counts(pieces.polygons.size());
     const PieceLocator locator(pieces);
     for (const NetVote& vote : votes) {
-        const std::size_t piece = locator.pieceAt(vote.location);
+        const std::size_t piece = pieceAt(locator, vote, counts.size());
         if (piece < counts.size()) {
             ++counts[piece][vote.net];
         }

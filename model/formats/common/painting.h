@@ -30,10 +30,12 @@ void addPainted(DocumentBuilder& builder, const Document& painted, std::span<con
 struct NetVote {
     Point location;
     NetId net;
+    Nm radius = 0;  ///< of the round hole around it; where it cuts copper counts if its middle lies in none
 };
 
-/// The votes on a layer: middles of plated holes that pass it, and of its own pads. A hole that is kept clear, and the
-/// pad that keeps it so, lie outside of all copper and do not count; a thermal pad leaves copper in its middle.
+/// The votes on a layer: plated holes that pass it, and middles of its own pads. A hole that is kept clear, and the
+/// pad that keeps it so, cut no copper and do not count; a thermal pad leaves copper in its middle, or clears less than
+/// what is drilled (Allegro, where a hole joins its plane all around).
 [[nodiscard]] std::vector<NetVote> votesOn(const Document& document, LayerId layer, const Document& ownFeatures);
 
 /// The net of each polygon and how clear it is.

@@ -160,6 +160,25 @@ private slots:
         QVERIFY(netsOf({}, votes).empty());
         QVERIFY(!netsOf(pieces, {})[0].net.isValid());
     }
+
+    void holesVoteForTheCopperThatTheyCut() {
+        // A thermal that clears less than what is drilled: all around, the plane touches the barrel.
+        PolygonSet plane;
+        const auto box = [&plane](model::Nm from, model::Nm to) {
+            plane.addLoop(std::vector<Point>{{from, from}, {to, from}, {to, to}, {from, to}});
+        };
+        plane.beginPolygon();
+        box(0, 2'000'000);
+        box(900'000, 1'100'000);
+        const NetId net{3};
+        const auto of = [&](model::Nm radius) {
+            return netsOf(plane, std::vector<NetVote>{{{1'000'000, 1'000'000}, net, radius}});
+        };
+        QVERIFY(!of(0)[0].net.isValid());
+        QVERIFY(!of(90'000)[0].net.isValid());   // kept clear
+        QVERIFY(!of(100'000)[0].net.isValid());  // cuts nothing
+        QCOMPARE(of(150'000)[0].net, net);
+    }
 };
 
 QTEST_APPLESS_MAIN(PaintingTest)
