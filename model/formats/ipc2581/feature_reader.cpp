@@ -304,7 +304,10 @@ void FeatureReader::readSpec(const XmlCursor& at) {
 
 void FeatureReader::readHole(XmlCursor& at) {
     const XmlCursor start = at;
-    setPlating(at);
+    drawHole(start, readHolePlace(at));
+}
+
+Turn FeatureReader::readHolePlace(XmlCursor& at) {
     Turn turn{m_reading.point(at, m_reading.unitNm()), 0.0, false, 1.0};
     forEachChild(at, [&] {
         if (at.name() == "SpecRef") {
@@ -313,6 +316,11 @@ void FeatureReader::readHole(XmlCursor& at) {
             m_reading.reportUnknown(at);
         }
     });
+    return turn;
+}
+
+void FeatureReader::drawHole(const XmlCursor& start, const Turn& turn) {
+    setPlating(start);
     const std::uint32_t line = start.line();
     const double diameter = m_reading.length(start, "diameter", m_reading.unitNm()) * turn.scale;
     const Point size = m_reading.rounded({diameter, 0.0}, line);
@@ -386,6 +394,31 @@ void FeatureReader::drillIfStadium(DrawnFeature& feature) {
     }
 }
 
+void FeatureReader::readLayerHole(XmlCursor& at, std::int32_t net) {
+    StackHole hole{at, {}, net, {}, {}};
+    XmlCursor inside = at;
+    forEachChild(inside, [&] {
+        if (inside.name() == "Span") {
+            hole.from = inside.value("fromLayer");
+            hole.to = inside.value("toLayer");
+        }
+    });
+    hole.turn = readHolePlace(at);
+    m_stackHoles.push_back(hole);
+}
+
+void FeatureReader::finish() {
+    for (const std::size_t row : joinDrawnHoles(m_reading, m_stackHoles, m_step, m_layers)) {
+        const StackHole& hole = m_stackHoles[row];
+        m_canvas.ink() = {};
+        m_canvas.setLine(hole.start.line());
+        beginLayer(m_layers.holesLayer(hole.from, hole.to, hole.start.line()));
+        setNet(hole.net);
+        drawHole(hole.start, hole.turn);
+    }
+    m_padstacks.reportMissingHoles(m_step, m_layers);
+}
+
 void FeatureReader::readPadStack(XmlCursor& at) {
     const std::int32_t net = m_nets.row(at.value("net"));
     bool isVia = false;
@@ -394,17 +427,8 @@ void FeatureReader::readPadStack(XmlCursor& at) {
         m_canvas.ink() = {};
         m_canvas.setLine(at.line());
         if (at.name() == "LayerHole") {
-            XmlCursor inside = at;
-            std::string_view from;
-            std::string_view to;
-            forEachChild(inside, [&] {
-                from = inside.name() == "Span" ? inside.value("fromLayer") : from;
-                to = inside.name() == "Span" ? inside.value("toLayer") : to;
-            });
-            beginLayer(m_layers.holesLayer(from, to, at.line()));
-            setNet(net);
             isVia = isVia || platingNamed(at.value("platingStatus")) == Plating::Via;
-            readHole(at);
+            readLayerHole(at, net);
         } else if (at.name() == "LayerPad") {
             pads.push_back(at);
         } else {

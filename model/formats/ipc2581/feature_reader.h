@@ -10,6 +10,7 @@
 #include "model/formats/ipc2581/padstacks.h"
 #include "model/formats/ipc2581/part_table.h"
 #include "model/formats/ipc2581/shape_reader.h"
+#include "model/formats/ipc2581/stack_holes.h"
 
 namespace model::ipc2581 {
 
@@ -35,7 +36,7 @@ public:
     /// A PadStack with its net, holes and pads on several layers.
     void readPadStack(XmlCursor& at);
     /// Once all has been read.
-    void finish() { m_padstacks.reportMissingHoles(m_step, m_layers); }
+    void finish();
 
 private:
     /// Where on a layer the features of a Set begin.
@@ -76,6 +77,9 @@ private:
     void readFeatures(XmlCursor& at);
     void readSpec(const XmlCursor& at);
     void readHole(XmlCursor& at);
+    [[nodiscard]] Turn readHolePlace(XmlCursor& at);
+    void drawHole(const XmlCursor& start, const Turn& turn);
+    void readLayerHole(XmlCursor& at, std::int32_t net);
     void readSlot(XmlCursor& at);
     void drillIfStadium(formats::DrawnFeature& feature);
     void readPlaced(XmlCursor& at, Placed& placed);
@@ -101,6 +105,7 @@ private:
     std::size_t m_layer = 0;
     bool m_isVia = false;  ///< what the Set being read says of its pads
     Padstacks m_padstacks;
+    std::vector<StackHole> m_stackHoles;  ///< drawn when it is known which of them layers draw
     std::unordered_map<std::string, std::int32_t> m_attributes;
 };
 

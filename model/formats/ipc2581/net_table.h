@@ -13,9 +13,10 @@ class NetTable {
 public:
     explicit NetTable(formats::DrawnStep& step) : m_step(step) {}
 
-    /// Row of the net of this name as written, which is added if it is new; none for no name.
+    /// Row of the net of this name as written, which is added if it is new; none for no name, and for what Altium calls
+    /// all that is in no net.
     std::int32_t row(std::string_view name) {
-        if (name.empty()) {
+        if (name.empty() || name == "No Net") {
             return formats::kNoRow;
         }
         const auto [found, isNew] = m_rows.try_emplace(name, static_cast<std::int32_t>(m_step.nets.size()));
