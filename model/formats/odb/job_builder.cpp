@@ -9,6 +9,7 @@
 #include "model/formats/common/hole_rules.h"
 #include "model/formats/common/net_points.h"
 #include "model/formats/common/painting.h"
+#include "model/formats/common/routed_cutouts.h"
 #include "model/formats/odb/copy_plan.h"
 #include "model/formats/odb/elements/feature_elements.h"
 #include "model/formats/odb/layer_table.h"
@@ -59,6 +60,7 @@ public:
             return false;
         }
         setProfile();
+        formats::takeOutRouted(m_builder);
         addOutlines(m_builder, m_matrix, m_layers, m_step);
         if (m_isChosen) {
             reportStackup(m_builder.soFar(), diagnostics());

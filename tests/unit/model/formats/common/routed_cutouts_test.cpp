@@ -1,0 +1,90 @@
+#include "model/formats/common/routed_cutouts.h"
+
+#include <QtTest>
+
+#include "model/geometry/loops/edge_loops.h"
+#include "model/solids/shells/area_shell.h"
+#include "tests/unit/model/formats/odb/odb_testing.h"
+
+using namespace odb_testing;
+
+namespace {
+
+/// A board of 100 mm by 100 mm with a layer of routed slots and copper on its top.
+std::shared_ptr<const model::Document> boardWith(const std::string& routed, const std::string& copper = {}) {
+    const Folder folder;
+    writeSmallJob(folder, "UNITS=MM\n$0 r1000\nP 90 90 0 P 0 0\n" + copper);
+    folder.write("matrix/matrix", matrixOf({{"SIGNAL", "TOP"}, {"ROUT", "ROUT"}}));
+    folder.write("steps/board/layers/rout/features", "UNITS=MM\n$0 r200\n" + routed);
+    return read(folder.path());
+}
+
+/// A path along a square of 20 mm around (50, 50).
+const std::string kSquare = "L 40 40 60 40 0 P 0\nL 60 40 60 60 0 P 0\nL 60 60 40 60 0 P 0\nL 40 60 40 40.05 0 P 0\n";
+
+const char* const kMessage = "a closed routed path cuts a piece without copper out of the board";
+
+/// Of the board within its outline, in mm².
+double areaOf(const model::Document& board) {
+    double area = 0.0;
+    for (const model::EdgeLoops& region : model::areaOutlines(board.shapes, board.profile)) {
+        area += model::areaOf(region);
+    }
+    return area / 1e12;
+}
+
+}  // namespace
+
+class RoutedCutoutsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatAClosedPathEnclosesFallsOut() {
+        const auto board = boardWith(kSquare);
+        QCOMPARE(qRound(areaOf(*board)), 10'000 - 400);
+        const model::Diagnostic* message = findDiagnostic(board->diagnostics, kMessage);
+        QVERIFY(message != nullptr);
+        QCOMPARE(message->line, 3U);
+        QVERIFY(message->element.isValid());
+    }
+
+    void circlesAreClosedPaths() {
+        const auto board = boardWith("A 60 50 60 50 50 50 0 P 0 Y\n");
+        QVERIFY(std::abs(areaOf(*board) - (10'000 - 314.159)) < 0.01);
+    }
+
+    void whatHoldsCopperStays_data() {
+        QTest::addColumn<QString>("copper");
+        QTest::newRow("a pad") << "P 41 41 0 P 0 0\n";
+        QTest::newRow("a pour that covers it") << "S P 0\nOB 20 20 I\nOS 80 20\nOS 80 80\nOS 20 80\nOS 20 20\nOE\nSE\n";
+    }
+    void whatHoldsCopperStays() {
+        QFETCH(QString, copper);
+        const auto board = boardWith(kSquare, copper.toStdString());
+        QCOMPARE(qRound(areaOf(*board)), 10'000);
+        QVERIFY(findDiagnostic(board->diagnostics, kMessage) == nullptr);
+    }
+
+    void aPourAroundItDoesNotKeepIt() {
+        const auto board = boardWith(kSquare,
+                                     "S P 0\nOB 20 20 I\nOS 80 20\nOS 80 80\nOS 20 80\nOS 20 20\nOE\nOB 39 39 H\n"
+                                     "OS 39 61\nOS 61 61\nOS 61 39\nOS 39 39\nOE\nSE\n");
+        QCOMPARE(qRound(areaOf(*board)), 10'000 - 400);
+    }
+
+    void otherPathsCutNothingOut_data() {
+        QTest::addColumn<QString>("routed");
+        QTest::newRow("open") << "L 40 40 60 40 0 P 0\nL 60 40 60 60 0 P 0\nL 60 60 40 60 0 P 0\n";
+        QTest::newRow("around the board") << "L 0 0 100 0 0 P 0\nL 100 0 100 100 0 P 0\nL 100 100 0 100 0 P 0\n"
+                                             "L 0 100 0 0 0 P 0\n";
+        QTest::newRow("off the board") << "A 210 50 210 50 200 50 0 P 0 Y\n";
+    }
+    void otherPathsCutNothingOut() {
+        QFETCH(QString, routed);
+        const auto board = boardWith(routed.toStdString());
+        QCOMPARE(qRound(areaOf(*board)), 10'000);
+    }
+};
+
+QTEST_APPLESS_MAIN(RoutedCutoutsTest)
+#include "routed_cutouts_test.moc"
