@@ -200,7 +200,7 @@ private:
         std::vector<Pin> pins;
         std::size_t known = 0;
         for (const PlacedPin& pin : from.pins) {
-            pins.push_back(pinFrom(pin, package, id));
+            pins.push_back(pinFrom(pin, package, id, from.refdes));
             known += pinOf(package, pin) != nullptr ? 1 : 0;
         }
         if (fittingPins(from, list.isMirrored) < known) {
@@ -251,10 +251,20 @@ private:
         }
     }
 
-    Pin pinFrom(const PlacedPin& from, const EdaPackage* package, PackageId id) {
+    /// Older versions of Altium write the designator of the part in front of the pin: "J44-1" for pin 1 of J44.
+    static std::string_view nameOf(const PlacedPin& pin, const EdaPin* known, std::string_view refdes) {
+        if (known == nullptr || known->name.empty()) {
+            return pin.name;
+        }
+        const bool isBoth = pin.name.size() == refdes.size() + 1 + known->name.size() && pin.name.starts_with(refdes) &&
+                            pin.name[refdes.size()] == '-' && pin.name.ends_with(known->name);
+        return pin.name.empty() || isBoth ? known->name : pin.name;
+    }
+
+    Pin pinFrom(const PlacedPin& from, const EdaPackage* package, PackageId id, std::string_view refdes) {
         const EdaPin* known = pinOf(package, from);
         Pin pin;
-        pin.name = m_builder.string(from.name.empty() && known != nullptr ? known->name : from.name);
+        pin.name = m_builder.string(nameOf(from, known, refdes));
         pin.position = from.position;
         pin.net = m_nets.net(from.net);
         if (known != nullptr) {

@@ -209,6 +209,20 @@ private slots:
         QCOMPARE(entry->line, 2U);
     }
 
+    void designatorsInFrontOfPinsAreLeftOut() {
+        const Folder folder;
+        writeParts(folder,
+                   "CMP 0 10 20 0 N U-1 c\nTOP 0 9 20 0 N 0 0 U-1-1\nTOP 1 12 21 0 N 0 0 U-1-1\n"
+                   "CMP 0 10 20 0 N U2 c\nTOP 0 9 20 0 N 0 0 U2-\nTOP 1 12 21 0 N 0 0 2\n",
+                   "");
+        const auto d = read(folder.path());
+        std::vector<std::string> names;
+        for (const model::Pin& pin : d->pins) {
+            names.push_back(d->text(pin.name));
+        }
+        QCOMPARE(names, (std::vector<std::string>{"1", "U-1-1", "U2-", "2"}));
+    }
+
     void subnetsAreTiedToPinsAndElements() {
         const Folder folder;
         writeParts(folder, "CMP 0 10 20 0 N U1 c\nTOP 0 9 20 0 N 0 0 1\n", "");
