@@ -6,6 +6,7 @@
 #include "model/formats/common/archive.h"
 #include "model/formats/odb/job_builder.h"
 #include "model/formats/odb/job_info.h"
+#include "model/formats/odb/repeated_drills.h"
 #include "model/formats/odb/stackup/layer_facts.h"
 #include "model/formats/odb/text/job_tree.h"
 #include "model/formats/odb/text/records.h"
@@ -139,7 +140,7 @@ base::Result<std::shared_ptr<const Document>> readJob(const formats::Archive& ar
     if (!matrixFile) {
         return inJob(name, "matrix/matrix cannot be read");
     }
-    const Matrix matrix = parseMatrix(matrixFile->text(), matrixFile->path, diagnostics);
+    Matrix matrix = parseMatrix(matrixFile->text(), matrixFile->path, diagnostics);
     builder.job().steps = stepsOf(*tree, matrix, diagnostics);
     const base::Result<std::string> step = chooseStep(*tree, matrix, builder.job().steps, options.step);
     if (!step) {
@@ -153,6 +154,7 @@ base::Result<std::shared_ptr<const Document>> readJob(const formats::Archive& ar
     if (!readSteps(job, steps, progress)) {
         return cancelled();
     }
+    setRepeatedDrillsAside(matrix, steps, diagnostics);
     describe(builder.job(), info, *tree, steps, name);
     builder.times().parseMs = reading.milliseconds();
 
