@@ -184,16 +184,22 @@ private:
     void reportUnknownNames() {
         std::string list;
         std::size_t unknown = 0;
+        std::size_t known = 0;
         for (std::size_t i = 0; i < m_nets.size(); ++i) {
             const std::string& name = m_netlist.names[i];
-            if (!m_nets[i].empty() || name.empty() || name == m_netlist.noNet) {
+            if (name.empty() || name == m_netlist.noNet) {
                 continue;
             }
-            if (unknown++ < kListed) {
+            if (!m_nets[i].empty()) {
+                ++known;
+            } else if (unknown++ < kListed) {
                 list += (list.empty() ? "" : ", ") + name;
             }
         }
-        if (unknown > 0) {
+        if (unknown > 0 && known == 0 && m_file.kind == NetlistKind::Current) {
+            report(Severity::Info, 0,
+                   "the netlist was made from the copper and numbers its nets (" + list + ", …); it names none");
+        } else if (unknown > 0) {
             report(Severity::Warning, 0,
                    std::to_string(unknown) + " nets of the netlist are not on the board: " + list +
                        (unknown > kListed ? ", …" : ""));

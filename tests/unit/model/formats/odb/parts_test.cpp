@@ -350,6 +350,31 @@ private slots:
         QCOMPARE(beside->line, 7U);
     }
 
+    void aNetlistMadeFromCopperMayNumberItsNets_data() {
+        QTest::addColumn<QString>("netlist");
+        QTest::addColumn<QString>("names");
+        QTest::addColumn<QString>("message");
+        QTest::newRow("numbered") << "curcadnet"
+                                  << "$0 NET0\n$1 NET1\n"
+                                  << "numbers its nets (NET0, NET1, …)";
+        QTest::newRow("named") << "curcadnet"
+                               << "$0 A\n$1 NET1\n"
+                               << "1 nets of the netlist are not on the board: NET1";
+        QTest::newRow("a reference") << "refnet"
+                                     << "$0 NET0\n$1 NET1\n"
+                                     << "2 nets of the netlist are not on the board";
+    }
+    void aNetlistMadeFromCopperMayNumberItsNets() {
+        QFETCH(QString, netlist);
+        QFETCH(QString, names);
+        QFETCH(QString, message);
+        const Folder folder;
+        writeParts(folder, "", "");
+        folder.write("steps/board/netlists/" + netlist.toStdString() + "/netlist",
+                     "UNITS=MM\n" + names.toStdString() + "0 1 9 20 T e e\n1 1 50 50 T e e\n");
+        QVERIFY(findDiagnostic(read(folder.path())->diagnostics, message.toStdString()) != nullptr);
+    }
+
     void netsOfOneNameAreToldApartByTheirPlaces() {
         const Folder folder;
         writeParts(folder, "", "", "UNITS=MM\n$0 TWIN\n$1 TWIN\n1 1 9 20 T e e\n0 1 50 50 T e e\n");
