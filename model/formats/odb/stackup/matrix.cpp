@@ -125,6 +125,32 @@ void raiseLateCopper(const std::vector<MatrixLayer>& layers, std::vector<std::si
     }
 }
 
+/// Rows of context MISC are no part of the board: working copies of copper and drills in jobs of CAM systems. Where
+/// there is a board, they are shown as drawings; a job that was never sorted has MISC rows only.
+void setMiscAside(Matrix& matrix, std::string_view path, Diagnostics& diagnostics) {
+    const auto isBoardCopper = [](const MatrixLayer& layer) {
+        return layer.isCopper() && layer.context == LayerContext::Board;
+    };
+    if (std::ranges::none_of(matrix.layers, isBoardCopper)) {
+        return;
+    }
+    std::string names;
+    std::uint32_t line = 0;
+    for (MatrixLayer& layer : matrix.layers) {
+        if (layer.context == LayerContext::Misc && (layer.isCopper() || layer.isHoles())) {
+            layer.type = LayerType::Document;
+            layer.isNegative = false;
+            line = names.empty() ? layer.line : line;
+            names += (names.empty() ? "" : ", ") + layer.name;
+        }
+    }
+    if (!names.empty()) {
+        diagnostics.report(
+            Severity::Info, path, line,
+            "copper and drills of context MISC are no part of the board and shown as drawings: " + names);
+    }
+}
+
 }  // namespace
 
 std::size_t Matrix::rowOf(std::string_view name) const {
@@ -179,6 +205,7 @@ Matrix parseMatrix(std::string_view text, std::string_view path, Diagnostics& di
         matrix.steps.push_back(std::move(name));
     }
     std::ranges::stable_sort(matrix.layers, {}, &MatrixLayer::row);
+    setMiscAside(matrix, path, diagnostics);
     return matrix;
 }
 

@@ -95,6 +95,23 @@ private slots:
         QVERIFY(findDiagnostic(diagnostics, "layer X: unknown layer type") != nullptr);
     }
 
+    void copperOfContextMiscIsADrawing() {
+        const std::string misc =
+            "LAYER {\nROW=8\nCONTEXT=MISC\nTYPE=SIGNAL\nNAME=OLD\nPOLARITY=NEGATIVE\n}\n"
+            "LAYER {\nROW=9\nCONTEXT=MISC\nTYPE=DRILL\nNAME=MAP\n}\n";
+        Diagnostics diagnostics;
+        const auto matrix =
+            model::odb::parseMatrix(odb_testing::matrixOf({{"SIGNAL", "TOP"}}) + misc, "matrix", diagnostics);
+        QCOMPARE(matrix.layers[0].type, LayerType::Signal);
+        QCOMPARE(matrix.layers[1].type, LayerType::Document);
+        QVERIFY(!matrix.layers[1].isNegative);
+        QCOMPARE(matrix.layers[2].type, LayerType::Document);
+        QVERIFY(findDiagnostic(diagnostics, "are no part of the board and shown as drawings: OLD, MAP") != nullptr);
+        const auto unsorted = model::odb::parseMatrix(misc, "matrix", diagnostics);
+        QCOMPARE(unsorted.layers[0].type, LayerType::Signal);
+        QCOMPARE(unsorted.layers[1].type, LayerType::Drill);
+    }
+
     void physicalLayersComeFirstFromTheTop() {
         Diagnostics diagnostics;
         const auto order = orderOf({{"COMPONENT", "CT"},
