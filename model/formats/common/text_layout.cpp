@@ -11,7 +11,6 @@ namespace {
 constexpr double kMaxPen = base::kMaxCoordinate / 100.0;
 /// Half of the coordinate range, so that a text stays within 32 bits wherever it lies.
 constexpr double kMaxExtent = base::kMaxCoordinate / 2.0;
-constexpr double kTallestStroke = 10.0;  ///< in the font's units; fonts are 0.3 tall
 
 std::string problemOf(const TextLine& text, const Font& font, const std::u32string& characters) {
     const auto missing =
@@ -23,6 +22,14 @@ std::string problemOf(const TextLine& text, const Font& font, const std::u32stri
     }
     const bool hasVariable = text.text.find("$$") != std::string::npos;
     return hasVariable ? "text '" + text.text + "' holds a variable that is filled in at output; drawn as written" : "";
+}
+
+/// Whatever units a font counts in.
+bool isWithinRange(const TextLayout& layout) {
+    const auto isNear = [](PointD p) { return std::abs(p.x) <= kMaxExtent && std::abs(p.y) <= kMaxExtent; };
+    return layout.length <= kMaxExtent && std::ranges::all_of(layout.strokes, [&](const TextStroke& stroke) {
+               return isNear(stroke.a) && isNear(stroke.b);
+           });
 }
 
 }  // namespace
@@ -63,7 +70,7 @@ TextLayout layOut(const TextLine& text, const Font& font) {
         }
         layout.length += font.advance() * scaleX;
     }
-    if (!(layout.length <= kMaxExtent && std::abs(scaleY) * kTallestStroke <= kMaxExtent)) {
+    if (!isWithinRange(layout)) {
         layout.strokes.clear();
         layout.problem = "the text is larger than half a metre; it draws nothing";
     }

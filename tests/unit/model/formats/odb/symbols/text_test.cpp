@@ -107,6 +107,18 @@ private slots:
         QCOMPARE(layOut(textOf("L", 1'000'000), fontOf(kFont)).strokes[0].width, 152'400);
     }
 
+    void fontsMayCountInAnyUnit() {
+        // As a CAM system brings one: characters 0.021 wide, so that texts are many times as large as the font.
+        const Font font = fontOf(
+            "XSIZE 0.021\nYSIZE 0.021\nOFFSET 0\nCHAR L\nLINE 0.06 0.08 0.06 0.059 P R 0.012\n"
+            "LINE 0.06 0.059 0.074 0.059 P R 0.012\nECHAR\n");
+        const TextLayout layout = layOut(textOf("L", 6'000'000), font);
+        QVERIFY(layout.problem.empty());
+        QCOMPARE(layout.strokes.size(), std::size_t{2});
+        QVERIFY(std::abs(layout.strokes[0].a.y - 6e6) < 1);
+        QVERIFY(std::abs(layout.strokes[1].b.x - 4e6) < 1);
+    }
+
     void descendersHangBelowTheCorner() {
         const TextLayout layout = layOut(textOf(";"), fontOf(kFont));
         QCOMPARE(layout.strokes.size(), std::size_t{1});
