@@ -242,9 +242,28 @@ const char* toString(HoleSpan span) {
 }
 
 std::string toolsText(const DrillRow& row) {
-    std::string text = row.tool != nullptr ? std::to_string(row.tool->number) : "";
-    for (const int number : row.otherTools) {
-        text += ", " + std::to_string(number);
+    constexpr std::size_t kMostRuns = 3;
+    std::vector<int> numbers = row.otherTools;
+    if (row.tool != nullptr) {
+        numbers.push_back(row.tool->number);
+    }
+    std::ranges::sort(numbers);
+    std::string text;
+    std::size_t runs = 0;
+    for (std::size_t first = 0; first < numbers.size(); ++runs) {
+        text += runs == 0 ? "" : ", ";
+        if (runs == kMostRuns) {
+            return text + "…";
+        }
+        std::size_t last = first;
+        while (last + 1 < numbers.size() && numbers[last + 1] <= numbers[last] + 1) {
+            ++last;
+        }
+        text += std::to_string(numbers[first]);
+        if (last > first) {
+            text += (last == first + 1 ? ", " : "-") + std::to_string(numbers[last]);
+        }
+        first = last + 1;
     }
     return text;
 }

@@ -55,7 +55,8 @@ struct DrillRow {
     std::uint32_t count = 0;
 };
 
-/// The numbers of all tools of a row for people: "1", "1, 2"; empty if it has none.
+/// The numbers of the tools of a row for people: "1", "1, 2", "1-7, 12, …"; empty if it has none. KiCad 9 lists a tool
+/// for every hole.
 [[nodiscard]] std::string toolsText(const DrillRow& row);
 
 /// All holes of the document's own drill and rout layers, by layer, span, kind, shape and sizes. Copies of other steps

@@ -116,6 +116,18 @@ private slots:
         QCOMPARE(model::toolsText(rows[0]), std::string("1, 2"));
     }
 
+    void runsOfToolsAreShort() {
+        model::DrillTool tool;
+        tool.number = 4;
+        model::DrillRow row;
+        QCOMPARE(model::toolsText(row), std::string());
+        row.tool = &tool;
+        row.otherTools = {5, 6, 7, 9, 12, 13};
+        QCOMPARE(model::toolsText(row), std::string("4-7, 9, 12, 13"));
+        row.otherTools.insert(row.otherTools.end(), {20, 21, 22, 30});
+        QCOMPARE(model::toolsText(row), std::string("4-7, 9, 12, 13, …"));
+    }
+
     void whatNoToolSaysOfThePlatingIsAssumed() {
         for (const bool isSaid : {false, true}) {
             Step step;
