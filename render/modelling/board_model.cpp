@@ -252,7 +252,12 @@ std::vector<model::Point> centresOf(const Document& document, const std::vector<
     return centres;
 }
 
-/// Says what the board as fabricated leaves out: once per layer, with the line of the first.
+bool isDrawing(const Layer& layer) {
+    return layer.type == model::LayerType::Document || layer.context == model::LayerContext::Misc;
+}
+
+/// Says what the board as fabricated leaves out: once per layer, with the line of the first. Drawings of the job mostly
+/// reach beyond the board, and nothing is made of them: all of them are one entry.
 void reportMilled(const Document& document, const Milling& milling, BoardModel& out) {
     if (milling.isOutlineDoubtful()) {
         out.diagnostics.report(model::Severity::Warning, {}, 0,
@@ -267,14 +272,21 @@ void reportMilled(const Document& document, const Milling& milling, BoardModel& 
             firsts[layer] = milled.element;
         }
     }
+    std::string drawings;
     for (std::size_t row = 0; row < counts.size(); ++row) {
-        if (counts[row] > 0) {
-            const Layer& layer = document.layers[row];
+        const Layer& layer = document.layers[row];
+        if (counts[row] > 0 && isDrawing(layer)) {
+            drawings += (drawings.empty() ? "" : ", ") + layer.name;
+        } else if (counts[row] > 0) {
             out.diagnostics.report(model::Severity::Info, layer.file, document.elements.line[firsts[row].row()],
                                    "layer " + layer.name + ": " + std::to_string(counts[row]) +
                                        " elements reach beyond the board outline; 3D shows them as they are milled",
                                    firsts[row]);
         }
+    }
+    if (!drawings.empty()) {
+        out.diagnostics.report(model::Severity::Info, {}, 0,
+                               "drawings reach beyond the board outline, where 3D ends them: " + drawings);
     }
 }
 

@@ -189,6 +189,27 @@ private slots:
         QCOMPARE(model.diagnostics.entries()[0].file, std::string("steps/pcb/layers/top/features"));
     }
 
+    void drawingsBeyondTheOutlineAreOneMessage() {
+        DocumentBuilder builder;
+        builder.setProfile(builder.addShape(polygonSketch({{0, 0}, {9 * kMm, 0}, {9 * kMm, 9 * kMm}, {0, 9 * kMm}})));
+        for (const char* const name : {"TOP", "FAB", "NOTES"}) {
+            model::Layer layer;
+            layer.name = name;
+            layer.type = name[0] == 'T' ? model::LayerType::Signal : model::LayerType::Document;
+            builder.beginLayer(builder.addLayer(layer));
+            builder.addCircle({{kMm, kMm}, kMm, 0}, {});
+            builder.addCircle({{9 * kMm, kMm}, kMm, 0}, {});
+        }
+        const BoardModel model = build(*builder.finish());
+        std::vector<std::string> messages;
+        for (const model::Diagnostic& entry : model.diagnostics.entries()) {
+            messages.push_back(entry.text);
+        }
+        QCOMPARE(messages, (std::vector<std::string>{
+                               "Layer TOP: 1 elements reach beyond the board outline; 3D shows them as they are milled",
+                               "Drawings reach beyond the board outline, where 3D ends them: FAB, NOTES"}));
+    }
+
     void cancelledModellingSaysSo() {
         const auto document = readBoard(locations::kSample);
         base::Progress progress;
