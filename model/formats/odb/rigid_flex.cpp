@@ -1,6 +1,9 @@
 #include "model/formats/odb/rigid_flex.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
 
 #include "model/formats/odb/features/features.h"
 #include "model/formats/odb/text/records.h"
@@ -16,17 +19,31 @@ std::size_t rowOfNumber(const Matrix& matrix, std::int64_t number) {
     return static_cast<std::size_t>(found - matrix.layers.begin());
 }
 
-/// How many of the numbers are layers of the stackup when `shift` is added to them.
-std::size_t stackupLayers(const ZoneFile& file, const Matrix& matrix, std::int64_t shift) {
-    std::size_t count = 0;
+/// The rows that the numbers are when `shift` is added to them, those of all zones one after the other.
+std::vector<std::size_t> rowsOfNumbers(const ZoneFile& file, const Matrix& matrix, std::int64_t shift) {
+    std::vector<std::size_t> rows;
     for (const ZoneRecord& zone : file.zones) {
         for (const std::string& word : zone.layers) {
             const auto number = parseInteger(word);
             const std::size_t row = number ? rowOfNumber(matrix, *number + shift) : matrix.layers.size();
-            count += row < matrix.layers.size() && isPhysical(matrix.layers[row]) ? 1 : 0;
+            if (row < matrix.layers.size()) {
+                rows.push_back(row);
+            }
         }
     }
-    return count;
+    return rows;
+}
+
+/// How well numbers with `shift` added to them fit the matrix: how many are layers of the stackup, and then how much
+/// copper is in a zone.
+std::pair<std::size_t, std::size_t> fit(const ZoneFile& file, const Matrix& matrix, std::int64_t shift) {
+    const std::vector<std::size_t> rows = rowsOfNumbers(file, matrix, shift);
+    const auto inStack = std::ranges::count_if(rows, [&](std::size_t row) { return isPhysical(matrix.layers[row]); });
+    std::set<std::size_t> copper;
+    std::ranges::copy_if(rows, std::inserter(copper, copper.end()), [&](std::size_t row) {
+        return matrix.layers[row].isCopper() && isPhysical(matrix.layers[row]);
+    });
+    return {static_cast<std::size_t>(inStack), copper.size()};
 }
 
 /// Which zones with an outline have the layer, one letter for each; empty if all or none have it: it is bounded by
@@ -145,7 +162,7 @@ private:
 
 ZoneRows rowsOfZones(const ZoneFile& file, const Matrix& matrix) {
     ZoneRows result;
-    result.countsFromZero = stackupLayers(file, matrix, 1) >= stackupLayers(file, matrix, 0);
+    result.countsFromZero = fit(file, matrix, 1) >= fit(file, matrix, 0);
     for (const ZoneRecord& zone : file.zones) {
         std::vector<std::size_t>& rows = result.rows.emplace_back();
         for (const std::string& word : zone.layers) {

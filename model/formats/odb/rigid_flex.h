@@ -17,7 +17,8 @@ struct ZoneRows {
 };
 
 /// The numbers of LYR records count the rows of the matrix, and jobs differ in whether they begin with 0 or with 1: the
-/// reading under which more of them are layers of the stackup holds, from 0 in doubt (odb-notes, Rigid-flex).
+/// reading holds under which more of them are layers of the stackup, or else more copper is in a zone, from 0 in doubt
+/// (odb-notes, Rigid-flex).
 [[nodiscard]] ZoneRows rowsOfZones(const ZoneFile& file, const Matrix& matrix);
 
 /// Layer::outlineGroup for every row of Matrix::layers, from what all steps say.

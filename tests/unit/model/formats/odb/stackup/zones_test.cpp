@@ -110,6 +110,10 @@ private slots:
         QCOMPARE(rows("Bot TOP").rows[0], (std::vector<std::size_t>{1, 2}));
         QVERIFY(!rows("BOT").hasNumbers);
         QCOMPARE(rows("1 99 nowhere").unknown.size(), std::size_t{2});
+        add(5, LayerType::SolderMask, "smb");
+        matrix.layers[3].type = LayerType::SolderMask;
+        QVERIFY(!rows("2 3 4").countsFromZero);  // as 3 4 5 would be in the stackup too, but not all copper
+        QVERIFY(rows("1 2 3").countsFromZero);
     }
 
     void layersExistInTheZonesThatHaveThem() {
