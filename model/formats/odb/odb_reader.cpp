@@ -106,6 +106,18 @@ void describe(JobInfo& job, const MiscInfo& info, const formats::FileTree& tree,
     job.step = steps[0].name;
 }
 
+/// Two boards in one folder look like one.
+void reportOthers(const formats::Archive& archive, const formats::FileTree& tree, Diagnostics& diagnostics) {
+    std::string names;
+    for (const std::string& other : otherJobs(archive)) {
+        names += (names.empty() ? "" : ", ") + other;
+    }
+    if (!names.empty()) {
+        diagnostics.report(Severity::Warning, {}, 0,
+                           "several ODB++ jobs lie here; " + tree.name() + " is shown, and not: " + names);
+    }
+}
+
 }  // namespace
 
 std::vector<formats::FormPart> jobsIn(const formats::Archive& archive) {
@@ -135,6 +147,7 @@ base::Result<std::shared_ptr<const Document>> readJob(const formats::Archive& ar
     if (!tree) {
         return inJob(name, tree.error().text);
     }
+    reportOthers(archive, *tree, diagnostics);
     const MiscInfo info = readInfo(*tree, diagnostics);
     const auto matrixFile = tree->read("matrix/matrix", diagnostics);
     if (!matrixFile) {

@@ -1,25 +1,51 @@
 #include "model/formats/odb/text/job_tree.h"
 
+#include <algorithm>
+
 namespace model::odb {
 
-base::Result<formats::FileTree> findJob(const formats::Archive& archive) {
+namespace {
+
+/// Folders that are jobs, as Archive::rows writes them: the shallowest first.
+std::vector<std::string> jobRoots(const formats::Archive& archive) {
     constexpr std::string_view kMatrix = "matrix/matrix";
-    std::optional<std::string> shallowest;
+    std::vector<std::string> roots;
     for (const auto& [path, row] : archive.rows()) {
         const std::string_view plain = path.ends_with(".z") ? std::string_view(path).substr(0, path.size() - 2) : path;
         if (plain != kMatrix && !plain.ends_with("/matrix/matrix")) {
             continue;
         }
         const std::string root(plain.substr(0, plain.size() - kMatrix.size()));
-        if (formats::FileTree(archive, root).hasFolder("steps") && (!shallowest || root.size() < shallowest->size())) {
-            shallowest = root;
+        const bool isNew = std::ranges::find(roots, root) == roots.end();  // a file may have a packed twin
+        if (isNew && formats::FileTree(archive, root).hasFolder("steps")) {
+            roots.push_back(root);
         }
     }
-    if (!shallowest) {
+    std::ranges::stable_sort(
+        roots, {}, [](const std::string& root) { return std::pair(std::ranges::count(root, '/'), root.size()); });
+    return roots;
+}
+
+}  // namespace
+
+base::Result<formats::FileTree> findJob(const formats::Archive& archive) {
+    const std::vector<std::string> roots = jobRoots(archive);
+    if (roots.empty()) {
         return base::Error{base::ErrorCode::BadInput,
                            "this is no ODB++ job: no folder in it holds both matrix/matrix and steps/"};
     }
-    return formats::FileTree(archive, *shallowest);
+    return formats::FileTree(archive, roots.front());
+}
+
+std::vector<std::string> otherJobs(const formats::Archive& archive) {
+    const std::vector<std::string> roots = jobRoots(archive);
+    std::vector<std::string> others;
+    for (const std::string& root : roots) {
+        if (!root.starts_with(roots.front())) {
+            others.push_back(root.substr(0, root.size() - 1));
+        }
+    }
+    return others;
 }
 
 }  // namespace model::odb

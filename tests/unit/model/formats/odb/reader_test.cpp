@@ -460,6 +460,19 @@ private slots:
         QVERIFY(findDiagnostic(d->diagnostics, "no eda/data") != nullptr);
     }
 
+    void ofJobsBesideEachOtherOneIsShownAndTheOthersNamed() {
+        const Folder folder;
+        for (const char* const job : {"deep/er/a/", "second/", "first/", "first/user/copy/"}) {
+            folder.write(std::string(job) + "matrix/matrix", matrixOf({{"SIGNAL", "TOP"}}));
+            folder.write(std::string(job) + "steps/board/profile", "");
+        }
+        const auto d = read(folder.path());
+        const auto* const entry = findDiagnostic(d->diagnostics, "several ODB++ jobs lie here");
+        QVERIFY(entry != nullptr);
+        QCOMPARE(entry->text, std::string("Several ODB++ jobs lie here; first is shown, and not: second, deep/er/a"));
+        QVERIFY(findDiagnostic(read(folder.path() / "first")->diagnostics, "several ODB++ jobs") == nullptr);
+    }
+
     void aMatrixAloneIsABoardWithoutAnything() {
         Folder folder;
         folder.write("matrix/matrix", "");
