@@ -273,9 +273,11 @@ void reportMilled(const Document& document, const Milling& milling, BoardModel& 
         }
     }
     std::string drawings;
+    std::size_t firstDrawing = counts.size();
     for (std::size_t row = 0; row < counts.size(); ++row) {
         const Layer& layer = document.layers[row];
         if (counts[row] > 0 && isDrawing(layer)) {
+            firstDrawing = std::min(firstDrawing, row);
             drawings += (drawings.empty() ? "" : ", ") + layer.name;
         } else if (counts[row] > 0) {
             out.diagnostics.report(model::Severity::Info, layer.file, document.elements.line[firsts[row].row()],
@@ -285,8 +287,10 @@ void reportMilled(const Document& document, const Milling& milling, BoardModel& 
         }
     }
     if (!drawings.empty()) {
-        out.diagnostics.report(model::Severity::Info, {}, 0,
-                               "drawings reach beyond the board outline, where 3D ends them: " + drawings);
+        const model::ElementId first = firsts[firstDrawing];
+        out.diagnostics.report(model::Severity::Info, document.layers[firstDrawing].file,
+                               document.elements.line[first.row()],
+                               "drawings reach beyond the board outline, where 3D ends them: " + drawings, first);
     }
 }
 
