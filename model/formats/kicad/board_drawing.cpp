@@ -253,9 +253,6 @@ private:
     }
 
     void takeText(const Item& item) {
-        if (isHidden(item)) {
-            return;
-        }
         const std::optional<PointD> at = point(item, "at");
         if (!at) {
             m_canvas.report(Severity::Warning, item.line(), "a text has no place; it was left out");

@@ -120,7 +120,7 @@ public:
 private:
     void drawTexts(const Variables& variables) {
         for (const Item item : m_item) {
-            if (item.head() != "gr_text" || isHidden(item)) {
+            if (item.head() != "gr_text") {
                 continue;
             }
             const std::optional<PointD> at = point(item, "at");

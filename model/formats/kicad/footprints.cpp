@@ -317,7 +317,7 @@ private:
 
     void addText(const Item& item) {
         const std::optional<PointD> at = point(item, "at");
-        const bool isFact = item.head() == "property" && !(at && item.find("effects").isThere());
+        const bool isFact = item.head() == "property" && !(at && item.find("layer").isThere());
         if (isFact || isHidden(item)) {
             return;
         }

@@ -231,9 +231,6 @@ void drawTextBox(Canvas& canvas, const Item& item, const Frame& frame, const Var
         canvas.report(Severity::Warning, item.line(), "a text box has no place; it was left out");
         return;
     }
-    if (isHidden(item)) {
-        return;
-    }
     drawBoxedText(canvas, item, *box, frame, variables, origin);
     const Item border = item.find("border");
     if ((border.isThere() && border.word(1) == "no") || penOf(item) < 0.0) {

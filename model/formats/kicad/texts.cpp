@@ -16,6 +16,8 @@ namespace model::kicad {
 
 namespace {
 
+constexpr double kUnsaidSize = 1.524e6;      ///< KiCad 4 and older write no size that is 60 mil
+constexpr double kBareSize = 1.27e6;         ///< of texts without effects
 constexpr double kPenOfHeight = 1 / 8.0;     ///< where a text names no pen
 constexpr double kBoldPen = 1 / 5.0;         ///< the same of bold texts
 constexpr double kThickest = 0.25;           ///< of the smaller size
@@ -184,7 +186,8 @@ std::string withNewBars(std::string_view text) {
 void reportStyle(Canvas& canvas, const Item& item) {
     const Item effects = item.find("effects");
     if (!effects.isThere()) {
-        canvas.report(Severity::Warning, item.line(), "a text does not say how large it is; it is drawn 1 mm high");
+        canvas.report(Severity::Info, item.line(),
+                      "a text does not say how large it is; it is drawn 1.27 mm high, as KiCad does");
     }
     const std::string face = effects.find("font").find("face").text(1);
     if (!face.empty() && face != kStrokeFont && !item.find("render_cache").isThere()) {
@@ -204,10 +207,10 @@ TextStyle styleOf(const Item& item) {
     TextStyle style;
     const Item effects = item.find("effects");
     const Item font = effects.find("font");
-    if (const std::optional<PointD> given = size(font, "size")) {
-        style.height = std::abs(given->x);
-        style.width = std::abs(given->y);
-    }
+    const double unsaid = effects.isThere() ? kUnsaidSize : kBareSize;
+    const PointD given = size(font, "size").value_or(PointD{unsaid, unsaid});
+    style.height = std::abs(given.x);
+    style.width = std::abs(given.y);
     const double smaller = std::min(style.height, style.width);
     style.pen = length(font, "thickness");
     style.pen = style.pen > 0.0 ? style.pen : smaller * (font.isSet("bold") ? kBoldPen : kPenOfHeight);

@@ -29,10 +29,11 @@ struct TextPlace {
     std::vector<PointD> box{};  ///< what a knockout text is cut out of, on the board; empty: the box around the text
 };
 
-/// What (effects …) of an item says.
+/// What (effects …) of an item says; what it leaves out is as KiCad takes it.
 [[nodiscard]] TextStyle styleOf(const Item& item);
 
-/// Is it there to be seen? (hide yes), hide, (effects … hide).
+/// Of texts and fields of footprints: are they not drawn? (hide yes), hide, (effects … hide). Of all other texts KiCad
+/// ignores the word: it draws and plots them.
 [[nodiscard]] bool isHidden(const Item& item);
 
 /// Draws it: the polygons that KiCad keeps of outline fonts, else strokes of KiCad's own font, as a group of features;

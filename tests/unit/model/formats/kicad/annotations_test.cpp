@@ -84,6 +84,16 @@ Box boxOfText(std::string_view text) {
     return box;
 }
 
+/// How high what lies on the top copper is, from middle to middle of its lines.
+std::int64_t heightOf(const DrawnJob& job) {
+    Box box;
+    for (const DrawnFeature& feature : on(job, "F.Cu")) {
+        box.include(feature.a);
+        box.include(feature.b);
+    }
+    return box.height();
+}
+
 double mm2(const ShapeSketch& sketch) {
     return static_cast<double>(twiceArea(polygonsOf(sketch, {Discretisation::kMinChordNm, false}))) / 2e12;
 }
@@ -231,23 +241,38 @@ private slots:
     }
 
     void linesKeepTheirSpacing() {
-        const auto heightOf = [](const std::string& font) {
-            const DrawnJob job = boardWith(boardText("I\\nI", font));
-            Box box;
-            for (const DrawnFeature& feature : on(job, "F.Cu")) {
-                box.include(feature.a);
-                box.include(feature.b);
-            }
-            return box.height();
-        };
-        QCOMPARE(heightOf("(size 1 1) (line_spacing 2)") - heightOf("(size 1 1)"), std::int64_t{1'610'000});
+        const auto spaced = [](const std::string& font) { return heightOf(boardWith(boardText("I\\nI", font))); };
+        QCOMPARE(spaced("(size 1 1) (line_spacing 2)") - spaced("(size 1 1)"), std::int64_t{1'610'000});
     }
 
-    void textsWithoutASizeAreReported() {
-        const std::string text = "user \"a\" (at 0 0) (layer \"F.Cu\")";
-        const DrawnJob job = boardWith(footprintWith("(fp_text " + text + ")"));
+    void sizesThatOldBoardsLeaveOutAreSixtyMils() {
+        const DrawnJob unsaid = boardWith(boardText("I", "(thickness 0.2)"), "", "4");
+        QCOMPARE(heightOf(unsaid), heightOf(boardWith(boardText("I", "(size 1.524 1.524) (thickness 0.2)"))));
+        QCOMPARE(messages(unsaid.diagnostics, "how large"), 0U);
+    }
+
+    void textsWithoutEffectsAreReported() {
+        const DrawnJob job = boardWith(footprintWith("(fp_text user \"I\" (at 0 0) (layer \"F.Cu\"))"));
+        QCOMPARE(textsOf(job), (std::vector<std::string>{"I"}));
+        QCOMPARE(heightOf(job), heightOf(boardWith(boardText("I", "(size 1.27 1.27)"))));
+        QCOMPARE(messages(job.diagnostics, "1.27 mm high"), 1U);
+    }
+
+    void onlyTextsOfFootprintsCanBeHidden() {
+        const std::string hidden = " (layer \"F.Cu\") (effects (font (size 1 1)) hide))";
+        const DrawnJob job =
+            boardWith("(gr_text \"a\" (at 1 1)" + hidden + "(gr_text_box \"b\" (start 0 0) (end 9 9)" + hidden +
+                      "(dimension (type leader) (layer \"F.Cu\") (pts (xy 0 0) (xy 1 0)) (gr_text \"c\" (at 1 1)" +
+                      hidden + ")" + footprintWith("(fp_text user \"d\" (at 0 0)" + hidden));
+        QCOMPARE(textsOf(job), (std::vector<std::string>{"a", "b", "c"}));
+    }
+
+    void fieldsWithAPlaceAreDrawn() {
+        const std::string placed = "(at 0 0) (layer \"F.Cu\")";
+        const DrawnJob job =
+            boardWith(footprintWith("(property \"Part\" \"a\" " + placed +
+                                    ")(property \"Sheet\" \"b\")(property \"Maker\" \"c\" " + placed + "(hide yes))"));
         QCOMPARE(textsOf(job), (std::vector<std::string>{"a"}));
-        QCOMPARE(messages(job.diagnostics, "how large"), 1U);
     }
 
     void whatCannotBeDrawnIsReported() {
