@@ -60,6 +60,23 @@ void openMask(Canvas& canvas, const Item& via, const Origin& origin, PointD at, 
     }
 }
 
+constexpr std::array<const char*, 3> kPartialTypes = {"blind", "buried", kMicroviaType};
+
+/// The copper that a via passes. One without a type goes through the board whatever layers it names, as in KiCad.
+std::vector<std::int32_t> spanOf(Canvas& canvas, const Item& via) {
+    const BoardLayers& layers = canvas.layers();
+    const Item names = via.find("layers");
+    std::vector<std::int32_t> span = layers.span(layers.row(names.word(1)), layers.row(names.word(2)));
+    const bool isPartial = std::ranges::any_of(kPartialTypes, [&](const char* type) { return via.hasWord(type); });
+    if (isPartial || span.size() == layers.copper().size()) {
+        return span;
+    }
+    canvas.report(Severity::Info, via.line(),
+                  "a via names other layers than the outer ones, but is not called blind or buried; it goes through "
+                  "the whole board");
+    return layers.copper();
+}
+
 /// A via that is called a microvia and does not end on the next layer counts as what it is.
 void reportMicrovia(Canvas& canvas, const Item& via, const std::vector<std::int32_t>& span) {
     const BoardLayers& layers = canvas.layers();
@@ -99,8 +116,7 @@ void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
         return;
     }
     BoardLayers& layers = canvas.layers();
-    const Item names = via.find("layers");
-    const std::vector<std::int32_t> span = layers.span(layers.row(names.word(1)), layers.row(names.word(2)));
+    const std::vector<std::int32_t> span = spanOf(canvas, via);
     if (span.empty()) {
         return;
     }
@@ -109,7 +125,7 @@ void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
     origin.net = canvas.netOf(via);
     origin.subnet = SubnetKind::Via;
     origin.plating = Plating::Via;
-    for (const char* type : {"blind", "buried", kMicroviaType}) {
+    for (const char* type : kPartialTypes) {
         if (via.hasWord(type)) {
             origin.attributes = canvas.attributes({{kViaType, type}});
         }

@@ -7,7 +7,7 @@
 namespace model::kicad {
 
 /// (via …): its copper, its hole from layer to layer and its back-drills, and openings of the solder mask where it is
-/// not tented.
+/// not tented. Only what is called blind, buried or a microvia ends on the layers it names.
 void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via);
 
 /// What else protects the holes of a via, or in the setup those of all (KiCad 10), is reported: (capping yes), (filling

@@ -180,6 +180,19 @@ private slots:
         QCOMPARE(on(boardWith(via + other), "In1.Cu").size(), std::size_t{1});
     }
 
+    void onlyViasWithATypeEndOnTheLayersTheyName() {
+        const std::string via = " (at 1 1) (size 0.6) (drill 0.3) (layers \"F.Cu\" \"In1.Cu\") (net 1))";
+        const DrawnJob through = boardWith("(via" + via);
+        QCOMPARE(on(through, "B.Cu").size(), std::size_t{1});
+        QCOMPARE(on(through, "drill_plated_F.Cu-B.Cu").size(), std::size_t{1});
+        QCOMPARE(messages(through.diagnostics, "not called blind"), 1U);
+        for (const char* type : {"blind", "buried", "micro"}) {
+            const DrawnJob partial = boardWith("(via " + std::string(type) + via);
+            QCOMPARE(on(partial, "B.Cu").size(), std::size_t{0});
+            QCOMPARE(messages(partial.diagnostics, "not called blind"), 0U);
+        }
+    }
+
     void viasAreTentedUnlessSaidOtherwise() {
         const std::string via = "(via (at 1 1) (size 0.6) (drill 0.3) (layers \"F.Cu\" \"B.Cu\") (net 1) ";
         QCOMPARE(on(boardWith(via + ")"), "F.Mask").size(), std::size_t{0});
