@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "model/board/diagnostic_facts.h"
 #include "model/design_rules/bridged.h"
 #include "model/geometry/discretise.h"
 #include "model/solids/region_distance.h"
@@ -378,7 +379,9 @@ void checkToHoles(RuleContext& context, LayerId layer) {
 }
 
 void checkToEdge(RuleContext& context, LayerId layer, const LayerGeometry& copper) {
-    if (!context.document().profile.isValid() || !context.isWanted(RuleKind::CopperToEdge, layer)) {
+    const bool hasEdge =
+        context.document().profile.isValid() && !isOutlineAssumed(context.document().diagnostics);  // else: unchecked
+    if (!hasEdge || !context.isWanted(RuleKind::CopperToEdge, layer)) {
         return;
     }
     EdgeSpacings(context, layer, copper).check();

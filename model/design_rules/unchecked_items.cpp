@@ -157,12 +157,14 @@ private:
     }
 
     void addEdges() {
-        if (!m_document.profile.isValid()) {
-            add(RuleKind::Creepage, copperCount(), "copper element", "copper elements", "the board has no outline");
-            add(RuleKind::CopperToEdge, copperCount(), "copper element", "copper elements", "the board has no outline");
+        const bool hasOutline = m_document.profile.isValid();
+        if (!hasOutline || isOutlineAssumed(m_document.diagnostics)) {
+            const char* why = hasOutline ? "the outline of the board is assumed" : "the board has no outline";
+            add(RuleKind::Creepage, copperCount(), "copper element", "copper elements", why);
+            add(RuleKind::CopperToEdge, copperCount(), "copper element", "copper elements", why);
         }
-        const auto hasOutline = [](const Layer& layer) { return layer.isCopper() && layer.profile.isValid(); };
-        add(RuleKind::CopperToEdge, static_cast<std::size_t>(std::ranges::count_if(m_document.layers, hasOutline)),
+        const auto hasOwn = [](const Layer& layer) { return layer.isCopper() && layer.profile.isValid(); };
+        add(RuleKind::CopperToEdge, static_cast<std::size_t>(std::ranges::count_if(m_document.layers, hasOwn)),
             "copper layer", "copper layers", "the outline of the layer itself is not held against its copper");
     }
 

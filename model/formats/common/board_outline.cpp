@@ -3,6 +3,7 @@
 #include <numeric>
 #include <string>
 
+#include "model/board/diagnostic_facts.h"
 #include "model/formats/common/element_regions.h"
 #include "model/geometry/outlines.h"
 #include "model/solids/shells/area_shell.h"
@@ -100,9 +101,9 @@ void setOutline(DocumentBuilder& builder, std::optional<ShapeSketch> sketch, std
     if (!sketch || !fitsCopper(*sketch, builder.soFar())) {
         const std::string why = sketch ? "the profile does not enclose the copper" : std::string(whyNone);
         sketch = outlineOfCopper(builder.soFar());
-        builder.diagnostics().report(Severity::Warning, file, 0,
-                                     why + (sketch ? "; the box around all copper is used as the board's outline"
-                                                   : "; the board has no outline"));
+        builder.diagnostics().report(
+            Severity::Warning, file, 0,
+            why + "; " + (sketch ? std::string(kBoxAsOutline) : std::string("the board has no outline")));
     }
     if (sketch) {
         builder.setProfile(builder.addShape(*sketch));

@@ -4,6 +4,7 @@
 #include <QtTest>
 #include <numbers>
 
+#include "model/board/diagnostic_facts.h"
 #include "tests/unit/model/design_rules/rule_board.h"
 #include "tests/unit/model/hand_made.h"
 
@@ -112,6 +113,20 @@ private slots:
         const RuleReport report = check(*board.builder.finish(), RuleKind::CopperToEdge, 200 * kUm);
         QCOMPARE(report.findings.size(), std::size_t{2});
         QCOMPARE(report.findings.back().spacing.distance, 0.0);
+    }
+
+    /// The box around the copper touches what it is around.
+    void nothingIsHeldAgainstAnOutlineThatIsAssumed() {
+        Board board;
+        addOutline(board);
+        board.builder.diagnostics().report(model::Severity::Warning, "", 0,
+                                           "none is drawn; " + std::string(model::kBoxAsOutline));
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{20 * kMm, 8 * kMm}, 100 * kUm, 0}, of(board.a));
+        const RuleReport report = check(*board.builder.finish(), RuleKind::CopperToEdge, 200 * kUm);
+        QVERIFY(report.isPassed() && !report.isComplete());
+        QCOMPARE(model::textOf(report.unchecked.at(0)),
+                 std::string("1 copper element: the outline of the board is assumed"));
     }
 
     /// Frames and coupons beside a board are none of its copper.
