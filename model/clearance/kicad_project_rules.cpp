@@ -355,16 +355,30 @@ ClassOfNets classFrom(const SExpression& list) {
     return one;
 }
 
+/// Of a board of KiCad 4 or 5 its own, of others those of the project beside it. A .kicad_pro beside an old board is
+/// what a newer KiCad made of it without saving the board: KiCad goes by the board until that is saved, too.
+std::optional<FileOfProject> boardAndProject(const fs::path& board) {
+    const fs::path project = fs::path(board).replace_extension(".kicad_pro");
+    std::optional<FileOfProject> own = isOldBoard(board) ? readFile(board, parseKicadBoardRules) : std::nullopt;
+    if (!own || (!own->damage && own->rules.table.rules.empty())) {
+        std::optional<FileOfProject> beside = readFile(project, parseKicadProjectRules);
+        return beside ? std::move(beside) : std::move(own);
+    }
+    std::error_code error;
+    if (fs::is_regular_file(project, error)) {
+        own->rules.unused.push_back(project.filename().string() +
+                                    ": the board is of KiCad 4 or 5 and holds its rules itself; these are not used");
+    }
+    return own;
+}
+
 /// What lies beside a board, or an older one holds itself, as one.
 std::optional<FileOfProject> projectOf(const fs::path& board) {
     if (board.extension() != ".kicad_pcb") {
         return {};
     }
     const auto beside = [&](const char* extension) { return fs::path(board).replace_extension(extension); };
-    std::optional<FileOfProject> project = readFile(beside(".kicad_pro"), parseKicadProjectRules);
-    if (!project && isOldBoard(board)) {
-        project = readFile(board, parseKicadBoardRules);
-    }
+    std::optional<FileOfProject> project = boardAndProject(board);
     std::optional<FileOfProject> custom = readFile(beside(".kicad_dru"), parseKicadRules);
     if (!custom) {
         return project;

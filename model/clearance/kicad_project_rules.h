@@ -20,9 +20,9 @@ namespace model {
 [[nodiscard]] base::Result<RuleFile> parseKicadBoardRules(std::string_view board);
 
 /// Rules of the project that a board of KiCad belongs to: of the .kicad_pro beside it, with those of the .kicad_dru,
-/// which go before them; of an older board its own. A file that is damaged is left out and named, and so is the project
-/// that custom rules lack. There may be no rules but only what is left out. None for what is no such board, or has
-/// nothing of the kind.
+/// which go before them; of an older board its own, if it holds any, whatever lies beside it. A file that is damaged is
+/// left out and named, and so is the project that custom rules lack. There may be no rules but only what is left out.
+/// None for what is no such board, or has nothing of the kind.
 [[nodiscard]] std::optional<RuleFile> kicadRulesOf(const std::filesystem::path& board);
 
 /// The same where they are asked for. Errors: BadInput, with the file: one is damaged, or there is none.

@@ -163,8 +163,8 @@ private slots:
     void aBoardHasTheRulesOfItsProject() {
         QTemporaryDir folder;
         const fs::path board = fs::path(folder.path().toStdString()) / "b.kicad_pcb";
-        write(board, kOldBoard);
-        QVERIFY(model::kicadRulesOf(board)->table.classes.front().name == "Motor");
+        write(board, "(kicad_pcb (version 20211014))");
+        QVERIFY(!model::kicadRulesOf(board));
         write(fs::path(board).replace_extension(".kicad_pro"), kProject);
         QVERIFY(model::kicadRulesOf(board)->table.classes.front().name == "Power");
         const std::size_t count = model::kicadRulesOf(board)->table.rules.size();
@@ -193,6 +193,21 @@ private slots:
         fs::remove(fs::path(board).replace_extension(".kicad_dru"));
         QVERIFY(!model::kicadRulesOf(board));
         QVERIFY(!model::readRules(board));
+    }
+
+    void anOldBoardWithAProjectGoesByItself() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "b.kicad_pcb";
+        write(board, kOldBoard);
+        const model::RuleFile alone = *model::kicadRulesOf(board);
+        QCOMPARE(alone.table.classes.front().name, std::string("Motor"));
+        QVERIFY(alone.unused.empty());
+        write(fs::path(board).replace_extension(".kicad_pro"), kProject);
+        const model::RuleFile both = *model::kicadRulesOf(board);
+        QVERIFY(both.table == alone.table);
+        QVERIFY(both.unused.front().starts_with("b.kicad_pro: the board is of KiCad 4 or 5"));
+        write(board, "(kicad_pcb (version 4))");  // it says nothing
+        QCOMPARE(model::kicadRulesOf(board)->table.classes.front().name, std::string("Power"));
     }
 
     void customRulesThatCannotBeUsedAreNamed() {
