@@ -29,8 +29,14 @@ Sort sortOf(char c) {
     return kSorts[static_cast<unsigned char>(c)];
 }
 
+/// Only a blank or a parenthesis ends a word: KiCad 4 and 5 write 0.062" without quotes around it.
+bool isInWord(char c) {
+    const Sort sort = sortOf(c);
+    return sort == Sort::Word || sort == Sort::Quote;
+}
+
 const char* endOfWord(const char* at, const char* end) {
-    while (at < end && kSorts[static_cast<unsigned char>(*at)] == Sort::Word) {
+    while (at < end && isInWord(*at)) {
         ++at;
     }
     return at;

@@ -94,6 +94,18 @@ private slots:
         QCOMPARE(diagnostics.count(Severity::Warning), std::size_t{1});
     }
 
+    void aQuoteWithinAWordBelongsToIt() {
+        Diagnostics diagnostics;
+        BoardItems items("(kicad_pcb (a 0.062\" (b \"c\")) (d x\"y\"z))", "file", diagnostics);
+        Item item;
+        QVERIFY(items.next(item));
+        QCOMPARE(item.text(1), std::string("0.062\""));
+        QCOMPARE(item.find("b").text(1), std::string("c"));
+        QVERIFY(items.next(item));
+        QCOMPARE(item.text(1), std::string("x\"y\"z"));
+        QVERIFY(diagnostics.entries().empty());
+    }
+
     void depthCostsNoStack() {
         Diagnostics diagnostics;
         const std::string text = "(kicad_pcb " + std::string(1'000'000, '(') + std::string(1'000'000, ')') + " (b))";
