@@ -33,6 +33,8 @@ constexpr Kind kKinds[] = {
     {"(kicad_pcb", "a KiCad board"},
     {"(kicad_", "a KiCad file"},
     {"(footprint", "a KiCad footprint"},
+    {"(module", "a KiCad footprint"},
+    {"PCBNEW-BOARD", "a board from before KiCad 4 (KiCad saves it as .kicad_pcb)"},
     {"%FS", "a Gerber file"},
     {"%TF", "a Gerber file"},
     {"%MO", "a Gerber file"},
@@ -44,6 +46,8 @@ constexpr Kind kKinds[] = {
     {"<", "an SVG drawing", "<svg"},
     {"<", "a web page", "<html"},
     {"<", "an XML file"},
+    {"{", "a KiCad project (its board is the .kicad_pcb beside it)", "\"3dviewports\""},
+    {"{", "a KiCad project (its board is the .kicad_pcb beside it)", "\"design_settings\""},
     {"{", "a JSON file"},
 };
 

@@ -84,6 +84,10 @@ private slots:
         QTest::addRow("picture") << QByteArray("\x89PNG\r\n\x1a\n\0\0", 10)
                                  << "a PNG picture, which begins with 89 50 4E 47 0D 0A 1A 0A;";
         QTest::addRow("KiCad") << QByteArray("(kicad_sch (version 20211014)") << "which begins with \"(kicad_sch";
+        QTest::addRow("KiCad project") << QByteArray("{\n  \"board\": {\n    \"design_settings\": {}}}")
+                                       << "its board is the .kicad_pcb beside it";
+        QTest::addRow("JSON") << QByteArray("{\"board\": 1}") << "a JSON file";
+        QTest::addRow("old KiCad") << QByteArray("PCBNEW-BOARD Version 1\n") << "a board from before KiCad 4";
         QTest::addRow("Gerber") << QByteArray("%FSLAX46Y46*%\n%MOMM*%\n")
                                 << "a Gerber file, which begins with \"%FSLAX46Y46*%\"";
         QTest::addRow("Gerber with a comment") << QByteArray("G04 top*\n%FSLAX46Y46*%\n") << "a Gerber file";
