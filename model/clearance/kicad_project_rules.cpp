@@ -468,6 +468,40 @@ std::optional<RuleFile> kicadRulesFor(const fs::path& path, const Document& boar
 
 namespace {
 
+/// "[PN]", but not "[3]", which names of nets have.
+bool hasSetOfLetters(std::string_view pattern) {
+    const std::size_t open = pattern.find('[');
+    const std::size_t close = pattern.find(']', std::min(open, pattern.size()));
+    return close != std::string_view::npos &&
+           pattern.substr(open + 1, close - open - 1).find_first_not_of("0123456789") != std::string_view::npos;
+}
+
+/// KiCad takes each pattern for a regular expression too. Is it one rather than the name of a net of another board?
+bool looksLikeRegularExpression(std::string_view pattern) {
+    constexpr std::string_view kMarks[] = {".*", ".+", "|", "\\"};
+    return pattern.starts_with('^') || pattern.ends_with('$') || hasSetOfLetters(pattern) ||
+           std::ranges::any_of(kMarks, [&](std::string_view mark) { return pattern.find(mark) != pattern.npos; });
+}
+
+bool fitsAnyNet(const Document& board, std::string_view pattern) {
+    return std::ranges::any_of(board.nets, [&](const Net& net) { return fitsWildcard(net.name, pattern); });
+}
+
+/// Names the patterns of classes that may fit nets in a way that is not read. The classes that have them.
+std::set<std::string> leaveOutRegularExpressions(RuleFile& file, const Document& board) {
+    std::set<std::string> classes;
+    for (const NetClass& one : file.table.classes) {
+        for (const std::string& pattern : one.nets) {
+            if (looksLikeRegularExpression(pattern) && !fitsAnyNet(board, pattern)) {
+                file.leftOut.push_back(
+                    {"pattern " + pattern + " of net class " + one.name + ", a regular expression, is left out"});
+                classes.insert(one.name);
+            }
+        }
+    }
+    return classes;
+}
+
 /// Projects are carried from board to board with the nets of older ones: those are no faults.
 void leaveOutStrays(std::vector<NetClass>& classes, const RuleTable& table, const RuleChoice& choice) {
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
@@ -488,6 +522,7 @@ void leaveOutUnusedClasses(RuleFile& file, const Document& board) {
     }
     const RuleTable all = file.table;
     const RuleChoice choice(board, all);
+    const std::set<std::string> unread = leaveOutRegularExpressions(file, board);
     leaveOutStrays(file.table.classes, all, choice);
     std::set<std::string> unused;
     file.table.rules.clear();
@@ -498,6 +533,7 @@ void leaveOutUnusedClasses(RuleFile& file, const Document& board) {
         }
         unused.insert(empty.begin(), empty.end());
     }
+    std::erase_if(unused, [&](const std::string& name) { return unread.contains(name); });
     for (const std::string& name : unused) {
         const bool isName = name.starts_with(kNetPrefix);
         file.unused.push_back("no net of the board fits " +

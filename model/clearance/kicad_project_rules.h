@@ -33,8 +33,8 @@ namespace model {
 
 /// Of rules of KiCad: takes away those for net classes and names that no net of the board fits, which ask for nothing
 /// there, and names them in `unused`; and out of other classes the names that no net has. Projects carry classes from
-/// board to board. A board without nets keeps all:
-/// there it is the board that lacks something.
+/// board to board. Patterns that are regular expressions, which KiCad knows too, are left out. A board without nets
+/// keeps all: there it is the board that lacks something.
 void leaveOutUnusedClasses(RuleFile& file, const Document& board);
 
 }  // namespace model

@@ -284,6 +284,23 @@ private slots:
         QCOMPARE(
             std::ranges::count(fitting.unused, "no net of the board fits the name CLK*; its rules ask for nothing"), 1);
 
+        // What KiCad would read as regular expressions is not taken for names.
+        model::RuleFile regular = all;
+        for (const char* pattern : {"/bus/.*", "D[PN]", "^X", "D[3]", "N$1", "/A"}) {
+            regular.table.classes.push_back({std::string("C ") + pattern, {pattern}});
+            regular.table.rules.push_back({RuleKind::TrackWidth, 1, {std::string("C ") + pattern}});
+        }
+        model::leaveOutUnusedClasses(regular, board);
+        const std::vector<std::string> leftOut = textsOf(regular.leftOut);
+        QCOMPARE(leftOut.size(), all.leftOut.size() + 3);
+        QCOMPARE(leftOut.back(), std::string("pattern ^X of net class C ^X, a regular expression, is left out"));
+        QCOMPARE(std::ranges::count(regular.unused,
+                                    "no net of the board fits net class C /bus/.*; its rules ask for nothing"),
+                 0);
+        QCOMPARE(
+            std::ranges::count(regular.unused, "no net of the board fits net class C D[3]; its rules ask for nothing"),
+            1);
+
         // Nor is a name of a class amiss that older boards had.
         fitting = all;
         fitting.table.classes.push_back({"Mixed", {"GND", "OLD_5V"}});
