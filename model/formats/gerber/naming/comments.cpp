@@ -18,6 +18,7 @@ struct AllegroClasses {
     int silks = 0;
     int assemblies = 0;
     int drawings = 0;
+    int tables = 0;  ///< of holes and layers: what only fabrication drawings show
     int outlines = 0;
     std::string etchName;
     std::vector<std::string> keepouts;  ///< copper layers, as films with keepouts list them: from the bottom
@@ -48,6 +49,7 @@ void readAllegro(std::string_view text, AllegroClasses& classes) {
     classes.silks += has("SILKSCREEN") || has("AUTOSILK") ? 1 : 0;
     classes.assemblies += has("ASSEMBLY") ? 1 : 0;
     classes.drawings += kind == "DRAWING FORMAT" || (kind == "MANUFACTURING" && !has("AUTOSILK")) ? 1 : 0;
+    classes.tables += has("NCLEGEND") || has("NCDRILL_LEGEND") || has("XSECTION_CHART") || has("STACKUP") ? 1 : 0;
     classes.outlines += has("DESIGN_OUTLINE") || layer == "OUTLINE" || has("CUTOUT") ? 1 : 0;
     const bool isSided = has("SOLDERMASK") || has("PASTEMASK") || has("SILK") || has("ASSEMBLY");
     if (isSided && classes.side == LayerSide::None) {
@@ -60,7 +62,10 @@ std::optional<FileRole> roleOf(const AllegroClasses& classes) {
     role.source = RoleSource::Comment;
     role.side = classes.side;
     const bool isAssembly = classes.assemblies > 0 && classes.assemblies >= classes.silks;
-    if (isAssembly || (classes.drawings > 1 && classes.etch == 0)) {
+    // Any film may have a frame and a title; one that shows nothing else, or tables, is a drawing.
+    const bool isOfBoard = classes.masks > 0 || classes.pastes > 0 || classes.silks > 0;
+    const bool isDrawing = classes.drawings > 1 && classes.etch == 0 && (classes.tables > 0 || !isOfBoard);
+    if (isAssembly || isDrawing) {
         role.kind = Kind::Document;
     } else if (classes.etch == 1) {
         role.kind = Kind::Copper;

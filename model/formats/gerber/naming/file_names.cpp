@@ -70,7 +70,16 @@ constexpr Words kWords[] = {
     {{"OUTLINE"}, Kind::Profile},
     {{"OUTLLINE"}, Kind::Profile},
     {{"PROFILE"}, Kind::Profile},
+    {{"TOPDIMENSION"}, Kind::Document, kTop},  // DipTrace: lengths with arrows
+    {{"BOTTOMDIMENSION"}, Kind::Document, kBottom},
     {{"DIMENSION"}, Kind::Profile},
+    {{"PCB_EDGES"}, Kind::Profile},  // KiCad until 2013
+    {{"DOCUMENT"}, Kind::Document},  // EasyEDA's layers that are no part of a board
+    {{"COMPONENTSHAPE"}, Kind::Document},
+    {{"LEADSHAPE"}, Kind::Document},
+    {{"COMPONENTMARKING"}, Kind::Document},
+    {{"3DMODEL"}, Kind::Document},
+    {{"PLACEMENT"}, Kind::Document},
     {{"DRILL", "DRAW"}, Kind::Document},
     {{"DRILL", "MAP"}, Kind::Document},
     {{"DRILL", "GUIDE"}, Kind::Document},
@@ -103,6 +112,13 @@ constexpr Words kWords[] = {
     {{"RESIST-B"}, Kind::SolderMask, kBottom},
     {{"SYMBOL-A"}, Kind::Legend, kTop},
     {{"SYMBOL-B"}, Kind::Legend, kBottom},
+    {{"SILKSCMP"}, Kind::Legend, kTop},  // KiCad until 2013: component and copper side
+    {{"SILKSCOP"}, Kind::Legend, kBottom},
+    {{"MASKCMP"}, Kind::SolderMask, kTop},
+    {{"MASKCOP"}, Kind::SolderMask, kBottom},
+    {{"SOLDPCMP"}, Kind::Paste, kTop},
+    {{"SOLDPCOP"}, Kind::Paste, kBottom},
+    {{"SOLDP_"}, Kind::Paste},
     {{"PASTE"}, Kind::Paste},
     {{"STENCIL"}, Kind::Paste},
     {{"SOLDERMASK"}, Kind::SolderMask},
@@ -145,6 +161,15 @@ constexpr Words kWords[] = {
     {{"POWER"}, Kind::Copper},
 };
 
+/// Copper that is called by nothing but its side: gEDA's layers, and KiCad's until 2013. These words count only where
+/// they stand alone, and where none of the others is there.
+struct SideWord {
+    std::string_view word;
+    LayerSide side;
+};
+
+constexpr std::array kSideWords = {SideWord{"FRONT", kTop}, SideWord{"BACK", kBottom}, SideWord{"COMPONENT", kTop}};
+
 bool isLetter(char c) {
     return c >= 'A' && c <= 'Z';
 }
@@ -155,6 +180,25 @@ bool hasAlone(std::string_view text, std::string_view word) {
         const std::size_t end = at + word.size();
         const bool begins = at == 0 || !isLetter(word.front()) || !isLetter(text[at - 1]);
         if (begins && (end == text.size() || !isLetter(text[end]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// "ROUT", but not that of "ROUTER", which is what a board may be.
+bool hasWord(std::string_view text, std::string_view word) {
+    std::size_t at = text.find(word);
+    while (at != std::string_view::npos && word == "ROUT" && text.substr(at).starts_with("ROUTER")) {
+        at = text.find(word, at + 1);
+    }
+    return at != std::string_view::npos;
+}
+
+/// A word that may be part of a longer one, but begins where no letter stands before it: "F_", but not that of "ELF_".
+bool hasBeginning(std::string_view text, std::string_view word) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        if (at == 0 || !isLetter(text[at - 1])) {
             return true;
         }
     }
@@ -173,12 +217,12 @@ bool hasTop(std::string_view name) {
 
 LayerSide sideOfName(std::string_view name) {
     const auto has = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
-    if (hasTop(name) || has("F_") || has("F.") || has("FRONT") || hasAlone(name, "PRIMARY") || hasAlone(name, "PRM") ||
-        hasAlone(name, "CS") || hasAlone(name, "COMP")) {
+    if (hasTop(name) || hasBeginning(name, "F_") || hasBeginning(name, "F.") || has("FRONT") ||
+        hasAlone(name, "PRIMARY") || hasAlone(name, "PRM") || hasAlone(name, "CS") || hasAlone(name, "COMP")) {
         return kTop;
     }
-    if (has("BOT") || has("B_") || has("B.") || has("BACK") || hasAlone(name, "SECONDARY") || hasAlone(name, "SEC") ||
-        hasAlone(name, "PS") || hasAlone(name, "SOLD")) {
+    if (has("BOT") || hasBeginning(name, "B_") || hasBeginning(name, "B.") || has("BACK") ||
+        hasAlone(name, "SECONDARY") || hasAlone(name, "SEC") || hasAlone(name, "PS") || hasAlone(name, "SOLD")) {
         return kBottom;
     }
     return LayerSide::None;
@@ -244,8 +288,12 @@ std::optional<FileRole> roleOfEnding(std::string_view ending) {
         return role;
     }
     const std::size_t letters = ending.find_first_of("0123456789");
-    const int number = letters == std::string_view::npos ? 0 : parseInteger(ending.substr(letters)).value_or(0);
     const std::string_view word = ending.substr(0, letters);
+    std::string_view digits = letters == std::string_view::npos ? "" : ending.substr(letters);
+    if (word == "G" && digits.ends_with('L')) {
+        digits.remove_suffix(1);  // "G2L": Eagle and OSH Park, whose numbers may leave out some
+    }
+    const int number = parseInteger(digits).value_or(0);
     if (number > 0 && (word == "G" || word == "GL" || word == "GP" || word == "GI" || word == "IN" || word == "LY")) {
         role.kind = Kind::Copper;  // Altium: inner layers and internal planes (GP), from 1
         role.side = LayerSide::Inner;
@@ -259,11 +307,19 @@ std::optional<FileRole> roleOfEnding(std::string_view ending) {
     return std::nullopt;
 }
 
+FileRole namedCopper(LayerSide side) {
+    FileRole role;
+    role.source = RoleSource::Name;
+    role.kind = Kind::Copper;
+    role.side = side;
+    return role;
+}
+
 /// From the words in a stem or an ending; of drills only what holes are.
 std::optional<FileRole> roleOfWords(std::string_view text, bool areHoles) {
     for (const Words& row : kWords) {
         const bool fits = std::ranges::all_of(row.all, [&](std::string_view word) {
-            return word.empty() || (word.size() > 3 ? text.find(word) != std::string_view::npos : hasAlone(text, word));
+            return word.empty() || (word.size() > 3 ? hasWord(text, word) : hasAlone(text, word));
         });
         const bool isHole = row.kind == Kind::Drill || row.kind == Kind::Rout;
         if (!fits || (areHoles && !isHole)) {
@@ -289,7 +345,36 @@ std::optional<FileRole> roleOfWords(std::string_view text, bool areHoles) {
         }
         return role;
     }
-    return std::nullopt;
+    const auto side =
+        std::ranges::find_if(kSideWords, [&](const SideWord& row) { return !areHoles && hasAlone(text, row.word); });
+    return side == kSideWords.end() ? std::nullopt : std::optional(namedCopper(side->side));
+}
+
+/// PADS numbers its films: "art002.pho", "sm001021.pho", "smd0123.pho" are the layer, and then what is drawn on it.
+std::optional<FileRole> roleOfPads(std::string_view stem) {
+    const std::size_t letters = std::min(stem.find_first_of("0123456789"), stem.size());
+    const std::string_view word = stem.substr(0, letters);
+    const std::string_view digits = stem.substr(letters);
+    const bool isNumber = digits.find_first_not_of("0123456789") == std::string_view::npos;
+    if (!isNumber || digits.size() < 2 || digits.size() > 6) {
+        return std::nullopt;
+    }
+    const int layer = parseInteger(digits.substr(0, digits.size() == 4 ? 2 : 3)).value_or(0);
+    const LayerSide outer = layer == 1 ? kTop : kBottom;
+    FileRole role = namedCopper(layer == 1 ? kTop : LayerSide::Inner);
+    if (word == "ART") {
+        role.order = layer;
+        role.isCountedFromTop = layer > 0;
+    } else if (word == "SM" || word == "SMD") {
+        role.kind = word == "SM" ? Kind::SolderMask : Kind::Paste;
+        role.side = outer;
+    } else if (word == "DD") {
+        role.kind = Kind::Document;
+        role.side = LayerSide::None;
+    } else {
+        return std::nullopt;
+    }
+    return role;
 }
 
 /// Words that stand in names of layers without telling one; "IN2" is "IN" with a number.
@@ -311,6 +396,9 @@ std::optional<FileRole> roleOfName(std::string_view name) {
     if (ofEnding && !isDrill) {
         return ofEnding;
     }
+    if (const std::optional<FileRole> ofPads = parts.ending == "PHO" ? roleOfPads(parts.stem) : std::nullopt) {
+        return ofPads;
+    }
     // Target 3001! has words for endings: "board.StopTop".
     std::optional<FileRole> ofWords = ofEnding ? std::nullopt : roleOfWords(parts.ending, false);
     ofWords = ofWords ? ofWords : roleOfWords(parts.stem, isDrill);
@@ -327,6 +415,10 @@ std::optional<FileRole> roleOfName(std::string_view name) {
         return role;
     }
     return ofEnding;
+}
+
+int numberInName(std::string_view name) {
+    return numberIn(partsOf(name).stem);
 }
 
 std::string boardOfName(std::string_view name) {

@@ -49,6 +49,8 @@ struct FileRole {
 [[nodiscard]] std::optional<FileRole> roleOfComments(const Image& image);
 /// From a file's name without folders, by the table of common CAD systems.
 [[nodiscard]] std::optional<FileRole> roleOfName(std::string_view name);
+/// The last number in a name, without its ending: 3 of "GND03.art". 0 where there is none, or one of three digits.
+[[nodiscard]] int numberInName(std::string_view name);
 /// The name without what tells the role: files of one board have the same. "driver" of "driver.top.gbr".
 [[nodiscard]] std::string boardOfName(std::string_view name);
 

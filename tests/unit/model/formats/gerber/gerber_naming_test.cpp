@@ -60,6 +60,25 @@ private slots:
         QTest::newRow("Zuken paste") << "MetalMask-A.fph" << Kind::Paste << Side::Top << 0;
         QTest::newRow("Zuken mask") << "Resist-B.fph" << Kind::SolderMask << Side::Bottom << 0;
         QTest::newRow("pcb-rnd assembly") << "power-art.ast" << Kind::Document << Side::None << 0;
+        QTest::newRow("Eagle inner") << "rambo.G2L" << Kind::Copper << Side::Inner << 2;
+        QTest::newRow("Eagle inner with its number") << "x.G15L" << Kind::Copper << Side::Inner << 15;
+        QTest::newRow("EasyEDA document") << "Gerber_DocumentLayer.GDL" << Kind::Document << Side::None << 0;
+        QTest::newRow("Altium placement") << "Component Placement Top.GBR" << Kind::Document << Side::Top << 0;
+        QTest::newRow("DipTrace lengths") << "TopDimension.gbr" << Kind::Document << Side::Top << 0;
+        QTest::newRow("PADS top") << "art001.pho" << Kind::Copper << Side::Top << 1;
+        QTest::newRow("PADS copper, short") << "art0418.pho" << Kind::Copper << Side::Inner << 4;
+        QTest::newRow("PADS film of a mask") << "sm002028.pho" << Kind::SolderMask << Side::Bottom << 0;
+        QTest::newRow("PADS film of paste") << "smd001023.pho" << Kind::Paste << Side::Top << 0;
+        QTest::newRow("PADS film of silkscreen") << "ssb002029.pho" << Kind::Legend << Side::Bottom << 0;
+        QTest::newRow("PADS drawing") << "dd001024.pho" << Kind::Document << Side::None << 0;
+        QTest::newRow("old KiCad front") << "radio-Front.pho" << Kind::Copper << Side::Top << 0;
+        QTest::newRow("old KiCad component side") << "radio-Component.pho" << Kind::Copper << Side::Top << 0;
+        QTest::newRow("old KiCad paste") << "radio-SoldP_Front.gbr" << Kind::Paste << Side::Top << 0;
+        QTest::newRow("old KiCad mask") << "radio-MaskCop.pho" << Kind::SolderMask << Side::Bottom << 0;
+        QTest::newRow("old KiCad silkscreen") << "radio-SilkS_Back.gbr" << Kind::Legend << Side::Bottom << 0;
+        QTest::newRow("old KiCad outline") << "radio-PCB_Edges.gbr" << Kind::Profile << Side::None << 0;
+        QTest::newRow("no bottom in CRAB_") << "crab_paste.gbr" << Kind::Paste << Side::None << 0;
+        QTest::newRow("no routing in a router") << "router_b1.drd" << Kind::Drill << Side::Through << 0;
         QTest::newRow("fabrication") << "fab1.art" << Kind::Document << Side::None << 0;
     }
     void namesOfCadSystemsTellTheLayer() {
@@ -80,6 +99,7 @@ private slots:
         QVERIFY(model::gerber::roleOfName("b.unplated-drill.cnc")->plating == model::Plating::NonPlated);
         QVERIFY(model::gerber::roleOfName("b.xln")->plating == model::Plating::NotSaid);
         QVERIFY(!model::gerber::roleOfName("notes.abc").has_value());
+        QVERIFY(!model::gerber::roleOfName("feedback.gbr").has_value());
     }
 
     void boardsAreWhatNamesHaveInCommon_data() {
@@ -129,6 +149,23 @@ private slots:
         const auto legend = model::gerber::roleOfComments(silkscreen);
         QVERIFY(legend && legend->kind == Kind::Legend && legend->side == Side::Bottom);
         QVERIFY(!model::gerber::roleOfComments({}).has_value());
+    }
+
+    /// Films of any layer have frames and labels; only those without anything of the board, or with tables of holes and
+    /// layers, are drawings.
+    void framesMakeNoDrawingOfAFilm() {
+        const std::vector<std::string> frame = {"Layer:  DRAWING FORMAT/TITLE_BLOCK", "Layer:  DRAWING FORMAT/LABEL",
+                                                "Layer:  BOARD GEOMETRY/OUTLINE"};
+        model::gerber::Image drawing;
+        drawing.comments = frame;
+        QVERIFY(model::gerber::roleOfComments(drawing)->kind == Kind::Document);
+        model::gerber::Image mask = drawing;
+        mask.comments.emplace_back("Layer:  PIN/SOLDERMASK_BOTTOM");
+        const auto role = model::gerber::roleOfComments(mask);
+        QVERIFY(role && role->kind == Kind::SolderMask && role->side == Side::Bottom);
+        model::gerber::Image fabrication = mask;
+        fabrication.comments.emplace_back("Layer:  MANUFACTURING/NCLEGEND-1-4");
+        QVERIFY(model::gerber::roleOfComments(fabrication)->kind == Kind::Document);
     }
 
     /// OrCAD's silkscreen may show a class of the assembly drawing too, and assembly drawings silkscreen.
