@@ -88,7 +88,9 @@ void reportUnit(ReadFile& drills, bool isProven) {
 }  // namespace
 
 void fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper) {
-    if (drills.kind != ReadFile::Kind::Drills || drills.image.features.empty()) {
+    // Of a file that is read too large by far, no hole is within what a board can be.
+    const bool hasHoles = !drills.image.features.empty() || drills.head.hasHits;
+    if (drills.kind != ReadFile::Kind::Drills || !hasHoles) {
         return;
     }
     if (copper.isEmpty()) {

@@ -42,7 +42,7 @@ bool hasGerberOperation(std::string_view head) {
     return false;
 }
 
-/// Lines as drill files have them: tools and coordinates, nothing else.
+/// Lines as drill files have them: tools and coordinates, nothing else. Allegro may list the tools in comments only.
 bool looksLikeDrills(std::string_view head) {
     Lines lines(head);
     int hits = 0;
@@ -51,6 +51,7 @@ bool looksLikeDrills(std::string_view head) {
     while (lines.next() && hits + others < 200) {
         const std::string_view line = trimmed(lines.line());
         if (line.empty() || line[0] == ';' || line == "%") {
+            tools += holds(line, "Holesize") ? 1 : 0;
             continue;
         }
         const bool isCode =

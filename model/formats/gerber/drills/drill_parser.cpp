@@ -37,6 +37,20 @@ bool isText(const DrillValue& part) {
            (part.digits == "45" || part.digits == "47" || part.digits == "97" || part.digits == "98");
 }
 
+/// Where Allegro does not select tools, comments list their sizes, and the operator changes them in that order.
+bool areToolsChangedByStop(std::string_view text) {
+    bool isAnySize = false;
+    Lines lines(text);
+    while (lines.next()) {
+        const std::string_view line = trimmed(lines.line());
+        if (line.size() > 1 && line[0] == 'T' && line[1] >= '0' && line[1] <= '9') {
+            return false;
+        }
+        isAnySize = isAnySize || (line.starts_with(';') && holds(line, "Holesize"));
+    }
+    return isAnySize;
+}
+
 /// Cycles that drill or rout a figure around a place.
 bool isCycle(int code) {
     return code == 32 || code == 33 || code == 82 || code == 83 || code == 84 || code == 87;
@@ -54,6 +68,8 @@ DrillParser::DrillParser(std::string_view path, const CoordinateFormat& format)
 Image DrillParser::run(std::string_view text) {
     m_hasPlunges = text.find("M15") != std::string_view::npos || text.find("M14") != std::string_view::npos;
     m_isInHeader = text.find("M48") != std::string_view::npos;
+    m_isToolChangedByStop = areToolsChangedByStop(text);
+    m_tool = m_isToolChangedByStop ? 1 : 0;
     Lines lines(text);
     bool hasLine = lines.next();
     for (; hasLine && !m_isDone; hasLine = lines.next()) {
@@ -119,6 +135,13 @@ void DrillParser::sizeInComment(std::string_view text) {
     Tool& entry = m_tools[static_cast<int>(*tool)];
     entry.size = entry.size > 0 ? entry.size : *size * nm;
     entry.plating = entry.plating == Plating::NotSaid ? platingOfWords(rest) : entry.plating;
+}
+
+/// Does M00 stop the machine for the next tool, and not the file?
+bool DrillParser::changesTool() {
+    const bool isChange = m_isToolChangedByStop && m_tools.contains(m_tool + 1);
+    m_tool += isChange ? 1 : 0;
+    return isChange;
 }
 
 /// Some programs fill the rest of the file with blanks, zeros or Ctrl-Z.
@@ -328,6 +351,9 @@ void DrillParser::misc(std::string_view digits, const DrillValues& parts, Target
         case 0:
         case 30:
             drillPlunge();
+            if (number == 0 && changesTool()) {
+                break;
+            }
             m_isDone = m_image.hasEnd = true;
             break;
         case 14:

@@ -53,6 +53,7 @@ private:
     void line(std::string_view text);
     void comment(std::string_view text);
     void sizeInComment(std::string_view text);
+    [[nodiscard]] bool changesTool();
     void reportRest(std::string_view text, std::uint32_t line);
     void record(std::string_view text);
     void checkUnit(std::string_view text);
@@ -102,6 +103,7 @@ private:
     std::optional<bool> m_isInch;
     bool m_isInHeader = false;
     bool m_hasPlunges = false;
+    bool m_isToolChangedByStop = false;  ///< no record selects a tool: M00 stops the machine for the next one
     bool m_isRouting = false;
     bool m_isDown = false;
     bool m_isPlungeOpen = false;  ///< the tool went down and has not moved since

@@ -35,6 +35,23 @@ class GerberDrillsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Allegro's files without tool records: comments list the sizes, M00 stops for the next tool.
+    void stopsChangeTheToolWhereNoRecordDoes() {
+        const std::string sizes =
+            ";   Holesize 1. = 0.350000 Tolerance = +0.000000/-0.000000 PLATED MM Quantity = 2\n"
+            ";   Holesize 2. = 40.000000 Tolerance = +0.000000/-0.000000 NON_PLATED MILS Quantity = 1\n%\nG90\n";
+        const Image image = parse(sizes + "X0000100000Y0000200000\nX0000100000\nM00\nX0000300000\nM30\n");
+        QCOMPARE(image.features.size(), std::size_t{3});
+        QCOMPARE(sizeOf(image, 1), 350'000);
+        QCOMPARE(sizeOf(image, 2), 1'016'000);
+        QVERIFY(image.hasEnd && image.diagnostics.entries().empty());
+        const Image ended = parse(sizes + "X1Y2\nM00\nX2\nM00\n");
+        QVERIFY(ended.hasEnd);
+        QCOMPARE(ended.features.size(), std::size_t{2});
+        const Image chosen = parse(sizes + "T1\nX1Y2\nM00\nX2\n");
+        QCOMPARE(chosen.features.size(), std::size_t{1});  // M00 ends a file that selects its tools
+    }
+
     void zerosAreKeptAsTheHeadSays_data() {
         QTest::addColumn<QString>("head");
         QTest::addColumn<QString>("hit");

@@ -50,6 +50,29 @@ private slots:
         QCOMPARE(holesOf(**board, 400'000, model::HoleKind::NonPlated), 1U);
     }
 
+    void sizesInCommentsMakeADrillFile() {
+        const std::string drills =
+            ";   Holesize 1. = 0.800000 Tolerance = +0.000000/-0.000000 PLATED MM Quantity = 2\n"
+            ";   Holesize 2. = 1.000000 Tolerance = +0.000000/-0.000000 NON_PLATED MM Quantity = "
+            "1\n%\nG90\nX000200000Y000200000\nX000800000\nM00\nX000800000Y000800000\nM30\n";
+        const Job job({{"b.gtl", image(kCopper)}, {"b.gbl", image(kCopper)}, {"b-1-2.drl", drills}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(holesOf(**board, 1'000'000, model::HoleKind::NonPlated), 1U);
+        QVERIFY(!isReported(**board, "no part of a Gerber job"));
+    }
+
+    /// Ten digits: in the usual format, which the file does not deny, 20 m.
+    void drillsBeyondAnyBoardAreReadInAnotherFormat() {
+        const std::string drills =
+            "M48\nT1C0.8\n%\nT1\nX0000200000Y0000200000\nX0000800000\nX0000800000Y0000800000\nM30\n";
+        const Job job({{"b.gtl", image(kCopper)}, {"b.gbl", image(kCopper)}, {"b.drl", drills}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(holesOf(**board, 800'000, model::HoleKind::Via) + holesOf(**board, 800'000, model::HoleKind::Plated),
+                 3U);
+    }
+
     void filesOfBackDrillsTakeThePlatingOfTheirSpan() {
         const auto open = [](const std::string& backDrills) {
             const auto copper = [](const char* function) { return image(kCopper, function); };
