@@ -214,8 +214,9 @@ ReadFile::Kind kindOf(std::string_view text, std::string_view name) {
         return Kind::LayerPairs;
     }
     const bool hasFormat = head.find("%FS") != std::string_view::npos || head.find("%MO") != std::string_view::npos;
+    const bool hasAperture = head.find("%AD") != std::string_view::npos || head.find("%AM") != std::string_view::npos;
     if (hasFormat && (hasGerberOperation(head) || head.find("M02") != std::string_view::npos || head.size() == kHead ||
-                      head.find("%AD") != std::string_view::npos)) {
+                      hasAperture)) {
         return Kind::Gerber;
     }
     if (isDrillText(head)) {

@@ -1,7 +1,9 @@
 #include "model/formats/gerber/layer_order.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include "model/formats/gerber/text/words.h"
@@ -48,16 +50,17 @@ int copperRank(const FileRole& role) {
     return role.side == LayerSide::Top ? 0 : role.side == LayerSide::Bottom ? 2 : 1;
 }
 
-/// The name of a file without what all files of the board share, or what it draws.
-std::string layerName(const ReadFile& file) {
+/// The name of a file without what it shares with others of the board, `board`, or what it draws.
+std::string layerName(const ReadFile& file, const std::string& board) {
     const std::string_view stem = file.name().substr(0, file.name().find_last_of('.'));
-    const std::string board = boardOfName(file.name());
     std::string_view rest = stem;
     if (!board.empty() && upperCase(stem).starts_with(board)) {
         rest = stem.substr(board.size());
         rest.remove_prefix(std::min(rest.find_first_not_of("._- "), rest.size()));
     }
-    const bool isTelling = !rest.empty() && (rest.size() < stem.size() || roleOfName(std::string(rest) + ".x"));
+    const bool isOneOfMany = file.role.kind == Kind::Copper && copperRank(file.role) == 1 && file.role.order == 0;
+    const bool isTelling =
+        !rest.empty() && (rest.size() < stem.size() || isOneOfMany || roleOfName(std::string(rest) + ".x"));
     return isTelling                                                 ? std::string(rest)
            : file.role.isKnown() && file.role.kind != Kind::Document ? describe(file.role)
                                                                      : std::string(file.name());
@@ -77,6 +80,7 @@ public:
             }
         }
         std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return rankOf(m_files[row].role); });
+        countNames(rows);
         sortCopper(rows);
         reportRivals(rows);
         readStack();
@@ -88,16 +92,36 @@ public:
     }
 
 private:
+    void countNames(const std::vector<std::size_t>& rows) {
+        for (const std::size_t row : rows) {
+            ++m_filesOfName[boardOfName(m_files[row].name())];
+        }
+        m_areAlone = rows.size() == 1;
+    }
+
+    /// What stands before the layer in a file's name, if others begin so: "PAST" of "PAST_TOP" is no board.
+    [[nodiscard]] std::string sharedName(const ReadFile& file) const {
+        const std::string board = boardOfName(file.name());
+        const auto count = m_filesOfName.find(board);
+        const bool isShared = m_areAlone || (count != m_filesOfName.end() && count->second > 1);
+        return isShared ? board : std::string();
+    }
+
     void sortCopper(std::vector<std::size_t>& rows) {
         const auto isCopper = [&](std::size_t row) { return m_files[row].role.kind == Kind::Copper; };
         const auto begin = std::ranges::find_if(rows, isCopper);
         const auto end = std::find_if_not(begin, rows.end(), isCopper);
+        numberByNames(std::span(begin, end));
         std::stable_sort(begin, end, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
         std::set<std::pair<int, int>> seen;
         for (auto row = begin; row != end; ++row) {
             const FileRole& role = m_files[*row].role;
             const bool isNew = seen.emplace(copperRank(role), copperRank(role) == 1 ? role.order : 0).second;
-            if (role.order == 0 && copperRank(role) == 1) {
+            if (m_namedOrders.contains(*row)) {
+                m_diagnostics.report(Severity::Info, m_files[*row].path, 0,
+                                     "only its name tells where this inner copper layer lies; taken as copper layer " +
+                                         std::to_string(m_namedOrders.at(*row)) + " by the number in it");
+            } else if (role.order == 0 && copperRank(role) == 1) {
                 m_diagnostics.report(Severity::Warning, m_files[*row].path, 0,
                                      "nothing tells where this inner copper layer lies; inner layers without a number "
                                      "come last, by name");
@@ -106,6 +130,28 @@ private:
                                      "another file claims the same copper layer; both are shown");
             }
         }
+    }
+
+    /// Layers that are called "GND02" and "SIG03" tell no number by themselves, for "GND2" may be the second ground.
+    /// Where the numbers of all of them are places between top and bottom that nobody else has, they are meant so.
+    void numberByNames(std::span<const std::size_t> copper) {
+        std::set<int> taken = {1, static_cast<int>(copper.size())};
+        std::map<std::size_t, int> named;
+        for (const std::size_t row : copper) {
+            const FileRole& role = m_files[row].role;
+            const bool isNamed = copperRank(role) == 1 && role.order == 0;
+            const bool isInner = copperRank(role) == 1 && !isNamed;
+            const int order = isNamed ? numberInName(m_files[row].name()) : role.order;
+            const bool isPlace = order > 1 && order < static_cast<int>(copper.size());
+            const bool isCounted = isNamed || role.isCountedFromTop;
+            if ((isNamed || isInner) && (!isPlace || !isCounted || !taken.insert(order).second)) {
+                return;
+            }
+            if (isNamed) {
+                named[row] = order;
+            }
+        }
+        m_namedOrders = std::move(named);
     }
 
     void reportRivals(const std::vector<std::size_t>& rows) {
@@ -123,7 +169,9 @@ private:
     /// Inner layers without a number come behind those with one.
     [[nodiscard]] std::tuple<int, int, std::string> key(std::size_t row) const {
         const FileRole& role = m_files[row].role;
-        return {copperRank(role), role.order > 0 ? role.order : 1000, upperCase(m_files[row].name())};
+        const auto named = m_namedOrders.find(row);
+        const int order = named != m_namedOrders.end() ? named->second : role.order;
+        return {copperRank(role), order > 0 ? order : 1000, upperCase(m_files[row].name())};
     }
 
     void readStack() {
@@ -161,7 +209,7 @@ private:
         const std::size_t copper = m_result.copper.size();
         const bool isOfStack = file.role.kind == Kind::Copper && m_usesStack;
         const bool hasStackName = isOfStack && !m_copperRows[copper]->name.empty();
-        layer.name = unique(hasStackName ? m_copperRows[copper]->name : layerName(file));
+        layer.name = unique(hasStackName ? m_copperRows[copper]->name : layerName(file, sharedName(file)));
         layer.file = file.path;
         layer.type = typeOf(file.role.kind);
         layer.context = isOfBoard(file.role.kind) ? LayerContext::Board : LayerContext::Misc;
@@ -250,7 +298,10 @@ private:
     const JobFileFacts& m_job;
     Diagnostics& m_diagnostics;
     OrderedLayers m_result;
+    std::map<std::string, int> m_filesOfName;  ///< by what stands before the layer in their names
+    bool m_areAlone = false;                   ///< there is one image
     std::set<std::string> m_names;
+    std::map<std::size_t, int> m_namedOrders;  ///< of files, by the numbers in their names
     std::vector<const JobStackRow*> m_copperRows;
     std::vector<std::vector<const JobStackRow*>> m_between;  ///< dielectrics below each copper row
     const JobStackRow* m_topMask = nullptr;

@@ -162,6 +162,39 @@ private slots:
         QVERIFY(isReported(**board, "no part of a Gerber job"));
     }
 
+    void wordsOfOneFileAreNoBoard() {
+        const Job job({{"TOP.gbr", image(kCopper, "Copper,L1,Top")},
+                       {"PAST_TOP.gbr", image(kCopper, "Paste,Top")},
+                       {"SOLD_TOP.gbr", image(kCopper, "Soldermask,Top")}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        for (const char* name : {"TOP", "PAST_TOP", "SOLD_TOP"}) {
+            QVERIFY2(std::ranges::find((*board)->layers, name, &model::Layer::name) != (*board)->layers.end(), name);
+        }
+    }
+
+    /// "GND2" may be the second ground; where the numbers of all are places of their own, they are meant so.
+    void numbersInNamesOrderInnerLayers() {
+        const auto film = [](const std::string& etch) { return "G04 Layer:  ETCH/" + etch + "*\n" + image(kCopper); };
+        const auto copperOf = [&](const std::vector<std::string>& inner) {
+            Files files = {{"TOP.art", film("TOP")}, {"BOTTOM.art", film("BOTTOM")}};
+            for (const std::string& name : inner) {
+                files[name + ".art"] = film(name);
+            }
+            const Board board = Job(files).open();
+            std::string order;
+            for (const model::Layer& layer : board.ok() ? (*board)->layers : std::vector<model::Layer>()) {
+                order += layer.type == model::LayerType::Signal ? layer.name + " " : "";
+            }
+            const bool isNumbered = board.ok() && isReported(**board, "by the number in it");
+            return QString::fromStdString(order + (isNumbered ? "numbered" : "by name"));
+        };
+        QCOMPARE(copperOf({"GND2", "SIG03", "SIG04", "GND5"}), QString("TOP GND2 SIG03 SIG04 GND5 BOTTOM numbered"));
+        QCOMPARE(copperOf({"SIG3", "GND2"}), QString("TOP GND2 SIG3 BOTTOM numbered"));
+        QCOMPARE(copperOf({"SIG1", "GND2"}), QString("TOP GND2 SIG1 BOTTOM by name"));
+        QCOMPARE(copperOf({"SIG", "GND3"}), QString("TOP GND3 SIG BOTTOM by name"));
+    }
+
     void aJobFileTellsTheStackup() {
         const std::string jobFile =
             R"({"GeneralSpecs": {"ProjectId": {"Name": "proj"}, "BoardThickness": 0.8}, "FilesAttributes": [
@@ -338,6 +371,16 @@ private slots:
         const Board drills = job.open("alone.drl");
         QVERIFY(drills.ok());
         QCOMPARE(holesOf(**drills), std::size_t{3});
+    }
+
+    /// Drawings of Allegro begin with macros, which fill all that is looked at to tell what a file is.
+    void anImageMayBeginWithManyMacros() {
+        std::string macros;
+        for (int i = 0; i < 400; ++i) {
+            macros += "%AMM" + std::to_string(i) + "*1,1,1.5,0,0*%\n";
+        }
+        const Job job({{"drawing.art", std::string(kHead) + macros + "%ADD10M1*%D10*X0Y0D03*X5000000D03*M02*"}});
+        QVERIFY(job.open("drawing.art").ok());
     }
 
     void aFrameAroundTheBoardIsNoOutline() {
