@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "model/base/units.h"
 
@@ -11,7 +12,15 @@ namespace {
 
 constexpr std::array<double, 19> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
                                             1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
-constexpr std::size_t kHead = 200'000;
+/// Where the head ends at the latest: behind the format, before which macros may be as long as they like.
+std::size_t headSize(std::string_view text) {
+    constexpr std::size_t kUsual = 200'000;
+    constexpr std::size_t kLongestCommand = 100;
+    const std::size_t format = text.find("%FS", std::min(text.size(), kUsual));
+    const bool isLate =
+        format != std::string_view::npos && text.substr(0, kUsual).find("%FS") == std::string_view::npos;
+    return isLate ? format + kLongestCommand : kUsual;
+}
 
 int digit(std::string_view text, std::size_t at) {
     return at < text.size() && text[at] >= '0' && text[at] <= '9' ? text[at] - '0' : -1;
@@ -45,8 +54,10 @@ bool CoordinateFormat::readFormat(std::string_view text) {
 double CoordinateFormat::length(std::int64_t value, int digits) const {
     auto scaled = static_cast<double>(value);
     if (isTrailingOmitted) {
-        const int missing = std::clamp(integers + decimals - digits, 0, 18);
-        scaled *= kPowers[static_cast<std::size_t>(missing)];
+        // What stands first are the integers: digits beyond the format are further decimals.
+        const int missing = std::clamp(integers + decimals - digits, -18, 18);
+        const double power = kPowers[static_cast<std::size_t>(std::abs(missing))];
+        scaled = missing < 0 ? scaled / power : scaled * power;
     }
     return scaled * nmPerUnit / kPowers[static_cast<std::size_t>(decimals)];
 }
@@ -58,7 +69,7 @@ bool CoordinateFormat::isTooLong(std::int64_t value, int digits) const {
 
 CoordinateFormat findFormat(std::string_view text) {
     CoordinateFormat format;
-    const std::string_view head = text.substr(0, kHead);
+    const std::string_view head = text.substr(0, headSize(text));
     const std::size_t inch = head.find("MOIN");
     const std::size_t millimetre = head.find("MOMM");
     if (inch != std::string_view::npos || millimetre != std::string_view::npos) {

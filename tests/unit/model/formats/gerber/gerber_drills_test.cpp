@@ -68,6 +68,8 @@ private slots:
                                              << "X00125" << 12'500'000;
         QTest::newRow("Mentor") << "; Format  : 3.3 / Absolute / MM / Leading\nMETRIC,TZ"
                                 << "X-12500" << -12'500'000;
+        QTest::newRow("more digits than are usual, leading zeros kept") << "INCH,LZ"
+                                                                        << "X0125005" << 31'751'270;
         QTest::newRow("a point") << "METRIC,LZ"
                                  << "X12.5" << 12'500'000;
         QTest::newRow("M71") << "M71,TZ"

@@ -41,6 +41,17 @@ class GerberImageTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// DipTrace writes its macros before the format, and outlines of text make them long.
+    void theFormatIsFoundBehindLongMacros() {
+        std::string head = "%MOIN*%\n";
+        for (int i = 0; i < 20'000; ++i) {
+            head += "%AMM" + std::to_string(i) + "*1,1,0.1,0,0*%\n";
+        }
+        const Image image = parse("%ADD10C,0.01*%D10*X1000000Y2000000D03*", head + "%FSLAX26Y26*%\n");
+        QCOMPARE(image.features.at(0).a, (model::Point{25'400'000, 50'800'000}));
+        QVERIFY(image.diagnostics.entries().empty());
+    }
+
     void numbersFollowTheFormat() {
         const std::string body = "%ADD10C,0.01*%D10*X1Y-25D03*";
         QCOMPARE(parse(body, "%FSLAX24Y24*%%MOIN*%").features[0].a, (model::Point{2540, -63500}));
