@@ -107,14 +107,30 @@ private:
         return nullptr;
     }
 
+    /// Of the first file that tells where the drills count from; the others count from there, too.
+    [[nodiscard]] std::optional<Point> shiftOfDrills() const {
+        for (const std::size_t row : m_board.files) {
+            const ReadFile& file = m_files[row];
+            const std::optional<Point> shift =
+                file.isImage() && isOfHoles(file) ? originShift(file, m_filePads, m_copperBox) : std::nullopt;
+            if (shift) {
+                return shift;
+            }
+        }
+        return std::nullopt;
+    }
+
     void readDrillsAgain() {
+        const std::optional<Point> shift = shiftOfDrills();
         std::vector<std::size_t> seen;
         for (const std::size_t row : m_board.files) {
             ReadFile& file = m_files[row];
             if (!file.isImage() || !isOfHoles(file)) {
                 continue;
             }
-            fitToCopper(file, m_filePads, m_copperBox);
+            if (!shift || !moveHoles(file, *shift, m_copperBox)) {
+                fitToCopper(file, m_filePads, m_copperBox);
+            }
             for (const std::size_t other : seen) {
                 const bool isOfItsOwn = file.role.source == RoleSource::Told || haveOtherSpans(m_files[other], file);
                 if (!isOfItsOwn && areSameHoles(m_files[other].image, file.image)) {

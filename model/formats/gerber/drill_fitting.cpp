@@ -5,6 +5,9 @@
 #include <tuple>
 #include <vector>
 
+#include "model/base/units.h"
+#include "model/formats/gerber/text/words.h"
+
 namespace model::gerber {
 
 namespace {
@@ -12,7 +15,12 @@ namespace {
 constexpr Nm kReach = 30'000;
 constexpr Nm kMargin = 2'000'000;
 constexpr std::size_t kMostHits = 2'000;
-constexpr double kProven = 0.6;  ///< share of the holes that lie in the middle of pads: the format is right
+constexpr double kProven = 0.6;        ///< share of the holes that lie in the middle of pads: the format is right
+constexpr double kPlausible = 0.3;     ///< a format that the file denies may be right; of its holes many need no pads
+constexpr double kMostlyOnPads = 0.7;  ///< holes of a format that is told: they are moved onto pads
+constexpr double kNearlyAllOnPads = 0.9;    ///< the same of a format that is assumed
+constexpr std::size_t kFewestToMove = 5;    ///< holes that can tell where a file counts from
+constexpr std::size_t kFewestAssumed = 20;  ///< the same of a format that is assumed
 
 struct Fit {
     double onPads = 0.0;
@@ -41,10 +49,17 @@ Fit fitOf(const Image& image, const PadIndex& pads, const Box& copper) {
     return fit;
 }
 
-/// Another format is taken for good reasons only: holes that would lie beside the board come onto it, or, of a file
-/// that is silent about its unit, far more holes meet pads and they do not shrink to a corner.
-bool isBetter(const Fit& fit, const Fit& than, bool isUnitTold) {
-    const bool isOnBoard = fit.inside > 0.9 && than.inside < 0.5;
+/// Unit and digits: a file that says both may count from another origin, but is hardly written in another format.
+bool isFormatTold(const DrillHead& head) {
+    return head.isInch && (head.areAllWithPoint || head.decimals);
+}
+
+/// Another format is taken for good reasons only: holes that would lie beside the board come onto it, and onto pads if
+/// the file says its format, or, of a file that is silent about its unit, far more holes meet pads and they do not
+/// shrink to a corner.
+bool isBetter(const Fit& fit, const Fit& than, const DrillHead& head) {
+    const bool isUnitTold = head.isInch.has_value();
+    const bool isOnBoard = fit.inside > 0.9 && than.inside < 0.5 && (!isFormatTold(head) || fit.onPads >= kPlausible);
     const bool isOnPads = !isUnitTold && fit.onPads > than.onPads + 0.5 && fit.spread > 0.2;
     return (isOnBoard && fit.spread > 0.02) || isOnPads ||
            (fit.inside >= than.inside && than.inside > 0.9 && than.isFound && fit.onPads > than.onPads + 0.1 &&
@@ -62,13 +77,12 @@ std::vector<std::tuple<Nm, Nm>> placesOf(const Image& image) {
 
 /// Reads the file in all other ways; false if none is better than `best`.
 bool readOtherwise(ReadFile& drills, const PadIndex& pads, const Box& copper, Fit& best) {
-    const bool isUnitTold = drills.head.isInch.has_value();
     bool isFound = false;
     const std::vector<CoordinateFormat> formats = likelyFormats(drills.head);  // it was read in the first of them
     for (const CoordinateFormat& format : std::span(formats).subspan(1)) {
         Image other = parseDrills(drills.bytes.view(), drills.path, format);
         const Fit fit = fitOf(other, pads, copper);
-        if (other.features.size() >= drills.image.features.size() && isBetter(fit, best, isUnitTold)) {
+        if (other.features.size() >= drills.image.features.size() && isBetter(fit, best, drills.head)) {
             best = fit;
             best.isFound = isFound = true;
             drills.image = std::move(other);
@@ -76,6 +90,22 @@ bool readOtherwise(ReadFile& drills, const PadIndex& pads, const Box& copper, Fi
         }
     }
     return isFound;
+}
+
+Point moved(Point p, Point shift) {
+    const auto add = [](Nm a, Nm b) {
+        return static_cast<Nm>(
+            std::clamp<std::int64_t>(std::int64_t{a} + b, -base::kMaxCoordinate, base::kMaxCoordinate));
+    };
+    return {add(p.x, shift.x), add(p.y, shift.y)};
+}
+
+void move(Image& image, Point shift) {
+    for (formats::DrawnFeature& feature : image.features) {
+        for (Point* const p : {&feature.a, &feature.b, &feature.centre}) {
+            *p = moved(*p, shift);
+        }
+    }
 }
 
 void reportUnit(ReadFile& drills, bool isProven) {
@@ -86,6 +116,47 @@ void reportUnit(ReadFile& drills, bool isProven) {
 }
 
 }  // namespace
+
+std::optional<Point> originShift(const ReadFile& drills, const PadIndex& pads, const Box& copper) {
+    const bool isTold = isFormatTold(drills.head);
+    const std::size_t count = drills.image.features.size();
+    if (drills.kind != ReadFile::Kind::Drills || count < (isTold ? kFewestToMove : kFewestAssumed) ||
+        copper.isEmpty() || fitOf(drills.image, pads, copper).inside >= 0.5) {
+        return std::nullopt;
+    }
+    std::vector<Point> places;
+    for (const formats::DrawnFeature& feature : drills.image.features) {
+        places.push_back(feature.a);
+    }
+    const std::optional<Point> shift = pads.shiftOf(places, kReach);
+    if (!shift) {
+        return std::nullopt;
+    }
+    Image image = drills.image;
+    move(image, *shift);
+    const double onPads = fitOf(image, pads, copper).onPads;
+    return onPads >= (isTold ? kMostlyOnPads : kNearlyAllOnPads) ? shift : std::nullopt;
+}
+
+bool moveHoles(ReadFile& drills, Point shift, const Box& copper) {
+    if (drills.kind != ReadFile::Kind::Drills || drills.image.features.empty() ||
+        fitOf(drills.image, {}, copper).inside >= 0.5) {
+        return false;
+    }
+    Image image = drills.image;
+    move(image, shift);
+    if (fitOf(image, {}, copper).inside < 0.5) {
+        return false;
+    }
+    drills.image = std::move(image);
+    drills.diagnostics.report(
+        Severity::Warning, drills.path, 0,
+        "the holes lie beside the copper, as if they counted from another origin than the images; "
+        "they were moved by " +
+            shortNumber(base::toMm(shift.x)) + ", " + shortNumber(base::toMm(shift.y)) +
+            " mm, which lays them on pads");
+    return true;
+}
 
 void fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper) {
     // Of a file that is read too large by far, no hole is within what a board can be.

@@ -1,10 +1,19 @@
 #pragma once
 
+#include <optional>
+
 #include "model/formats/gerber/job_files.h"
 #include "model/formats/gerber/pad_index.h"
 
 namespace model::gerber {
 
+/// What has to be added to the places of a drill file that counts from another origin than the images, as programs can
+/// be told to write it: the shift that lays its holes, which lie beside the copper, on pads. Nothing if there are too
+/// few holes to tell, or none is needed.
+[[nodiscard]] std::optional<Point> originShift(const ReadFile& drills, const PadIndex& pads, const Box& copper);
+/// Moves the holes of a file by the shift of another file of its job, and reports it. False if they do not lie beside
+/// the copper, or would not lie on it.
+bool moveHoles(ReadFile& drills, Point shift, const Box& copper);
 /// Reads a drill file again in another format where the one it states, or that was assumed, does not put its holes on
 /// the board and another does; what was done is reported.
 void fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper);

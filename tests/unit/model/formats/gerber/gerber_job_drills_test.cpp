@@ -73,6 +73,35 @@ private slots:
                  3U);
     }
 
+    /// Programs can write drills from another origin than images. The format that the file tells is not doubted then,
+    /// though in another one the holes would lie on the board, too.
+    void drillsFromAnotherOriginAreLaidOnTheirPads() {
+        const std::string pads =
+            "%ADD10C,1.5*%D10*X2000000Y2000000D03*X8000000D03*Y8000000D03*X3000000D03*X5000000Y4000000D03*\n";
+        const std::string head = "M48\n;FILE_FORMAT=3:3\nMETRIC\nT1C0.8\n%\nT1\n";
+        const std::string drills = head + "X052000Y042000\nX058000\nY048000\nX053000\nX055000Y044000\nM30\n";
+        const std::string slot = head + "G00X054000Y043000\nM15\nG01X055000\nM16\nM30\n";
+        const Job job({{"b.gtl", image(pads)},
+                       {"b.gbl", image(pads)},
+                       {"b.gko", image(kOutline)},
+                       {"b.drl", drills},
+                       {"a-slots.drl", slot}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "moved by -50, -40 mm"));
+        QVERIFY(!isReported(**board, "ead as mm"));
+        std::vector<model::Point> places;
+        for (std::size_t row = 0; row < (*board)->elements.size(); ++row) {
+            if (((*board)->elements.flags[row] & model::kHole) != 0) {
+                places.push_back((*board)->boxOf(model::ElementId(static_cast<std::uint32_t>(row))).middle());
+            }
+        }
+        std::ranges::sort(places, {}, [](model::Point p) { return std::pair(p.x, p.y); });
+        QCOMPARE(places.size(), std::size_t{6});
+        QCOMPARE(places.front(), (model::Point{2'000'000, 2'000'000}));
+        QCOMPARE(places[2], (model::Point{4'500'000, 3'000'000}));
+    }
+
     void filesOfBackDrillsTakeThePlatingOfTheirSpan() {
         const auto open = [](const std::string& backDrills) {
             const auto copper = [](const char* function) { return image(kCopper, function); };
