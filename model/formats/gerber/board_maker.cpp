@@ -10,6 +10,7 @@
 #include "model/formats/gerber/drills/drill_functions.h"
 #include "model/formats/gerber/layer_order.h"
 #include "model/formats/gerber/missing_layers.h"
+#include "model/formats/gerber/naming/drill_spans.h"
 #include "model/formats/gerber/pad_nets.h"
 #include "model/formats/gerber/parts.h"
 #include "model/formats/gerber/region_middle.h"
@@ -92,6 +93,7 @@ private:
         const LayerPair* const ofB = pairOf(b);
         const bool areTold = a.role.spanTop > 0 && b.role.spanTop > 0;
         return (areTold && (a.role.spanTop != b.role.spanTop || a.role.spanBottom != b.role.spanBottom)) ||
+               spanInName(a.name()) != spanInName(b.name()) ||
                (ofA != nullptr && ofB != nullptr && ofA->endings != ofB->endings);
     }
 
@@ -351,7 +353,51 @@ private:
             return {std::min(role.spanTop, role.spanBottom), std::max(role.spanTop, role.spanBottom)};
         }
         const LayerPair* const pair = pairOf(file);
-        return pair == nullptr ? Span{} : spanOf(*pair, file.path);
+        return pair == nullptr ? spanOfName(file) : spanOf(*pair, file.path);
+    }
+
+    /// Numbers in names are those of copper layers if one of the board's drill files passes all of them by its name.
+    [[nodiscard]] Span spanOfName(const ReadFile& file) {
+        const Span all{1, static_cast<int>(m_layers.copper.size())};
+        const bool areLayers = std::ranges::any_of(m_board.files, [&](std::size_t row) {
+            const std::optional<Span> span = isOfHoles(m_files[row]) ? namedSpan(m_files[row].name()) : std::nullopt;
+            return span && span->top == all.top && span->bottom == all.bottom;
+        });
+        const std::optional<Span> span = areLayers ? namedSpan(file.name()) : std::nullopt;
+        if (span && (span->top > all.top || span->bottom < all.bottom)) {
+            diagnostics().report(Severity::Info, file.path, 0,
+                                 "only the name of the drill file says which copper layers its holes pass; taken as " +
+                                     std::to_string(span->top) + " to " + std::to_string(span->bottom));
+        }
+        return span.value_or(Span{});
+    }
+
+    /// Counted from the top.
+    [[nodiscard]] std::optional<Span> namedSpan(std::string_view name) const {
+        const std::optional<NamedSpan> span = spanInName(name);
+        if (!span) {
+            return std::nullopt;
+        }
+        if (!span->isOfEagle) {
+            return Span{span->first, span->last};
+        }
+        const int first = copperOfEagle(span->first);
+        const int last = copperOfEagle(span->last);
+        return first > 0 && first < last ? std::optional(Span{first, last}) : std::nullopt;
+    }
+
+    /// Counted from the top, of Eagle's number of a layer; 0 if there is none.
+    [[nodiscard]] int copperOfEagle(int number) const {
+        constexpr int kBottom = 16;
+        const auto count = static_cast<int>(m_layers.copper.size());
+        for (int i = 1; i < count - 1 && number > 1 && number < kBottom; ++i) {
+            const std::int32_t row =
+                m_layers.files[static_cast<std::size_t>(m_layers.copper[static_cast<std::size_t>(i)])];
+            if (m_files[static_cast<std::size_t>(row)].role.order == number) {
+                return i + 1;
+            }
+        }
+        return number == 1 ? 1 : number == kBottom ? count : 0;
     }
 
     Span spanOf(const LayerPair& pair, const std::string& path) {

@@ -73,6 +73,51 @@ private slots:
                  3U);
     }
 
+    void namesOfDrillFilesTellTheirSpans_data() {
+        QTest::addColumn<QString>("through");
+        QTest::addColumn<QString>("blind");
+        QTest::addColumn<QString>("spans");
+        QTest::newRow("Allegro") << "b-1-4.drl"
+                                 << "b-1-2.drl"
+                                 << "1-2 1-4 ";
+        QTest::newRow("Eagle") << "b.drd.0116"
+                               << "b.drd.1516"
+                               << "1-4 3-4 ";
+        QTest::newRow("versions") << "b-1-3.drl"
+                                  << "b-1-2.drl"
+                                  << "1-4 1-4 ";
+    }
+    /// Through if nothing in the job is drilled by its name from the top to the bottom.
+    void namesOfDrillFilesTellTheirSpans() {
+        QFETCH(QString, through);
+        QFETCH(QString, blind);
+        QFETCH(QString, spans);
+        const std::string other = "M48\nMETRIC\nT1C0.3\n%\nT1\nX3.0Y2.0\nX4.0Y2.0\nX5.0Y2.0\nM30\n";
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.G2L", image(kCopper)},
+                       {"b.G15L", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {through.toStdString(), kDrills},
+                       {blind.toStdString(), other}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        std::string found;
+        for (const model::Layer& layer : (*board)->layers) {
+            const auto copper = [&](model::LayerId id) {
+                int number = 0;
+                for (std::uint32_t i = 0; i <= id.value; ++i) {
+                    number += (*board)->layers[i].type == model::LayerType::Signal ? 1 : 0;
+                }
+                return std::to_string(number);
+            };
+            if (layer.type == model::LayerType::Drill) {
+                found += layer.spanTop.isValid() ? copper(layer.spanTop) + "-" + copper(layer.spanBottom) + " " : "- ";
+            }
+        }
+        QCOMPARE(QString::fromStdString(found), spans);
+        QCOMPARE(isReported(**board, "nly the name of the drill file"), spans != "1-4 1-4 ");
+    }
+
     /// Programs can write drills from another origin than images. The format that the file tells is not doubted then,
     /// though in another one the holes would lie on the board, too.
     void drillsFromAnotherOriginAreLaidOnTheirPads() {

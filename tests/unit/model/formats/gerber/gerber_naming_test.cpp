@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "model/formats/gerber/naming/drill_spans.h"
 #include "model/formats/gerber/naming/file_role.h"
 
 using Kind = model::gerber::FileRole::Kind;
@@ -100,6 +101,16 @@ private slots:
         QVERIFY(model::gerber::roleOfName("b.xln")->plating == model::Plating::NotSaid);
         QVERIFY(!model::gerber::roleOfName("notes.abc").has_value());
         QVERIFY(!model::gerber::roleOfName("feedback.gbr").has_value());
+    }
+
+    void namesOfDrillsTellTheirLayers() {
+        using model::gerber::spanInName;
+        QVERIFY((spanInName("board-1-6.drl") == model::gerber::NamedSpan{1, 6, false}));
+        QVERIFY((spanInName("board_7-10.rou") == model::gerber::NamedSpan{7, 10, false}));
+        QVERIFY((spanInName("board.drd.0215") == model::gerber::NamedSpan{2, 15, true}));
+        for (const char* name : {"board.drl", "board-2.drl", "board-4-2.drl", "board.0117", "2021-3-4"}) {
+            QVERIFY2(!spanInName(name), name);
+        }
     }
 
     void boardsAreWhatNamesHaveInCommon_data() {
