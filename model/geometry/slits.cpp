@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "model/base/edge_slots.h"
 #include "model/geometry/discretise.h"
@@ -27,6 +28,23 @@ public:
 
     /// Whether edges are run along both ways.
     [[nodiscard]] bool hasSlits() const { return m_hasSlits; }
+
+    /// Node ranges from which no slit leads on: [first, last] where the edge before `first` is run back by the one that
+    /// leaves `last`.
+    [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> ends() const {
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+        std::uint32_t before = kNone;
+        for (std::uint32_t edge = 0; edge < m_twin.size(); ++edge) {
+            if (m_twin[edge] == kNone) {
+                continue;
+            }
+            if (before != kNone && m_twin[edge] == before && edge > before + 1) {
+                ends.emplace_back(before + 1, edge);
+            }
+            before = edge;
+        }
+        return ends;
+    }
 
     /// What is left without them, in the order of the contour; it may be a few nodes without area.
     [[nodiscard]] Loops loops() const {
@@ -88,6 +106,31 @@ __int128 twiceAreaOf(const PathNodes& path) {
         discretiseEdge(path, i, {}, points);
     }
     return twiceArea(points);
+}
+
+__int128 twiceAreaOfStraight(std::span<const PathNode> nodes) {
+    std::vector<Point> points;
+    std::ranges::transform(nodes, std::back_inserter(points), &PathNode::point);
+    return twiceArea(points);
+}
+
+/// Is the point within the contour without the nodes from `first` to `last`?
+bool isWithinRest(Point p, std::span<const PathNode> contour, std::size_t first, std::size_t last) {
+    bool isWithin = false;
+    const std::size_t size = contour.size() - (last - first + 1);
+    const auto node = [&](std::size_t i) { return contour[i < first ? i : i + (last - first + 1)].point; };
+    for (std::size_t i = 0; i < size; ++i) {
+        const Point a = node(i);
+        const Point b = node(i + 1 < size ? i + 1 : 0);
+        const bool isCrossed = (a.y <= p.y) != (b.y <= p.y);
+        const __int128 side = twiceArea(std::array{a, b, p});
+        isWithin = isWithin != (isCrossed && ((b.y > a.y) == (side > 0)));
+    }
+    return isWithin;
+}
+
+bool isStraight(const PathNode& node) {
+    return node.edge == EdgeKind::Line;
 }
 
 /// Straight there and back, with other nodes on one way than on the other: covers nothing.
@@ -234,6 +277,25 @@ private:
 };
 
 }  // namespace
+
+std::vector<PathNode> withOpeningsAgainst(std::vector<PathNode> contour) {
+    base::EdgeSlots slots;
+    if (!SlitContour(contour, slots).hasSlits() || !std::ranges::all_of(contour, isStraight)) {
+        return contour;
+    }
+    std::ranges::rotate(contour, std::ranges::min_element(contour, {}, &PathNode::point));  // a node of the outside
+    const __int128 area = twiceAreaOfStraight(contour);
+    for (const auto& [first, last] : SlitContour(contour, slots).ends()) {
+        const std::span<PathNode> loop = std::span(contour).subspan(first, last - first + 1);
+        const __int128 own = twiceAreaOfStraight(loop);
+        const __int128 rest = area - own;
+        const bool windsAlike = own != 0 && (own > 0) == (rest > 0) && (own > 0 ? own < rest : own > rest);
+        if (windsAlike && isWithinRest(loop[loop.size() / 2].point, contour, first, last)) {
+            std::ranges::reverse(loop);
+        }
+    }
+    return contour;
+}
 
 std::optional<ShapeSketch> healSlits(const ShapeSketch& sketch) {
     std::vector<SlitContour> contours;

@@ -21,4 +21,10 @@ namespace model {
 /// contour of which a great many edges lie upon each other stays as it is.
 [[nodiscard]] std::vector<PathNode> withNodesWhereRunBack(std::vector<PathNode> contour);
 
+/// For contours that run in to an opening along an edge, around it in the direction of the outside, and back along the
+/// edge, as DipTrace writes letters: the same contour with such openings run around against the outside, as those of
+/// other programs are. By winding alone they would be covered twice, but nobody runs in to draw what is covered
+/// already. Openings of straight edges only, from which no other slit leads on; the contour may begin elsewhere.
+[[nodiscard]] std::vector<PathNode> withOpeningsAgainst(std::vector<PathNode> contour);
+
 }  // namespace model

@@ -271,7 +271,7 @@ void ImageParser::endContour() {
     }
     ShapeSketch sketch;
     sketch.beginContour(false);
-    for (const PathNode& node : withNodesWhereRunBack(std::move(nodes))) {
+    for (const PathNode& node : withOpeningsAgainst(withNodesWhereRunBack(std::move(nodes)))) {
         sketch.addNode(node);
     }
     DrawnFeature feature;

@@ -198,6 +198,42 @@ private slots:
         QVERIFY(model::twiceArea(unhealed(sketch)) == model::twiceArea(healed(cut)));
     }
 
+    /// Around the opening of an O in the direction of its outside.
+    void openingsRunAroundAsTheOutsideAreOpen() {
+        const std::vector<Point> letter = {{0, 0},   {90, 0},  {90, 90}, {45, 90}, {45, 60}, {30, 60},
+                                           {30, 30}, {60, 30}, {60, 60}, {45, 60}, {45, 90}, {0, 90}};
+        for (std::size_t begin = 0; begin < letter.size(); ++begin) {
+            std::vector<PathNode> nodes;
+            for (std::size_t i = 0; i < letter.size(); ++i) {
+                nodes.push_back({letter[(begin + i) % letter.size()], {}});
+            }
+            ShapeSketch sketch;
+            sketch.beginContour(false);
+            for (const PathNode& node : model::withOpeningsAgainst(nodes)) {
+                sketch.addNode(node);
+            }
+            QCOMPARE(text(model::healSlits(sketch).value_or(sketch)), QString("island 5, hole 5"));
+        }
+    }
+    void otherLoopsAtSlitsStay_data() {
+        QTest::addColumn<QVector<QPoint>>("points");
+        QTest::newRow("an opening run around against the outside")
+            << QVector<QPoint>{{0, 0},   {90, 0},  {90, 90}, {45, 90}, {45, 60}, {60, 60},
+                               {60, 30}, {30, 30}, {30, 60}, {45, 60}, {45, 90}, {0, 90}};
+        QTest::newRow("two islands joined by a line")
+            << QVector<QPoint>{{0, 0},   {40, 0},  {40, 20}, {60, 20}, {60, 0},  {80, 0},
+                               {80, 40}, {60, 40}, {60, 20}, {40, 20}, {40, 40}, {0, 40}};
+        QTest::newRow("no slit") << QVector<QPoint>{{0, 0}, {40, 0}, {40, 20}};
+    }
+    void otherLoopsAtSlitsStay() {
+        QFETCH(QVector<QPoint>, points);
+        std::vector<PathNode> nodes;
+        for (const QPoint& point : points) {
+            nodes.push_back({{point.x(), point.y()}, {}});
+        }
+        QVERIFY(model::withOpeningsAgainst(nodes) == nodes);
+    }
+
     void edgesThatLieUponEachOtherTakeLittleTime() {
         std::vector<PathNode> contour;
         for (int i = 0; i < 100'000; ++i) {

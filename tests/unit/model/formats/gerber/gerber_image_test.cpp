@@ -41,6 +41,17 @@ class GerberImageTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// DipTrace runs around the openings of letters in the direction of their outside.
+    void openingsOfLettersAreOpen() {
+        const Image image = parse(
+            "G36*X0Y0D02*G01*X90000000D01*Y90000000D01*X45000000D01*Y60000000D01*X30000000D01*Y30000000D01*"
+            "X60000000D01*"
+            "Y60000000D01*X45000000D01*Y90000000D01*X0D01*Y0D01*G37*");
+        QCOMPARE(image.regions.size(), std::size_t{1});
+        const auto polygons = model::polygonsOf(image.regions[0], {});
+        QCOMPARE(static_cast<double>(twiceArea(polygons)) / 2e12, 7200.0);
+    }
+
     /// DipTrace writes its macros before the format, and outlines of text make them long.
     void theFormatIsFoundBehindLongMacros() {
         std::string head = "%MOIN*%\n";
