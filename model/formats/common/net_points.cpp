@@ -87,25 +87,29 @@ std::vector<Ground> groundsOf(const Document& document, const std::vector<NetPoi
         discs.addDisc(point.position, 0.0);
     }
     std::vector<Ground> grounds(points.size(), Ground::Nothing);
-    const auto check = [&](ElementId element, const Box& box, std::size_t i) {
+    // A plane may have hundreds of thousands of edges and as many points over it: its figures are made once.
+    const auto check = [&](ElementId element) {
         const NetId net = document.elements.net[element.row()];
-        if (grounds[i] == Ground::OwnNet || (net.isValid() && net != points[i].net) || !box.holds(points[i].position)) {
-            return;
-        }
+        const Box box = document.boxOf(element);
         FigureTable figures;
-        figures.add(document, element);
-        for (std::size_t row = 0; row < figures.size(); ++row) {
-            if (spacingBetween(figures, row, discs, i, kTouchNm)) {
-                grounds[i] = net.isValid() ? Ground::OwnNet : Ground::NoNet;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const bool isOfOther = net.isValid() && net != points[i].net;
+            if (grounds[i] == Ground::OwnNet || isOfOther || !box.holds(points[i].position)) {
+                continue;
+            }
+            if (figures.size() == 0) {
+                figures.add(document, element);
+            }
+            for (std::size_t row = 0; row < figures.size(); ++row) {
+                if (spacingBetween(figures, row, discs, i, kTouchNm)) {
+                    grounds[i] = net.isValid() ? Ground::OwnNet : Ground::NoNet;
+                }
             }
         }
     };
     for (std::size_t row = 0; row < document.elements.size(); ++row) {
         if (document.layer(document.elements.layer[row]).isCopper()) {
-            const Box box = document.boxOf(ElementId{row});
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                check(ElementId{row}, box, i);
-            }
+            check(ElementId{row});
         }
     }
     return grounds;

@@ -2,6 +2,7 @@
 
 #include "model/formats/gerber/gerber_reader.h"
 
+#include <QElapsedTimer>
 #include <QtTest>
 #include <algorithm>
 
@@ -117,6 +118,33 @@ private slots:
         QCOMPARE((*board)->components.size(), std::size_t{1});
         QCOMPARE((*board)->components[0].pinCount, 3U);
         QVERIFY(isReported(**board, "1 of 4 netlist points"));
+    }
+
+    /// A plane of 400,000 corners with 900 points on pads and as many beside them.
+    void pointsOverLargePlanesTakeLittleTime() {
+        std::string copper = "%ADD10C,0.2*%D10*G36*X0Y0D02*G01*X20000000D01*Y19000000D01*";
+        for (int i = 400'000; i > 0; --i) {
+            copper += "X" + std::to_string(i * 50) + "Y" + (i % 2 == 0 ? "19000000" : "19400000") + "D01*\n";
+        }
+        copper += "X0Y19000000D01*Y0D01*G37*\n";
+        std::string netlist = "P  UNITS CUST 1\n";
+        for (int i = 0; i < 900; ++i) {
+            const int x = 1000 + i % 30 * 600;
+            const int y = 1000 + i / 30 * 600;
+            copper += "X" + std::to_string(x * 1000) + "Y" + std::to_string(y * 1000) + "D03*\n";
+            for (const int beside : {0, 300}) {
+                netlist += QString::asprintf("327PLANE           J1    -%-4d       A01X+%06dY+%06dX0200Y0000R000S3\n",
+                                             i + 1, x + beside, y)
+                               .toStdString();
+            }
+        }
+        const Job job({{"b.GTL", image(copper)}, {"b.GKO", image(kOutline)}, {"b.ipc", netlist + "999\n"}});
+        QElapsedTimer timer;
+        timer.start();
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY((*board)->findNet("PLANE").isValid());
+        QVERIFY2(timer.elapsed() < 6'000, qPrintable(QString::number(timer.elapsed())));
     }
 
     void drillsAreReadAsTheyFitTheCopper() {
