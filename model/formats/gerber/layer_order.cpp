@@ -50,20 +50,20 @@ int copperRank(const FileRole& role) {
     return role.side == LayerSide::Top ? 0 : role.side == LayerSide::Bottom ? 2 : 1;
 }
 
-/// The name of a file without what it shares with others of the board, `board`, or what it draws.
-std::string layerName(const ReadFile& file, const std::string& board) {
+/// The name of a file without what it shares with others of the board, `board`, or what it draws, `role`.
+std::string layerName(const ReadFile& file, const FileRole& role, const std::string& board) {
     const std::string_view stem = file.name().substr(0, file.name().find_last_of('.'));
     std::string_view rest = stem;
     if (!board.empty() && upperCase(stem).starts_with(board)) {
         rest = stem.substr(board.size());
         rest.remove_prefix(std::min(rest.find_first_not_of("._- "), rest.size()));
     }
-    const bool isOneOfMany = file.role.kind == Kind::Copper && copperRank(file.role) == 1 && file.role.order == 0;
+    const bool isOneOfMany = role.kind == Kind::Copper && copperRank(role) == 1 && role.order == 0;
     const bool isTelling =
         !rest.empty() && (rest.size() < stem.size() || isOneOfMany || roleOfName(std::string(rest) + ".x"));
-    return isTelling                                                 ? std::string(rest)
-           : file.role.isKnown() && file.role.kind != Kind::Document ? describe(file.role)
-                                                                     : std::string(file.name());
+    return isTelling                                       ? std::string(rest)
+           : role.isKnown() && role.kind != Kind::Document ? describe(role)
+                                                           : std::string(file.name());
 }
 
 class LayerMaker {
@@ -87,7 +87,6 @@ public:
         for (const std::size_t row : rows) {
             add(row);
         }
-        finishSides();
         return std::move(m_result);
     }
 
@@ -113,6 +112,8 @@ private:
         const auto end = std::find_if_not(begin, rows.end(), isCopper);
         numberByNames(std::span(begin, end));
         std::stable_sort(begin, end, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+        m_top = end - begin > 1 ? *begin : kNone;
+        m_bottom = end - begin > 1 ? *(end - 1) : kNone;
         std::set<std::pair<int, int>> seen;
         for (auto row = begin; row != end; ++row) {
             const FileRole& role = m_files[*row].role;
@@ -203,17 +204,27 @@ private:
         return facts;
     }
 
+    /// The uppermost copper is the top, the lowest the bottom, whatever their files say.
+    [[nodiscard]] FileRole placedRole(std::size_t row) const {
+        FileRole role = m_files[row].role;
+        if (role.kind == Kind::Copper && role.side == LayerSide::Inner) {
+            role.side = row == m_top ? LayerSide::Top : row == m_bottom ? LayerSide::Bottom : LayerSide::Inner;
+        }
+        return role;
+    }
+
     void add(std::size_t row) {
         const ReadFile& file = m_files[row];
+        const FileRole role = placedRole(row);
         formats::DrawnLayer layer;
         const std::size_t copper = m_result.copper.size();
         const bool isOfStack = file.role.kind == Kind::Copper && m_usesStack;
         const bool hasStackName = isOfStack && !m_copperRows[copper]->name.empty();
-        layer.name = unique(hasStackName ? m_copperRows[copper]->name : layerName(file, sharedName(file)));
+        layer.name = unique(hasStackName ? m_copperRows[copper]->name : layerName(file, role, sharedName(file)));
         layer.file = file.path;
         layer.type = typeOf(file.role.kind);
         layer.context = isOfBoard(file.role.kind) ? LayerContext::Board : LayerContext::Misc;
-        layer.side = file.role.side;
+        layer.side = role.side;
         layer.isNegative = file.role.kind == Kind::Copper && (file.role.isNegative != file.image.isNegative);
         layer.tools = file.image.tools;
         if (layer.isNegative) {
@@ -224,7 +235,7 @@ private:
                                  "a negative image (IPNEG) of a layer that is not copper "
                                  "is drawn as it is");
         }
-        describeGuess(file);
+        describeGuess(file, role);
         if (isOfStack) {
             layer.facts = factsOf(*m_copperRows[copper]);
         }
@@ -259,15 +270,15 @@ private:
         m_result.files.push_back(formats::kNoRow);
     }
 
-    void describeGuess(const ReadFile& file) {
-        const RoleSource source = file.role.source;
+    void describeGuess(const ReadFile& file, const FileRole& role) {
+        const RoleSource source = role.source;
         if (source == RoleSource::Name || source == RoleSource::Comment || source == RoleSource::Content) {
             const std::string by = source == RoleSource::Name      ? "name"
                                    : source == RoleSource::Comment ? "comments"
                                                                    : "content";
             m_diagnostics.report(Severity::Info, file.path, 0,
                                  "neither an attribute nor a job file says what the file draws; taken as " +
-                                     describe(file.role) + " by its " + by);
+                                     describe(role) + " by its " + by);
         } else if (source == RoleSource::Unknown) {
             m_diagnostics.report(Severity::Warning, file.path, 0,
                                  "nothing tells which layer this file draws; it is shown as a document");
@@ -282,16 +293,7 @@ private:
         return result;
     }
 
-    /// The uppermost copper is the top, the lowest the bottom.
-    void finishSides() {
-        for (std::size_t i = 0; i < m_result.copper.size(); ++i) {
-            LayerSide& side = m_result.layers[static_cast<std::size_t>(m_result.copper[i])].side;
-            const bool isLast = i + 1 == m_result.copper.size();
-            if (side == LayerSide::Inner && m_result.copper.size() > 1) {
-                side = i == 0 ? LayerSide::Top : isLast ? LayerSide::Bottom : LayerSide::Inner;
-            }
-        }
-    }
+    static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
     const std::vector<ReadFile>& m_files;
     const BoardFiles& m_board;
@@ -301,6 +303,8 @@ private:
     std::map<std::string, int> m_filesOfName;  ///< by what stands before the layer in their names
     bool m_areAlone = false;                   ///< there is one image
     std::set<std::string> m_names;
+    std::size_t m_top = kNone;                 ///< file of the uppermost copper, if there is more than one
+    std::size_t m_bottom = kNone;              ///< of the lowest
     std::map<std::size_t, int> m_namedOrders;  ///< of files, by the numbers in their names
     std::vector<const JobStackRow*> m_copperRows;
     std::vector<std::vector<const JobStackRow*>> m_between;  ///< dielectrics below each copper row

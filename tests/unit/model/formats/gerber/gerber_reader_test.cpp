@@ -190,6 +190,14 @@ private slots:
         QVERIFY(isReported(**board, "no part of a Gerber job"));
     }
 
+    void theLowestCopperIsNotCalledInner() {
+        const Job job({{"art001.pho", image(kCopper)}, {"art002.pho", image(kCopper)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY((*board)->findLayer("bottom copper 2").isValid());
+        QVERIFY(isReported(**board, "taken as bottom copper 2"));
+    }
+
     void wordsOfOneFileAreNoBoard() {
         const Job job({{"TOP.gbr", image(kCopper, "Copper,L1,Top")},
                        {"PAST_TOP.gbr", image(kCopper, "Paste,Top")},
