@@ -64,7 +64,7 @@ std::optional<FileRole> roleOf(const AllegroClasses& classes) {
     const bool isAssembly = classes.assemblies > 0 && classes.assemblies >= classes.silks;
     // Any film may have a frame and a title; one that shows nothing else, or tables, is a drawing.
     const bool isOfBoard = classes.masks > 0 || classes.pastes > 0 || classes.silks > 0;
-    const bool isDrawing = classes.drawings > 1 && classes.etch == 0 && (classes.tables > 0 || !isOfBoard);
+    const bool isDrawing = classes.etch == 0 && (classes.tables > 0 || (classes.drawings > 1 && !isOfBoard));
     if (isAssembly || isDrawing) {
         role.kind = Kind::Document;
     } else if (classes.etch == 1) {

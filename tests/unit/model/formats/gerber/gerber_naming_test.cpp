@@ -177,6 +177,9 @@ private slots:
         model::gerber::Image fabrication = mask;
         fabrication.comments.emplace_back("Layer:  MANUFACTURING/NCLEGEND-1-4");
         QVERIFY(model::gerber::roleOfComments(fabrication)->kind == Kind::Document);
+        model::gerber::Image holes;
+        holes.comments = {"Layer:  MANUFACTURING/NCLEGEND-1-12", "Layer:  BOARD GEOMETRY/OUTLINE"};
+        QVERIFY(model::gerber::roleOfComments(holes)->kind == Kind::Document);
     }
 
     /// OrCAD's silkscreen may show a class of the assembly drawing too, and assembly drawings silkscreen.
