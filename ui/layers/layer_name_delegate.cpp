@@ -27,7 +27,13 @@ QString shortName(const QString& name, const QStringList& all, const QFontMetric
             same = std::max(same, sameAtBeginning(name, other));
         }
     }
-    return same == 0 ? middleCut : letters.elidedText(dots + name.mid(same), Qt::ElideRight, width);
+    if (same == 0) {
+        return middleCut;
+    }
+    // The end alone, if it shows where they differ: a name may be all that another begins with.
+    const QString end = letters.elidedText(name, Qt::ElideLeft, width);
+    const bool showsDifference = name.size() - (end.size() - 1) <= same;
+    return showsDifference ? end : letters.elidedText(dots + name.mid(same), Qt::ElideRight, width);
 }
 
 void LayerNameDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {

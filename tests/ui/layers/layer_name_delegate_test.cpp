@@ -27,6 +27,16 @@ private slots:
         QVERIFY(letters().horizontalAdvance(top) <= width && letters().horizontalAdvance(bottom) <= width);
     }
 
+    void aNameThatAnotherBeginsWithKeepsItsEnd() {
+        const QStringList names = {"bottom solder mask", "bottom solder mask solder mask"};
+        const int width = letters().horizontalAdvance("…om solder mask") + 1;
+        QVERIFY(letters().horizontalAdvance(names[0]) > width);
+        const QString mask = shortName(names[0], names, letters(), width);
+        const QString film = shortName(names[1], names, letters(), width);
+        QVERIFY2(mask.startsWith("…") && mask.endsWith("m solder mask"), qPrintable(mask));
+        QVERIFY2(film.startsWith("…") && film.endsWith(" solder mask") && film != mask, qPrintable(film));
+    }
+
 private:
     static QFontMetrics letters() { return QFontMetrics(QApplication::font()); }
 
