@@ -11,15 +11,27 @@ namespace {
 /// Numbers may skip, but a table of a million is no table.
 constexpr std::int32_t kMaxTableNumber = 1'000'000;
 
+/// Where the first entry of a set ends: at a comma, or at blanks before another number (Altium's routed slots).
+std::size_t endOfEntry(std::string_view set) {
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        const std::size_t next = set.find_first_not_of(" \t", i);
+        const bool isNextNumber = next != std::string_view::npos && next > i && set[next] >= '0' && set[next] <= '9';
+        if (set[i] == ',' || (isNextNumber && i > 0 && set[i - 1] != '=')) {
+            return i;
+        }
+    }
+    return set.size();
+}
+
 /// Calls `use(number, value)` for each entry `number` or `number=value` of a set.
 template <class Use>
 void forEachEntry(std::string_view set, Use use) {
     while (!set.empty()) {
-        const std::size_t comma = std::min(set.find(','), set.size());
-        const std::string_view entry = trimmed(set.substr(0, comma));
+        const std::size_t end = endOfEntry(set);
+        const std::string_view entry = trimmed(set.substr(0, end));
         const std::size_t equals = std::min(entry.find('='), entry.size());
         use(trimmed(entry.substr(0, equals)), entry.substr(std::min(equals + 1, entry.size())));
-        set.remove_prefix(std::min(comma + 1, set.size()));
+        set.remove_prefix(std::min(end + 1, set.size()));
     }
 }
 

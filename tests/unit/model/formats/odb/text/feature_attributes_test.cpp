@@ -61,6 +61,15 @@ private slots:
         QVERIFY(diagnostics.entries().empty());
     }
 
+    void blanksMayPartEntries() {
+        const AttributeTypes types;
+        const AttributeValues three = valuesOf(";1=7,2=8,6=9", types);
+        QCOMPARE(three.size(), std::size_t{3});
+        QCOMPARE(valuesOf(";1=7 2=8 6=9", types), three);
+        QCOMPARE(valuesOf("; 1 = 7 , 2= 8  6 =9 ", types), three);
+        QCOMPARE(valuesOf(";1 2", types).size(), std::size_t{2});
+    }
+
     void routedFeaturesSayThemselvesWhetherTheyArePlated() {
         using model::Plating;
         const FeatureFile file = parse(
