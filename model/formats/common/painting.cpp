@@ -105,21 +105,6 @@ RegionBoolean visible(const Document& document, std::span<const std::uint8_t> ne
     return all;
 }
 
-DocumentBuilder::Origin originOf(DocumentBuilder& builder, const Document& document, std::size_t row) {
-    const ElementTable& table = document.elements;
-    DocumentBuilder::Origin origin;
-    origin.net = table.net[row];
-    origin.subnet = table.subnet[row];
-    origin.feature = table.firstFeature[row];
-    origin.line = table.line[row];
-    origin.flags = table.flags[row];
-    origin.attributes = builder.attributes(document.attributesOf(ElementId{row}));
-    if (table.symbol[row].isValid()) {
-        origin.symbol = builder.symbol(document.symbols[table.symbol[row].row()]);
-    }
-    return origin;
-}
-
 /// More regions than this are not tested pair by pair.
 constexpr std::size_t kMostPairwise = 64;
 
@@ -290,6 +275,21 @@ Inverse::Piece pieceOf(const EdgeLoops& region, NetId net, const OutlineSources&
 }
 
 }  // namespace
+
+DocumentBuilder::Origin originOf(DocumentBuilder& builder, const Document& document, std::size_t row) {
+    const ElementTable& table = document.elements;
+    DocumentBuilder::Origin origin;
+    origin.net = table.net[row];
+    origin.subnet = table.subnet[row];
+    origin.feature = table.firstFeature[row];
+    origin.line = table.line[row];
+    origin.flags = table.flags[row];
+    origin.attributes = builder.attributes(document.attributesOf(ElementId{row}));
+    if (table.symbol[row].isValid()) {
+        origin.symbol = builder.symbol(document.symbols[table.symbol[row].row()]);
+    }
+    return origin;
+}
 
 void addPainted(DocumentBuilder& builder, const Document& painted, std::span<const std::uint8_t> negatives,
                 std::string_view file) {

@@ -23,6 +23,9 @@ namespace model::formats {
 void addPainted(DocumentBuilder& builder, const Document& painted, std::span<const std::uint8_t> negatives,
                 std::string_view file);
 
+/// What an element of `document` has besides its geometry, for a copy in what the builder makes.
+[[nodiscard]] DocumentBuilder::Origin originOf(DocumentBuilder& builder, const Document& document, std::size_t row);
+
 /// Jobs name nets for features only, and those of a negative layer are what is not copper; so a piece of it has the net
 /// of what touches it.
 

@@ -60,7 +60,7 @@ public:
             return false;
         }
         setProfile();
-        formats::takeOutRouted(m_builder);
+        buildRouted();
         addOutlines(m_builder, m_matrix, m_layers, m_step);
         if (m_isChosen) {
             reportStackup(m_builder.soFar(), diagnostics());
@@ -118,12 +118,32 @@ private:
             if (m_parts.progress.isCancelled()) {
                 return false;
             }
-            if (!m_matrix.layers[row].isNegative) {
+            if (hasCompensation(row)) {
+                const std::string& file = m_step.layers[row].features.path;
+                m_routed.push_back({m_layers.id(row), std::make_unique<DocumentBuilder>(), file});
+                paint(*m_routed.back().routed, row);
+            } else if (!m_matrix.layers[row].isNegative) {
                 buildLayer(row);
                 m_parts.progress.layerDone();
             }
         }
         return true;
+    }
+
+    /// Cutters with compensation run beside their path, on which side of it the outline says.
+    [[nodiscard]] bool hasCompensation(std::size_t row) const {
+        const FeatureFile& file = m_step.layers[row].features.value;
+        return m_matrix.layers[row].type == LayerType::Rout && !m_matrix.layers[row].isNegative && !file.hasNegatives &&
+               std::ranges::find(file.attributes.names, ".comp") != file.attributes.names.end();
+    }
+
+    void buildRouted() {
+        formats::takeOutRouted(m_builder, m_routed);
+        for (const formats::RoutedLayer& layer : m_routed) {
+            addRouted(m_builder, layer);
+            m_copies.reportNegativesOfCopies(layer.layer, layer.file);
+            m_parts.progress.layerDone();
+        }
     }
 
     /// They need the profile and the holes, so they come last.
@@ -256,6 +276,7 @@ private:
     SymbolLibrary m_symbols;
     NetLinks m_nets;
     formats::PinLocations m_pins;
+    std::vector<formats::RoutedLayer> m_routed;  ///< built when the outline is known
 };
 
 /// The document of a step that others hold copies of.

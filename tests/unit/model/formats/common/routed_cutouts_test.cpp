@@ -72,6 +72,42 @@ private slots:
         QCOMPARE(qRound(areaOf(*board)), 10'000 - 400);
     }
 
+    void compensatedPathsCutBesideTheOutline() {
+        // As Altium writes a board with a cut-out: paths along both, with compensation, each ended by a dot.
+        const std::string head = "@0 .comp\n@1 .feed\n";
+        const auto path = [](const std::string& corners, const char* tail) {
+            std::string text = corners;
+            for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;
+                 at += std::string(tail).size() + 1) {
+                text.insert(at, tail);
+            }
+            return text;
+        };
+        const std::string inner =
+            "L 40 40 60 40 0 P 0\nL 60 40 60 60 0 P 0\nL 60 60 40 60 0 P 0\nL 40 60 40 40 0 P 0\n"
+            "L 40 40 40 40 0 P 0\n";
+        const std::string outer =
+            "L 0 0 100 0 0 P 0\nL 100 0 100 100 0 P 0\nL 100 100 0 100 0 P 0\n"
+            "L 0 100 0 0 0 P 0\n";
+        const std::string slot = "L 10 80 30 80 0 P 0\n";
+        const auto board = boardWith(head + path(inner + outer + slot, " ;0=2 1=200"));
+        QCOMPARE(qRound(areaOf(*board)), 10'000 - 400);
+        const model::Layer& layer = board->layer(board->findLayer("ROUT"));
+        double cut = 0.0;
+        for (std::uint32_t i = 0; i < layer.elements.count; ++i) {
+            const model::ElementId id{layer.elements.first + i};
+            QVERIFY((board->elements.flags[id.row()] & model::kHole) != 0);
+            cut += squareMillimetres(*board, id);
+        }
+        // Half of the pen's 0.2 mm along 4 * 20 mm within the cut-out and 4 * 100 mm around the board; all of the slot.
+        const double expected = (80 * 0.1 - 4 * 0.01) + (400 * 0.1 + 3.1416 * 0.01) + (20 * 0.2 + 3.1416 * 0.01);
+        QVERIFY2(std::abs(cut - expected) < 0.05, QByteArray::number(cut).constData());
+        QVERIFY(findDiagnostic(board->diagnostics, "a routed path with compensation is the edge of what stays") !=
+                nullptr);
+        const auto without = boardWith(head + path(outer, " ;0=0 1=200"));
+        QVERIFY(findDiagnostic(without->diagnostics, "with compensation") == nullptr);
+    }
+
     void otherPathsCutNothingOut_data() {
         QTest::addColumn<QString>("routed");
         QTest::newRow("open") << "L 40 40 60 40 0 P 0\nL 60 40 60 60 0 P 0\nL 60 60 40 60 0 P 0\n";
