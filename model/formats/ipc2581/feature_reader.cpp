@@ -5,6 +5,7 @@
 
 #include "model/formats/ipc2581/shapes/stadium.h"
 #include "model/formats/ipc2581/xml/xml_values.h"
+#include "model/geometry/outlines.h"
 
 namespace model::ipc2581 {
 
@@ -238,6 +239,9 @@ void FeatureReader::readPad(XmlCursor& at) {
 /// A pad without a shape of its own has that of its padstack.
 void FeatureReader::usePadstack(std::string_view name, const Placed& placed, std::uint32_t line) {
     const Padstack* const padstack = m_padstacks.find(name);
+    if (padstack != nullptr && m_layers[m_layer].drawn.isNegative) {
+        checkThermals(*padstack, placed, line);
+    }
     for (const PointD location : placed.locations) {
         const Turn turn = placed.at(location);
         if (padstack != nullptr) {
@@ -245,6 +249,24 @@ void FeatureReader::usePadstack(std::string_view name, const Placed& placed, std
         }
         if (placed.shapes.empty()) {
             drawPadstack(padstack, name, turn, line);
+        }
+    }
+}
+
+/// Allegro writes flashes of thermals that it cannot draw as plain circles. Those narrower than the hole join the plane
+/// all around; wider ones keep clear of it, against what their padstack says.
+void FeatureReader::checkThermals(const Padstack& padstack, const Placed& placed, std::uint32_t line) {
+    for (const XmlCursor& shape : placed.shapes) {
+        if (!padstack.isThermal(m_layers[m_layer].drawn.name, shape.value("id"))) {
+            continue;
+        }
+        XmlCursor at = shape;
+        const ShapeSketch sketch = m_shapes.sketch(at, {}, m_reading.unitNm());
+        const bool isCircle = sketch.contourCount() == 1 && sketch.contour(0).size() == 1;
+        if (isCircle && static_cast<double>(boxOf(sketch).width()) > padstack.widestHole) {
+            m_reading.report(
+                Severity::Warning, line,
+                "a thermal on a negative layer is a circle wider than its hole; as drawn it joins nothing");
         }
     }
 }

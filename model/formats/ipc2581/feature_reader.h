@@ -87,6 +87,7 @@ private:
     void usePadstack(std::string_view name, const Placed& placed, std::uint32_t line);
     void drawPadstack(const Padstack* padstack, std::string_view name, const Turn& turn, std::uint32_t line);
     bool drawShapesOf(const Padstack& padstack, const Turn& turn);
+    void checkThermals(const Padstack& padstack, const Placed& placed, std::uint32_t line);
     void setKind(SubnetKind kind) { m_canvas.ink().subnet = kind; }
     void setNet(std::int32_t net);
     void setPlating(const XmlCursor& at);

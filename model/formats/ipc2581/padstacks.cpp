@@ -65,6 +65,7 @@ void Padstacks::add(XmlCursor& at) {
             addPad(at, padstack);
         } else if (at.name() == "PadstackHoleDef" || at.name() == "PadStackHoleDef") {
             const double unitNm = m_reading.unitNm();
+            padstack.widestHole = std::max(padstack.widestHole, m_reading.lengthOr(at, "diameter", unitNm, 0.0));
             padstack.holes.push_back(
                 {m_reading.lengthOr(at, "x", unitNm, 0.0), m_reading.lengthOr(at, "y", unitNm, 0.0)});
         } else {
@@ -83,11 +84,22 @@ void Padstacks::addPad(XmlCursor& at, Padstack& padstack) {
             shapes.push_back(at);
         }
     });
-    if (use.empty() || use == "REGULAR") {
-        for (XmlCursor& shape : shapes) {  // a Location may follow them
+    for (XmlCursor& shape : shapes) {  // a Location may follow them
+        if (use.empty() || use == "REGULAR") {
             padstack.pads.push_back({layer, turn, std::move(shape)});
+        } else if (use == "THERMAL") {
+            padstack.thermals.emplace_back(layer, shape.value("id"));
+        } else if (use == "ANTIPAD") {
+            padstack.antipads.emplace_back(layer, shape.value("id"));
         }
     }
+}
+
+bool Padstack::isThermal(std::string_view layer, std::string_view shape) const {
+    const auto has = [&](const std::vector<NamedShape>& shapes) {
+        return std::ranges::find(shapes, NamedShape(layer, shape)) != shapes.end();
+    };
+    return !shape.empty() && has(thermals) && !has(antipads);
 }
 
 const Padstack* Padstacks::find(std::string_view name) const {

@@ -18,10 +18,19 @@ struct PadstackPad {
     XmlCursor shape;         ///< at its start tag
 };
 
-/// A PadStackDef. Thermals and antipads are not kept.
+/// A PadStackDef. Of thermals and antipads only the names of their shapes are kept.
 struct Padstack {
+    /// A shape of a dictionary on a layer, both as written.
+    using NamedShape = std::pair<std::string_view, std::string_view>;
+
     std::vector<PadstackPad> pads;
     std::vector<PointD> holes;  ///< centres in the pad, in nanometres
+    double widestHole = 0.0;    ///< in nanometres
+    std::vector<NamedShape> thermals;
+    std::vector<NamedShape> antipads;
+
+    /// Is that shape what joins a plane on that layer, and not what keeps clear of it?
+    [[nodiscard]] bool isThermal(std::string_view layer, std::string_view shape) const;
 };
 
 /// The PadStackDefs of a step. They are a library: pads mostly bring shapes of their own, and holes are drawn by layers

@@ -86,6 +86,31 @@ private slots:
         QCOMPARE(featuresOn(jobWith(stack("A", kHere) + drills("G", wider)), "Drill T - B").size(), std::size_t{1});
     }
 
+    void thermalsThatJoinNothingAreReported() {
+        const auto isReported = [](const char* thermal, const char* layer) {
+            const std::string content =
+                "<DictionaryStandard units='MILLIMETER'><EntryStandard id='A'><Circle diameter='0.6'/></EntryStandard>"
+                "<EntryStandard id='F'><Circle diameter='" +
+                std::string(thermal) + "'/></EntryStandard></DictionaryStandard>";
+            const std::string stackDef =
+                "<PadStackDef name='P'><PadstackHoleDef diameter='0.3' x='0' y='0'/>"
+                "<PadstackPadDef layerRef='N' padUse='ANTIPAD'><StandardPrimitiveRef id='A'/></PadstackPadDef>"
+                "<PadstackPadDef layerRef='N' padUse='THERMAL'><StandardPrimitiveRef id='F'/></PadstackPadDef>"
+                "</PadStackDef>";
+            const auto pad = [](const char* shape) {
+                return "<Set><Pad padstackDefRef='P'><Location x='5' y='7'/><StandardPrimitiveRef id='" +
+                       std::string(shape) + "'/></Pad></Set>";
+            };
+            const auto job =
+                parse(fileWith(stackDef + drills(layer, pad("A") + pad("F")), content,
+                               "<Layer name='N' layerFunction='PLANE' side='INTERNAL' polarity='NEGATIVE'/>"));
+            return reports(*job, "a thermal on a negative layer is a circle wider than its hole");
+        };
+        QVERIFY(isReported("0.4", "N"));
+        QVERIFY(!isReported("0.2", "N"));
+        QVERIFY(!isReported("0.4", "T"));
+    }
+
     void aLayerOfTheSameSpanComesFirst() {
         const DrawnJob job =
             jobWith(stack("A", kHere, "I") + drills("G", hole(kHere)) + drills("V", hole("x='5.002' y='7'")));
