@@ -35,6 +35,7 @@ public:
         if (!m_isDone) {
             report("the netlist ends without its last record (999): it may be cut off");
         }
+        renameNumbered();
         return std::move(m_result);
     }
 
@@ -93,6 +94,20 @@ private:
         }
     }
 
+    /// Altium lists "NNAME1 I2S_DAC_LOOP_D0" and calls the net "1" in records. Where a record has "NNAME1" itself, "1"
+    /// is a name like any other.
+    void renameNumbered() {
+        if (m_hasAliasInRecord) {
+            return;
+        }
+        for (std::string& net : m_result.nets) {
+            const auto alias = m_aliases.find(std::string(kAlias) + net);
+            if (alias != m_aliases.end() && !m_rows.contains(alias->second)) {
+                net = alias->second;
+            }
+        }
+    }
+
     /// "mils):  80.400000", which is left alone in any other unit, and from a metre on.
     void thickness(std::string_view text) {
         constexpr std::string_view kMils = "mils):";
@@ -120,6 +135,7 @@ private:
         if (name.empty() || name == "N/C") {
             return -1;
         }
+        m_hasAliasInRecord |= name.starts_with(kAlias);
         const auto alias = m_aliases.find(name);
         const std::string full(alias == m_aliases.end() ? name : std::string_view(alias->second));
         const auto [found, isNew] = m_rows.try_emplace(full, static_cast<std::int32_t>(m_result.nets.size()));
@@ -189,6 +205,7 @@ private:
     std::uint32_t m_line = 0;
     double m_unit = kInchUnit;
     bool m_hasUnit = false;
+    bool m_hasAliasInRecord = false;
     bool m_isDone = false;
 };
 

@@ -496,6 +496,22 @@ private slots:
         }));
     }
 
+    /// Altium; where records have the short names as the table does, a net "1" is called so.
+    void numbersOfANetlistStandForLongNames() {
+        const auto netsOf = [](const std::string& second) {
+            const std::string netlist =
+                "P  UNITS CUST 1\nP  NNAME1     I2S_DAC_LOOP_D0\nP  NNAME2     I2S_DAC_LOOP_D1\n"
+                "3171                J1    -1     D0800PA00X+002000Y+002000X1500Y0000R000 S0\n317" +
+                second + "J1    -3     D0800PA00X+008000Y+008000X1500Y0000R000 S0\n999\n";
+            const Job job(
+                {{"b.GTL", image(kCopper)}, {"b.GBL", image(kCopper)}, {"b.drl", kDrills}, {"b.ipc", netlist}});
+            const Board board = job.open();
+            return board.ok() ? namesOf(**board) : std::vector<std::string>();
+        };
+        QCOMPARE(netsOf("2                "), (std::vector<std::string>{"I2S_DAC_LOOP_D0", "I2S_DAC_LOOP_D1"}));
+        QCOMPARE(netsOf("NNAME2           "), (std::vector<std::string>{"1", "I2S_DAC_LOOP_D1"}));
+    }
+
     void aThicknessThatNoBoardHasIsLeftAlone() {
         for (const char* thickness : {"1e30", "40000", "-1", "thick"}) {
             const std::string netlist =
