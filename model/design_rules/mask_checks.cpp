@@ -22,7 +22,8 @@ bool isAnyRow(std::uint32_t) {
 LayerId copperUnder(const Document& document, LayerId layer) {
     const LayerSide face = faceOf(document, layer);
     const LayerId copper = outerCopper(document, face);
-    return copper.isValid() && document.layer(copper).side == face ? copper : LayerId{};
+    const LayerSide other = face == LayerSide::Bottom ? LayerSide::Top : LayerSide::Bottom;
+    return copper.isValid() && document.layer(copper).side == other ? LayerId{} : copper;
 }
 
 /// Pads of components on a copper layer that are still there.

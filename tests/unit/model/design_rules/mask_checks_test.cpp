@@ -49,6 +49,25 @@ private slots:
         QVERIFY(check(*board.builder.finish(), RuleKind::MaskSliver, 1000 * kUm).isPassed());
     }
 
+    /// Its only copper is at the bottom: what the mask of the other face leaves free are no pads.
+    void openingsOnTheFaceWithoutCopperHaveNoPads() {
+        for (const auto& [side, findings] :
+             {std::pair(model::LayerSide::Bottom, 0), std::pair(model::LayerSide::Top, 1)}) {
+            model::DocumentBuilder builder;
+            const model::LayerId mask = addLayer(builder, "mask", model::LayerType::SolderMask);
+            const model::LayerId copper = addLayer(builder, "copper", model::LayerType::Signal);
+            builder.layer(mask).side = model::LayerSide::Top;
+            builder.layer(copper).side = side;
+            const model::NetId net = builder.addNet("A");
+            builder.beginLayer(mask);
+            builder.addCircle({{0, 0}, 600 * kUm, 0}, of({}));
+            builder.beginLayer(copper);
+            builder.addCircle({{0, 0}, 600 * kUm, 0}, of(net, model::kPad));
+            const RuleReport report = check(*builder.finish(), RuleKind::MaskToCopper, 50 * kUm);
+            QCOMPARE(report.findings.size(), static_cast<std::size_t>(findings));
+        }
+    }
+
     /// Whatever the shape: a mask that leaves exactly the pad free leaves no margin.
     void openingsAsLargeAsTheirPadsHaveNoMargin() {
         for (const Nm more : {-2 * kUm, Nm{0}, 2 * kUm}) {
