@@ -283,7 +283,8 @@ std::vector<PathNode> withOpeningsAgainst(std::vector<PathNode> contour) {
     if (!SlitContour(contour, slots).hasSlits() || !std::ranges::all_of(contour, isStraight)) {
         return contour;
     }
-    std::ranges::rotate(contour, std::ranges::min_element(contour, {}, &PathNode::point));  // a node of the outside
+    std::rotate(contour.begin(), std::ranges::min_element(contour, {}, &PathNode::point),
+                contour.end());  // a node of the outside
     const __int128 area = twiceAreaOfStraight(contour);
     for (const auto& [first, last] : SlitContour(contour, slots).ends()) {
         const std::span<PathNode> loop = std::span(contour).subspan(first, last - first + 1);

@@ -59,7 +59,7 @@ class StackupDrawingTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Its one copper layer is the bottom one: what is drilled passes the laminate above it, too.
+    /// Its one copper layer is the bottom one: what is drilled passes the substrate above it, too.
     void holesOfSingleSidedBoardsPassAllOfThem() {
         using namespace gerber_testing;
         const Job job({{"b.GTO", image(kCopper)},

@@ -379,13 +379,13 @@ private slots:
         QCOMPARE(stack[3].thickness, 1'535'000);
     }
 
-    void aSingleCopperLayerAtTheBottomLiesUnderItsLaminate_data() {
+    void aSingleCopperLayerAtTheBottomLiesUnderItsSubstrate_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<LayerSide>("side");
         QTest::newRow("by the job's word") << "only" << LayerSide::Bottom;
         QTest::newRow("by its name") << "BOT" << LayerSide::None;
     }
-    void aSingleCopperLayerAtTheBottomLiesUnderItsLaminate() {
+    void aSingleCopperLayerAtTheBottomLiesUnderItsSubstrate() {
         QFETCH(QString, name);
         QFETCH(LayerSide, side);
         Stack stack;
@@ -404,7 +404,7 @@ private slots:
         QCOMPARE(stack[3].thickness, 1'535'000);
     }
 
-    void dielectricsOfTheJobAreTheLaminateOfASingleCopperLayer() {
+    void dielectricsOfTheJobAreTheSubstrateOfASingleCopperLayer() {
         Stack top;
         top.copper("copper", 35'000).dielectric("glue", 100'000).dielectric("base").build(1'500'000);
         QCOMPARE(top.built.rows.size(), std::size_t{3});
