@@ -66,6 +66,7 @@ public:
     BoardMaker(formats::DrawnJob& job, std::string_view file, const Project& project)
         : m_canvas(job, file), m_project(project), m_unused(m_canvas), m_footprints(m_canvas, m_unused, m_outline) {
         m_canvas.settings().variables = project.variables;
+        addFileNames(file);
     }
 
     void take(const Item& item) {
@@ -118,6 +119,14 @@ public:
 
 private:
     // ---- facts ----
+
+    /// A board and its project have one name.
+    void addFileNames(std::string_view file) {
+        const std::string_view name = file.substr(file.rfind('/') + 1);  // npos + 1 is 0
+        auto& variables = m_canvas.settings().variables;
+        variables.try_emplace("FILENAME", name);
+        variables.try_emplace("PROJECTNAME", name.substr(0, name.rfind('.')));
+    }
 
     bool takeFacts(std::string_view head, const Item& item) {
         BoardSettings& settings = m_canvas.settings();

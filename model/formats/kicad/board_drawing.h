@@ -9,7 +9,8 @@
 
 namespace model::kicad {
 
-/// What a board draws, from the text of its .kicad_pcb. `file` is what messages call it. Errors: BadInput when the text
+/// What a board draws, from the text of its .kicad_pcb. `file` is what messages call it, and what texts
+/// call the board. Errors: BadInput when the text
 /// is no board or has no layers, Cancelled.
 [[nodiscard]] base::Result<formats::DrawnJob> drawBoard(std::string_view text, std::string_view file,
                                                         const Project& project, base::Progress& progress);

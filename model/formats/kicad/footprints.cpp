@@ -363,6 +363,14 @@ private:
         if (name == "VALUE") {
             return component().part;
         }
+        if (name == "FOOTPRINT_NAME") {
+            return package().name;
+        }
+        if (name == "FOOTPRINT_LIBRARY") {
+            const std::string footprint = m_item.text(1);  // library:name
+            const std::size_t colon = footprint.find(':');
+            return colon == std::string::npos ? std::string() : footprint.substr(0, colon);
+        }
         for (const auto& [property, value] : component().properties) {
             if (property == name) {
                 return value;

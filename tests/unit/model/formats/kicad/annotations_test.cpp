@@ -217,6 +217,15 @@ private slots:
         QCOMPARE(textsOf(boardWith(footprintWith(barred), "", "4")), (std::vector<std::string>{"~{R1}"}));
     }
 
+    void namesOfFilesAndFootprintsAreVariables() {
+        const DrawnJob job =
+            boardWith(boardText("${FILENAME} ${PROJECTNAME}") + "(footprint \"Lib:Part\" (layer \"F.Cu\") (at 0 0)" +
+                      userText("${FOOTPRINT_NAME} of ${FOOTPRINT_LIBRARY}") + ")" +
+                      footprintWith(userText("${FOOTPRINT_NAME},${FOOTPRINT_LIBRARY}")));
+        QCOMPARE(textsOf(job), (std::vector<std::string>{"board.kicad_pcb board", "Part of Lib", "x,"}));
+        QCOMPARE(messages(job.diagnostics, "has no value"), 0U);
+    }
+
     void variablesAreFilledInOrReported() {
         kicad::Project project;
         project.variables = {{"A", "${B}!"}, {"B", "b"}, {"LOOP", "${LOOP}${LOOP}"}};
