@@ -51,7 +51,8 @@ public:
             const std::string& layer = m_canvas.layers().nameOf(row);
             if (m_canvas.layers().isCopper(row)) {
                 if (!isWithoutCopper(m_forms.on(layer).form)) {
-                    unused != nullptr&& isInner(layer) ? unused->push_back(row) : drawOn(row, {});
+                    unused != nullptr && (isInner(layer) || !keepsEnds(m_pad)) ? unused->push_back(row)
+                                                                               : drawOn(row, {});
                 }
             } else {
                 drawOn(row, layer.ends_with(".Mask")    ? maskMargin(layer)

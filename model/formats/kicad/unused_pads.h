@@ -7,8 +7,8 @@
 
 namespace model::kicad {
 
-/// Copper on inner layers that a pad or via keeps only where something ends there (remove_unused_layers): it waits
-/// until all tracks are drawn.
+/// Copper that a pad or via keeps only where something ends there (remove_unused_layers), on inner layers or on all: it
+/// waits until all tracks are drawn.
 class UnusedPads {
 public:
     struct Waiting {

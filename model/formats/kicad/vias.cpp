@@ -108,6 +108,10 @@ bool removesUnused(const Item& item) {
     return item.isSet("remove_unused_layers") || item.isSet("remove_unused_layer");
 }
 
+bool keepsEnds(const Item& item) {
+    return item.isSet("keep_end_layers") || !item.find("keep_end_layers").isThere();
+}
+
 void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
     const std::optional<PointD> at = point(via, "at");
     const double size = length(via, "size");
@@ -137,7 +141,7 @@ void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
     for (const std::int32_t row : span) {
         const double width = viaSizeOn(via, layers.nameOf(row));
         const bool isEnd = row == span.front() || row == span.back();
-        const bool isKept = isEnd && (via.isSet("keep_end_layers") || !via.find("keep_end_layers").isThere());
+        const bool isKept = isEnd && keepsEnds(via);
         if (removesUnused(via) && !isKept && !connected.hasWord(layers.nameOf(row))) {
             unused.add({row, origin, canvas.pen(width), *at, 0.0, width / 2.0});
         } else {

@@ -16,5 +16,7 @@ void reportProtection(Canvas& canvas, const Item& item);
 
 /// Does a pad or via keep copper on inner layers only where something ends there?
 [[nodiscard]] bool removesUnused(const Item& item);
+/// And does it keep that on its outermost layers in any case?
+[[nodiscard]] bool keepsEnds(const Item& item);
 
 }  // namespace model::kicad
