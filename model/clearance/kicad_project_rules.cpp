@@ -372,6 +372,44 @@ std::optional<FileOfProject> boardAndProject(const fs::path& board) {
     return own;
 }
 
+/// Clearances that zones, pads and footprints of a board ask for over what the rules do: KiCad checks them, and a table
+/// of rules has no place for them.
+std::optional<LeftOutRule> ownClearances(std::string_view board, const RuleTable& table) {
+    const auto isCommon = [](const Rule& rule) {
+        return rule.kind == RuleKind::CopperToCopper && rule.classes == decltype(rule.classes){};
+    };
+    const auto common = std::ranges::find_if(table.rules, isCommon);
+    Nm largest = common == table.rules.end() ? 0 : common->least;
+    const std::size_t begin = std::min({board.find("(footprint"), board.find("(module"), board.find("(zone")});
+    constexpr std::string_view kWord = "(clearance ";
+    constexpr std::size_t kMostDigits = 32;
+    std::size_t first = 0;
+    std::size_t count = 0;
+    const Nm least = largest;
+    for (std::size_t at = board.find(kWord, begin); at != board.npos; at = board.find(kWord, at + 1)) {
+        const std::string_view behind = board.substr(at + kWord.size(), kMostDigits);
+        const auto length = parseLength(std::string(behind.substr(0, behind.find(')'))) + "mm");
+        if (length && *length > least) {
+            first = count++ == 0 ? at : first;
+            largest = std::max(largest, *length);
+        }
+    }
+    const auto line = std::count(board.begin(), board.begin() + static_cast<std::ptrdiff_t>(first), '\n') + 1;
+    return count == 0 ? std::nullopt
+                      : std::optional(inLine(static_cast<std::size_t>(line),
+                                             "what zones, pads and footprints ask for themselves (" +
+                                                 std::to_string(count) + (count == 1 ? " clearance" : " clearances") +
+                                                 ", up to " + lengthText(largest) + ")"));
+}
+
+void leaveOutOwnClearances(FileOfProject& project, const fs::path& board) {
+    const base::Result<std::string> text = readWholeFile(board);
+    if (std::optional<LeftOutRule> own = text ? ownClearances(*text, project.rules.table) : std::nullopt) {
+        own->file = board;
+        project.rules.leftOut.push_back(std::move(*own));
+    }
+}
+
 /// What lies beside a board, or an older one holds itself, as one.
 std::optional<FileOfProject> projectOf(const fs::path& board) {
     if (board.extension() != ".kicad_pcb") {
@@ -379,6 +417,9 @@ std::optional<FileOfProject> projectOf(const fs::path& board) {
     }
     const auto beside = [&](const char* extension) { return fs::path(board).replace_extension(extension); };
     std::optional<FileOfProject> project = boardAndProject(board);
+    if (project && !project->rules.table.rules.empty()) {
+        leaveOutOwnClearances(*project, board);
+    }
     std::optional<FileOfProject> custom = readFile(beside(".kicad_dru"), parseKicadRules);
     if (!custom) {
         return project;

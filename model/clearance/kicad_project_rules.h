@@ -20,7 +20,8 @@ namespace model {
 [[nodiscard]] base::Result<RuleFile> parseKicadBoardRules(std::string_view board);
 
 /// Rules of the project that a board of KiCad belongs to: of the .kicad_pro beside it, with those of the .kicad_dru,
-/// which go before them; of an older board its own, if it holds any, whatever lies beside it. A file that is damaged is
+/// which go before them; of an older board its own, if it holds any, whatever lies beside it. Clearances that zones,
+/// pads and footprints of the board have of their own are left out, in one entry for all. A file that is damaged is
 /// left out and named, and so is the project that custom rules lack. There may be no rules but only what is left out.
 /// None for what is no such board, or has nothing of the kind.
 [[nodiscard]] std::optional<RuleFile> kicadRulesOf(const std::filesystem::path& board);

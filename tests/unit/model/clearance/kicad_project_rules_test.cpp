@@ -210,6 +210,24 @@ private slots:
         QCOMPARE(model::kicadRulesOf(board)->table.classes.front().name, std::string("Power"));
     }
 
+    void clearancesOfSingleItemsAreNamed() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "b.kicad_pcb";
+        write(fs::path(board).replace_extension(".kicad_pro"), kProject);
+        const auto namedWith = [&](const std::string& items) {
+            write(board, "(kicad_pcb (version 20241229)\n" + items + ")");
+            const std::vector<model::LeftOutRule> leftOut = model::kicadRulesOf(board)->leftOut;
+            return leftOut.back().file == board ? model::textOf(leftOut.back()) : std::string();
+        };
+        QCOMPARE(namedWith(""), std::string());
+        QCOMPARE(namedWith("(zone (connect_pads (clearance 0.2)))"), std::string());  // no more than all others
+        QCOMPARE(namedWith("(footprint \"x\"\n(pad \"1\" (options (clearance outline)) (clearance 0.3)))\n"
+                           "(zone (connect_pads yes (clearance 1.5)))"),
+                 std::string("line 3: what zones, pads and footprints ask for themselves (2 clearances, up to 1.5 mm) "
+                             "is left out"));
+        QCOMPARE(namedWith("(zone (connect_pads (clearance far)))"), std::string());
+    }
+
     void customRulesThatCannotBeUsedAreNamed() {
         QTemporaryDir folder;
         const fs::path board = fs::path(folder.path().toStdString()) / "b.kicad_pcb";
