@@ -184,11 +184,14 @@ private:
         settings.pasteMargin = length(setup, "pad_to_paste_clearance");
         settings.pasteRatio = number(setup, "pad_to_paste_clearance_ratio");
         settings.viaDrill = length(setup, "via_drill");
+        const Item plot = setup.find("pcbplotparams");
+        settings.dashes.dash = number(plot, "dashed_line_dash_ratio", settings.dashes.dash);
+        settings.dashes.gap = number(plot, "dashed_line_gap_ratio", settings.dashes.gap);
         const Item tenting = setup.find("tenting");
         if (tenting.isThere()) {
             settings.isViaTented = {tenting.isSet("front"), tenting.isSet("back")};
         } else {
-            const std::string_view word = setup.find("pcbplotparams").find("viasonmask").word(1);
+            const std::string_view word = plot.find("viasonmask").word(1);
             settings.isViaTented.fill(word != "true" && word != "yes");
         }
         reportProtection(m_canvas, setup);

@@ -11,6 +11,7 @@
 
 #include "model/formats/drawing/drawn_job.h"
 #include "model/formats/kicad/board_layers.h"
+#include "model/formats/kicad/shapes/dashes.h"
 #include "model/formats/kicad/text/tree.h"
 
 namespace model::kicad {
@@ -32,8 +33,9 @@ struct BoardSettings {
     double maskMargin = 0.0;
     double pasteMargin = 0.0;
     double pasteRatio = 0.0;
-    double viaDrill = 0.0;                                      ///< of vias that name none (KiCad 4)
-    std::array<bool, 2> isViaTented{true, true};                ///< top, bottom
+    double viaDrill = 0.0;                        ///< of vias that name none (KiCad 4)
+    std::array<bool, 2> isViaTented{true, true};  ///< top, bottom
+    DashRatios dashes;
     std::map<std::string, std::string, std::less<>> variables;  ///< of texts
 
     /// Before KiCad 6: copper layers have only the names that users gave them, texts a kind instead of a property.

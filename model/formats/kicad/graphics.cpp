@@ -16,6 +16,7 @@ namespace {
 constexpr double kThinnest = 100'000.0;  ///< pen of what has no width
 constexpr double kFlat = 50.0;           ///< an arc this close to its chord is a line
 constexpr int kMostChords = 500;
+constexpr std::uint32_t kMostBeforeDashes = 1'000'000;  ///< features of a layer
 
 std::string_view kindOf(std::string_view head) {
     const std::size_t at = head.find('_');
@@ -40,8 +41,10 @@ public:
             return {};
         }
         m_graphic.width = widthOf();
+        m_graphic.style = styleOfLine(m_item);
         m_graphic.isHatched = m_graphic.isClosed && m_item.find("fill").word(1).ends_with("hatch");
-        m_graphic.isFilled = m_graphic.isClosed && !m_graphic.isHatched && isFilled(kind);
+        const bool isSolid = m_graphic.style == LineStyle::Solid;  // KiCad plots no inside of dashed shapes
+        m_graphic.isFilled = m_graphic.isClosed && isSolid && !m_graphic.isHatched && isFilled(kind);
         return m_graphic;
     }
 
@@ -222,15 +225,7 @@ private:
     Graphic m_graphic;
 };
 
-bool isDashed(const Item& item) {
-    const std::string_view type = item.find("stroke").find("type").word(1);
-    return type.starts_with("dash") || type == "dot";
-}
-
 void reportStyle(Canvas& canvas, const Item& item, const Graphic& graphic) {
-    if (isDashed(item)) {
-        canvas.report(Severity::Info, item.line(), "dashed and dotted lines are drawn as solid ones");
-    }
     if (graphic.isHatched) {
         canvas.report(Severity::Warning, item.line(), "of hatched shapes only the outline is drawn");
     }
@@ -347,7 +342,22 @@ void drawGraphic(Canvas& canvas, std::int32_t row, const Graphic& graphic, const
     }
     const double width = graphic.width > 0.0 ? graphic.width : graphic.isFilled ? 0.0 : kThinnest;
     for (std::size_t i = 0; i < graphic.edgeCount() && width > 0.0; ++i) {
-        canvas.drawEdge(row, origin, graphic.nodes[i], graphic.endOf(i), width);
+        drawStyled(canvas, row, origin, {graphic.nodes[i], graphic.endOf(i)}, width, graphic.style);
+    }
+}
+
+LineStyle styleOfLine(const Item& item) {
+    return lineStyleOf(item.find("stroke").find("type").word(1));
+}
+
+void drawStyled(Canvas& canvas, std::int32_t row, const Origin& origin, const ChainEdge& edge, double width,
+                LineStyle style) {
+    const bool isFull = canvas.drawnOn(row) > kMostBeforeDashes;
+    if (style != LineStyle::Solid && isFull) {
+        canvas.report(Severity::Info, origin.line, "of so many dashed and dotted lines the rest are drawn solid");
+    }
+    for (const ChainEdge& stroke : dashesOf(edge, width, isFull ? LineStyle::Solid : style, canvas.settings().dashes)) {
+        canvas.drawEdge(row, origin, stroke.from, stroke.to, width);
     }
 }
 

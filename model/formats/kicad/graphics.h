@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/formats/kicad/canvas.h"
+#include "model/formats/kicad/shapes/dashes.h"
 #include "model/formats/kicad/text/tree.h"
 #include "model/geometry/loops/edge_loops.h"
 #include "model/geometry/shapes.h"
@@ -19,6 +20,7 @@ struct Graphic {
     bool isFilled = false;
     bool isHatched = false;  ///< filled with lines, which are not part of it
     double width = 0.0;
+    LineStyle style = LineStyle::Solid;
 
     [[nodiscard]] std::size_t edgeCount() const {
         return isClosed ? nodes.size() : nodes.size() - std::min<std::size_t>(nodes.size(), 1);
@@ -46,6 +48,12 @@ struct Graphic {
 /// else the board's.
 void drawGraphic(Canvas& canvas, const Item& item, const Frame& frame, Origin origin);
 void drawGraphic(Canvas& canvas, std::int32_t row, const Graphic& graphic, const Origin& origin);
+
+/// What (stroke … (type …)) of an item says.
+[[nodiscard]] LineStyle styleOfLine(const Item& item);
+/// Draws an edge in a style, as KiCad breaks it; solid, with a message, where a layer holds too much already.
+void drawStyled(Canvas& canvas, std::int32_t row, const Origin& origin, const ChainEdge& edge, double width,
+                LineStyle style);
 
 /// (target plus …), (target x …): a cross and a circle, for those who align films.
 void drawTarget(Canvas& canvas, const Item& item, const Origin& origin);

@@ -101,11 +101,14 @@ void drawBoxedText(Canvas& canvas, const Item& item, const TextBox& box, const F
     drawText(canvas, place, origin);
 }
 
-void drawLine(Canvas& canvas, std::int32_t row, PointD from, PointD to, double pen, const Origin& origin) {
+/// With the (stroke …) of an item.
+void drawLine(Canvas& canvas, std::int32_t row, PointD from, PointD to, const Item& stroked, const Origin& origin) {
     const std::optional<Point> a = canvas.onGrid(from, origin.line);
     const std::optional<Point> b = canvas.onGrid(to, origin.line);
     if (a && b) {
-        canvas.drawEdge(row, origin, {*a, {}, EdgeKind::Line}, *b, pen > 0.0 ? pen : kDefaultPen);
+        const double pen = penOf(stroked);
+        drawStyled(canvas, row, origin, {{*a, {}, EdgeKind::Line}, *b}, pen > 0.0 ? pen : kDefaultPen,
+                   styleOfLine(stroked));
     }
 }
 
@@ -170,9 +173,9 @@ private:
         return static_cast<std::size_t>(std::clamp(numberOf(word).value_or(1.0), 0.0, 1e4));
     }
 
-    void drawOnRows(PointD from, PointD to, const TextBox& box, double pen) {
+    void drawOnRows(PointD from, PointD to, const TextBox& box, const Item& stroked) {
         for (const std::int32_t row : m_rows) {
-            drawLine(m_canvas, row, m_frame.apply(box.turn.apply(from)), m_frame.apply(box.turn.apply(to)), pen,
+            drawLine(m_canvas, row, m_frame.apply(box.turn.apply(from)), m_frame.apply(box.turn.apply(to)), stroked,
                      m_origin);
         }
     }
@@ -186,11 +189,11 @@ private:
         const Item separators = m_table.find("separators");
         const TextBox& box = cell.box;
         if (separators.isSet("cols") && cell.column + cell.columns < m_columnCount) {
-            drawOnRows({box.max.x, box.min.y}, box.max, box, penOf(separators));
+            drawOnRows({box.max.x, box.min.y}, box.max, box, separators);
         }
         const bool isHeader = cell.row + cell.rows == 1 && border.isSet("header");
         if ((isHeader || separators.isSet("rows")) && cell.row + cell.rows < m_rowCount) {
-            drawOnRows(box.min, {box.max.x, box.min.y}, box, penOf(isHeader ? border : separators));
+            drawOnRows(box.min, {box.max.x, box.min.y}, box, isHeader ? border : separators);
         }
     }
 
@@ -208,7 +211,7 @@ private:
         const PointD left = {all.min.x, all.max.y};
         for (const auto& [from, to] : {std::pair(all.min, right), std::pair(right, all.max), std::pair(all.max, left),
                                        std::pair(left, all.min)}) {
-            drawOnRows(from, to, all, penOf(border));
+            drawOnRows(from, to, all, border);
         }
     }
 
@@ -239,7 +242,7 @@ void drawTextBox(Canvas& canvas, const Item& item, const Frame& frame, const Var
     const std::array<PointD, 4> corners = box->corners();
     for (const std::int32_t row : canvas.rowsOf(item)) {
         for (std::size_t i = 0; i < 4; ++i) {
-            drawLine(canvas, row, frame.apply(corners[i]), frame.apply(corners[(i + 1) % 4]), penOf(item), origin);
+            drawLine(canvas, row, frame.apply(corners[i]), frame.apply(corners[(i + 1) % 4]), item, origin);
         }
     }
 }

@@ -267,6 +267,19 @@ private slots:
         QCOMPARE(messages(job.diagnostics, "1.27 mm high"), 1U);
     }
 
+    void linesAreDashedAsTheirStrokeSays() {
+        const std::string dashed = " (stroke (width 0.2) (type dash)) (layer \"F.Cu\")";
+        QCOMPARE(on(boardWith("(gr_line (start 0 0) (end 7 0)" + dashed + ")"), "F.Cu").size(), std::size_t{3});
+        QCOMPARE(on(boardWith("(gr_text_box \"\" (start 0 0) (end 7 7)" + dashed + ")"), "F.Cu").size(),
+                 std::size_t{12});
+        const auto isRegion = [](const DrawnFeature& feature) { return feature.kind == DrawnKind::Region; };
+        const DrawnJob filled = boardWith("(gr_rect (start 0 0) (end 7 7) (fill yes)" + dashed + ")");
+        QVERIFY(std::ranges::none_of(on(filled, "F.Cu"), isRegion));  // KiCad plots none
+        const DrawnJob other = boardWith("(gr_line (start 0 0) (end 7 0)" + dashed + ")",
+                                         "(pcbplotparams (dashed_line_dash_ratio 5) (dashed_line_gap_ratio 1))");
+        QCOMPARE(on(other, "F.Cu").size(), std::size_t{6});
+    }
+
     void onlyTextsOfFootprintsCanBeHidden() {
         const std::string hidden = " (layer \"F.Cu\") (effects (font (size 1 1)) hide))";
         const DrawnJob job =

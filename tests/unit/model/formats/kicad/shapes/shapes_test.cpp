@@ -6,6 +6,7 @@
 #include <random>
 
 #include "model/formats/kicad/shapes/chains.h"
+#include "model/formats/kicad/shapes/dashes.h"
 #include "model/formats/kicad/shapes/largest_outline.h"
 #include "model/formats/kicad/shapes/pad_outlines.h"
 #include "model/formats/kicad/shapes/regions.h"
@@ -263,6 +264,46 @@ private slots:
         }
         const Box star = boxOf(kicad::largestOutline(edges, 10'000));
         QVERIFY(star.width() > 39'000'000 && star.height() > 39'000'000);
+    }
+
+    /// By lines that KiCad 9 plots with a pen of 0.2 mm.
+    void dashesAreThoseOfKicad() {
+        const auto ends = [](kicad::LineStyle style, Nm length) {
+            std::vector<Nm> all;
+            for (const auto& [from, to] : kicad::dashesOf(edge({0, 0}, {length, 0}), 200'000.0, style, {})) {
+                all.insert(all.end(), {from.point.x / 10'000, to.x / 10'000});
+            }
+            return all;
+        };
+        using kicad::LineStyle;
+        QCOMPARE(ends(LineStyle::Solid, 5'000'000), (std::vector<Nm>{0, 500}));
+        QCOMPARE(ends(LineStyle::Dash, 7'000'000), (std::vector<Nm>{0, 220, 300, 520, 600, 700}));
+        QCOMPARE(ends(LineStyle::Dot, 2'000'000), (std::vector<Nm>{0, 4, 84, 88, 168, 172}));
+        QCOMPARE(ends(LineStyle::DashDot, 5'000'000), (std::vector<Nm>{0, 220, 300, 304, 384, 500}));
+        QCOMPARE(ends(LineStyle::DashDotDot, 5'000'000), (std::vector<Nm>{0, 220, 300, 304, 384, 388, 468, 500}));
+        QCOMPARE(ends(LineStyle::Dash, 0), (std::vector<Nm>{0, 0}));
+        QCOMPARE(ends(LineStyle::Dot, 2'000'000'000).size(), std::size_t{2});  // too many
+        QCOMPARE(kicad::dashesOf(edge({0, 0}, {9'000'000, 0}), 200'000.0, LineStyle::Dash, {5.0, 1.0}).size(),
+                 std::size_t{8});
+        QVERIFY(kicad::lineStyleOf("dash_dot") == LineStyle::DashDot);
+        QVERIFY(kicad::lineStyleOf("default") == LineStyle::Solid);
+    }
+
+    void dashesOfArcsRunClockwise() {
+        const kicad::ChainEdge half = {{{-5'000'000, 0}, {0, 0}, EdgeKind::ArcCounterClockwise}, {5'000'000, 0}};
+        const auto strokes = kicad::dashesOf(half, 200'000.0, kicad::LineStyle::Dash, {});
+        QCOMPARE(strokes.size(), std::size_t{6});
+        QCOMPARE(strokes.front().from.point, (Point{5'000'000, 0}));
+        QCOMPARE(strokes.front().to, (Point{4'523'758, -2'129'697}));
+        QCOMPARE(strokes.back().to, (Point{-5'000'000, 0}));
+        QVERIFY(std::ranges::all_of(strokes, [](const kicad::ChainEdge& stroke) {
+            return stroke.from.edge == EdgeKind::ArcClockwise && stroke.from.point != stroke.to;
+        }));
+        const kicad::ChainEdge circle = {{{0, 3'000'000}, {0, 0}, EdgeKind::ArcClockwise}, {0, 3'000'000}};
+        const auto around = kicad::dashesOf(circle, 200'000.0, kicad::LineStyle::Dash, {});
+        QCOMPARE(around.size(), std::size_t{7});
+        QCOMPARE(around.front().from.point, (Point{3'000'000, 0}));
+        QCOMPARE(kicad::dashesOf(circle, 2'000'000.0, kicad::LineStyle::Dash, {}).size(), std::size_t{1});
     }
 
     void arcsShorterThanAJointAreNoCircles() {
