@@ -372,41 +372,29 @@ std::optional<FileOfProject> boardAndProject(const fs::path& board) {
     return own;
 }
 
-/// Clearances that zones, pads and footprints of a board ask for over what the rules do: KiCad checks them, and a table
-/// of rules has no place for them.
-std::optional<LeftOutRule> ownClearances(std::string_view board, const RuleTable& table) {
-    const auto isCommon = [](const Rule& rule) {
-        return rule.kind == RuleKind::CopperToCopper && rule.classes == decltype(rule.classes){};
-    };
-    const auto common = std::ranges::find_if(table.rules, isCommon);
-    Nm largest = common == table.rules.end() ? 0 : common->least;
-    const std::size_t begin = std::min({board.find("(footprint"), board.find("(module"), board.find("(zone")});
-    constexpr std::string_view kWord = "(clearance ";
-    constexpr std::size_t kMostDigits = 32;
-    std::size_t first = 0;
-    std::size_t count = 0;
-    const Nm least = largest;
-    for (std::size_t at = board.find(kWord, begin); at != board.npos; at = board.find(kWord, at + 1)) {
-        const std::string_view behind = board.substr(at + kWord.size(), kMostDigits);
-        const auto length = parseLength(std::string(behind.substr(0, behind.find(')'))) + "mm");
-        if (length && *length > least) {
-            first = count++ == 0 ? at : first;
-            largest = std::max(largest, *length);
-        }
-    }
-    const auto line = std::count(board.begin(), board.begin() + static_cast<std::ptrdiff_t>(first), '\n') + 1;
-    return count == 0 ? std::nullopt
-                      : std::optional(inLine(static_cast<std::size_t>(line),
-                                             "what zones, pads and footprints ask for themselves (" +
-                                                 std::to_string(count) + (count == 1 ? " clearance" : " clearances") +
-                                                 ", up to " + lengthText(largest) + ")"));
-}
-
 void leaveOutOwnClearances(FileOfProject& project, const fs::path& board) {
+    const Rule& common = project.rules.table.rules.front();
+    const Nm least = common.kind == RuleKind::CopperToCopper && common.classes[0].empty() ? common.least : 0;
     const base::Result<std::string> text = readWholeFile(board);
-    if (std::optional<LeftOutRule> own = text ? ownClearances(*text, project.rules.table) : std::nullopt) {
+    if (std::optional<LeftOutRule> own = text ? clearancesOfItems(*text, least) : std::nullopt) {
         own->file = board;
         project.rules.leftOut.push_back(std::move(*own));
+    }
+}
+
+/// Custom rules of checks that the project ignores are off: KiCad makes such a check for no rule.
+void switchOffIgnored(RuleFile& custom, const fs::path& project) {
+    const base::Result<std::string> text = readWholeFile(project);
+    const base::Result<json> read = text ? readJson<json>(*text) : base::Result<json>(text.error());
+    const json root = read ? *read : json();
+    const json& severities = member(member(member(root, "board"), "design_settings"), "rule_severities");
+    for (Rule& rule : custom.table.rules) {
+        const auto* const own = std::ranges::find(kMinimums, rule.kind, &Minimum::kind);
+        const char* check = rule.kind == RuleKind::CopperToCopper ? "clearance"
+                            : rule.kind == RuleKind::Creepage     ? "creepage"
+                            : own != std::end(kMinimums)          ? own->check
+                                                                  : "";
+        rule.isOn = rule.isOn && textOf(member(severities, check)) != "ignore";
     }
 }
 
@@ -429,6 +417,7 @@ std::optional<FileOfProject> projectOf(const fs::path& board) {
             {"without a .kicad_pro beside it, the rules of the project are left out", 0, beside(".kicad_dru")});
         project->rules.isOfKicad = true;
     }
+    switchOffIgnored(custom->rules, beside(".kicad_pro"));
     append(project->rules, std::move(custom->rules), beside(".kicad_dru"));
     project->damage = project->damage ? project->damage : custom->damage;
     return project;

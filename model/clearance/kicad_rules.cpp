@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include "model/base/thickness_units.h"
 #include "model/clearance/kicad_conditions.h"
+#include "model/text/formatting.h"
 #include "model/text/s_expression.h"
 #include "model/text/utf8.h"
 
@@ -102,6 +105,30 @@ private:
 base::Result<RuleFile> parseKicadRules(std::string_view text) {
     ASSIGN_OR_RETURN(const SExpression all, parseSExpressions(text));
     return Importer().run(all);
+}
+
+std::optional<LeftOutRule> clearancesOfItems(std::string_view board, Nm least) {
+    constexpr std::string_view kWord = "(clearance ";
+    constexpr std::size_t kMostDigits = 32;
+    std::vector<std::size_t> places;
+    Nm largest = 0;
+    const std::size_t begin = std::min({board.find("(footprint"), board.find("(module"), board.find("(zone")});
+    for (std::size_t at = board.find(kWord, begin); at != std::string_view::npos; at = board.find(kWord, at + 1)) {
+        const std::string_view behind = board.substr(at + kWord.size(), kMostDigits);
+        const auto length = parseLength(std::string(behind.substr(0, behind.find(')'))) + "mm");
+        if (length && *length > least) {
+            places.push_back(at);
+            largest = std::max(largest, *length);
+        }
+    }
+    if (places.empty()) {
+        return {};
+    }
+    const auto line = std::ranges::count(board.substr(0, places.front()), '\n') + 1;
+    return LeftOutRule{"what zones, pads and footprints ask for themselves (" + std::to_string(places.size()) +
+                           (places.size() == 1 ? " clearance" : " clearances") + ", up to " + lengthText(largest) +
+                           ") is left out",
+                       static_cast<std::uint32_t>(line)};
 }
 
 }  // namespace model

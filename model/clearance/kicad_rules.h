@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "model/clearance/rule_file.h"
@@ -13,5 +14,9 @@ namespace model {
 /// has no counterpart is left out and named with its line; that may be all of it. A rule that KiCad is to ignore is off
 /// and named in `unused`. Errors: BadInput.
 [[nodiscard]] base::Result<RuleFile> parseKicadRules(std::string_view text);
+
+/// Clearances above `least` that zones, pads and footprints of a board (.kicad_pcb) ask for themselves, with the line
+/// of the first one: KiCad checks them, and a table of rules has no place for them. None if there are none.
+[[nodiscard]] std::optional<LeftOutRule> clearancesOfItems(std::string_view board, Nm least);
 
 }  // namespace model

@@ -210,6 +210,21 @@ private slots:
         QCOMPARE(model::kicadRulesOf(board)->table.classes.front().name, std::string("Power"));
     }
 
+    void whatTheProjectIgnoresNoCustomRuleChecks() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "b.kicad_pcb";
+        write(board, "(kicad_pcb (version 20241229))");
+        write(fs::path(board).replace_extension(".kicad_pro"), kProject);  // ignores annular_width
+        write(fs::path(board).replace_extension(".kicad_dru"),
+              "(version 1)\n(rule a (severity error) (constraint annular_width (min 1mm)))\n"
+              "(rule b (constraint clearance (min 2mm)))");
+        const auto isOn = [rules = model::kicadRulesOf(board)->table.rules](model::Nm least) {
+            return std::ranges::find(rules, least, &Rule::least)->isOn;
+        };
+        QVERIFY(!isOn(1000 * kUm));
+        QVERIFY(isOn(2000 * kUm));
+    }
+
     void clearancesOfSingleItemsAreNamed() {
         QTemporaryDir folder;
         const fs::path board = fs::path(folder.path().toStdString()) / "b.kicad_pcb";
