@@ -23,6 +23,7 @@ struct AllegroClasses {
     std::string etchName;
     std::vector<std::string> keepouts;  ///< copper layers, as films with keepouts list them: from the bottom
     LayerSide side = LayerSide::None;
+    bool isNegative = false;  ///< "Mode:      Negative": what is drawn is left out of a plane
 };
 
 LayerSide sideOf(std::string_view name) {
@@ -69,6 +70,7 @@ std::optional<FileRole> roleOf(const AllegroClasses& classes) {
         role.kind = Kind::Document;
     } else if (classes.etch == 1) {
         role.kind = Kind::Copper;
+        role.isNegative = classes.isNegative;
         role.side = sideOf(classes.etchName);
         role.side = role.side == LayerSide::None ? LayerSide::Inner : role.side;
         const auto at = std::ranges::find(classes.keepouts, classes.etchName);
@@ -112,6 +114,7 @@ std::optional<FileRole> roleOfComments(const Image& image) {
         if (text.starts_with("Layer:") && text.find('/') != std::string_view::npos) {
             readAllegro(text.substr(6), classes);
         }
+        classes.isNegative = classes.isNegative || (text.starts_with("Mode:") && holds(text, "Negative"));
     }
     if (const std::optional<FileRole> role = roleOf(classes)) {
         return role;

@@ -151,6 +151,9 @@ private slots:
         const auto role = model::gerber::roleOfComments(allegro);
         QVERIFY(role && role->kind == Kind::Copper && role->side == Side::Inner);
         QCOMPARE(role->order, 2);
+        QVERIFY(!role->isNegative);
+        allegro.comments.emplace_back("Mode:      Negative");
+        QVERIFY(model::gerber::roleOfComments(allegro)->isNegative);
         model::gerber::Image mask;
         mask.comments = {"Layer:  PIN/SOLDERMASK_TOP", "Layer:  BOARD GEOMETRY/SOLDERMASK_TOP"};
         QVERIFY(model::gerber::roleOfComments(mask)->kind == Kind::SolderMask);
