@@ -18,8 +18,9 @@ struct DrillHead {
     std::optional<bool> isTrailingOmitted;
     std::optional<int> integers;
     std::optional<int> decimals;
-    bool areAllWithPoint = true;  ///< every coordinate has a decimal point
-    bool hasHeader = false;       ///< M48
+    bool areAllWithPoint = true;     ///< every coordinate has a decimal point
+    bool areAllOfOneLength = false;  ///< those without a point
+    bool hasHeader = false;          ///< M48
     bool hasHits = false;
     bool looksLikeDrills = false;  ///< enough of it reads as Excellon
 };

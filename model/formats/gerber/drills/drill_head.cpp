@@ -115,6 +115,7 @@ DrillHead readDrillHead(std::string_view text) {
     }
     head.looksLikeDrills = head.looksLikeDrills || head.hasHeader;
     const bool isVarying = digits.longest > digits.shortest;
+    head.areAllOfOneLength = digits.longest == digits.shortest;
     if (!head.isTrailingOmitted && isVarying && digits.hasLeadingZero != digits.hasTrailingZero) {
         head.isTrailingOmitted = digits.hasLeadingZero;
     }
@@ -140,6 +141,11 @@ std::vector<CoordinateFormat> likelyFormats(const DrillHead& head) {
         for (const bool trailing : {isTrailingOmitted, !isTrailingOmitted}) {
             formats.push_back(formatOf(digits.isInch, trailing, digits.integers, digits.decimals));
         }
+    }
+    // A file that tells its zeros, or leaves out none, rather means other digits than other zeros.
+    if (head.isTrailingOmitted || head.areAllOfOneLength) {
+        std::ranges::stable_partition(
+            formats, [&](const CoordinateFormat& format) { return format.isTrailingOmitted == isTrailingOmitted; });
     }
     return formats;
 }

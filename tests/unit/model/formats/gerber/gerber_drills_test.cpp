@@ -35,6 +35,16 @@ class GerberDrillsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void zerosThatAreToldAreBelievedLonger() {
+        for (const char* text : {"INCH,TZ\n%\nX0012345Y12\n", "INCH\n%\nX0012345Y0000012\n"}) {
+            const auto formats =
+                model::gerber::likelyFormats(model::gerber::readDrillHead("M48\n" + std::string(text)));
+            const auto other = std::ranges::find(formats, true, &model::gerber::CoordinateFormat::isTrailingOmitted);
+            QVERIFY(!formats.front().isTrailingOmitted && other != formats.end());
+            QVERIFY(std::all_of(other, formats.end(), [](const auto& format) { return format.isTrailingOmitted; }));
+        }
+    }
+
     /// Allegro's files without tool records: comments list the sizes, M00 stops for the next tool.
     void stopsChangeTheToolWhereNoRecordDoes() {
         const std::string sizes =
