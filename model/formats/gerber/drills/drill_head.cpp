@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "model/base/units.h"
 #include "model/formats/gerber/drills/drill_file.h"
@@ -142,11 +143,12 @@ std::vector<CoordinateFormat> likelyFormats(const DrillHead& head) {
             formats.push_back(formatOf(digits.isInch, trailing, digits.integers, digits.decimals));
         }
     }
-    // A file that tells its zeros, or leaves out none, rather means other digits than other zeros.
-    if (head.isTrailingOmitted || head.areAllOfOneLength) {
-        std::ranges::stable_partition(
-            formats, [&](const CoordinateFormat& format) { return format.isTrailingOmitted == isTrailingOmitted; });
-    }
+    // A file that tells its unit, or its zeros or leaves out none, rather means other digits than another of these.
+    const bool areZerosKnown = head.isTrailingOmitted || head.areAllOfOneLength;
+    std::ranges::stable_sort(formats, {}, [&](const CoordinateFormat& format) {
+        const bool isOtherUnit = head.isInch && (format.nmPerUnit == base::kNmPerInch) != isInch;
+        return std::pair(isOtherUnit, areZerosKnown && format.isTrailingOmitted != isTrailingOmitted);
+    });
     return formats;
 }
 

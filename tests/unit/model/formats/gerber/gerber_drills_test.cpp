@@ -1,6 +1,7 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "model/base/units.h"
 #include "model/formats/gerber/drills/drill_file.h"
 
 using model::Plating;
@@ -35,13 +36,16 @@ class GerberDrillsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void zerosThatAreToldAreBelievedLonger() {
+    void unitsAndZerosAreBelievedLongerThanDigits() {
         for (const char* text : {"INCH,TZ\n%\nX0012345Y12\n", "INCH\n%\nX0012345Y0000012\n"}) {
             const auto formats =
                 model::gerber::likelyFormats(model::gerber::readDrillHead("M48\n" + std::string(text)));
             const auto other = std::ranges::find(formats, true, &model::gerber::CoordinateFormat::isTrailingOmitted);
             QVERIFY(!formats.front().isTrailingOmitted && other != formats.end());
-            QVERIFY(std::all_of(other, formats.end(), [](const auto& format) { return format.isTrailingOmitted; }));
+            const auto isInch = [](const auto& format) { return format.nmPerUnit == base::kNmPerInch; };
+            const auto millimetres = std::ranges::find_if_not(formats, isInch);
+            QVERIFY(std::all_of(other, millimetres, [](const auto& format) { return format.isTrailingOmitted; }));
+            QVERIFY(std::none_of(millimetres, formats.end(), isInch));
         }
     }
 
