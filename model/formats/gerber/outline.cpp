@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -140,10 +142,26 @@ private:
             return;
         }
         const PathNode node{feature.a, edge == EdgeKind::Line ? Point{} : feature.centre, edge};
-        const bool isThere = !m_tracks.empty() && m_tracks.back().from == node && m_tracks.back().to == feature.b;
-        if (!isThere) {
-            m_tracks.push_back({node, feature.b});
+        const Track track{node, feature.b};
+        if (isNew(track)) {
+            m_tracks.push_back(track);
         }
+    }
+
+    /// Some outlines are drawn twice, or there and back: such lines would close with each other, and not around the
+    /// board.
+    bool isNew(const Track& track) {
+        constexpr double kSameCentre = 5'000.0;
+        const bool isForward = track.from.point < track.to;
+        const PathNode start = isForward ? track.from : reversedNode(track);
+        const Point end = isForward ? track.to : track.from.point;
+        std::vector<Point>& centres = m_drawn[{start.point, end, start.edge}];
+        const bool isThere = std::ranges::any_of(
+            centres, [&](Point centre) { return distanceOf(centre, track.from.centre) <= kSameCentre; });
+        if (!isThere) {
+            centres.push_back(track.from.centre);
+        }
+        return !isThere;
     }
 
     /// Walks along free tracks. Where the walk meets itself, the loop is taken out; where it ends, it goes back a
@@ -205,6 +223,7 @@ private:
     }
 
     std::vector<Track> m_tracks;
+    std::map<std::tuple<Point, Point, EdgeKind>, std::vector<Point>> m_drawn;  ///< centres by ends and kind of edge
     std::vector<Loop> m_loops;
     Nm m_widestJoint = 0;
 };

@@ -419,6 +419,18 @@ private slots:
         QVERIFY(job.open("drawing.art").ok());
     }
 
+    /// Programs draw outlines twice, in any direction.
+    void outlinesMayBeDrawnThereAndBack() {
+        const std::string twice = kOutline +
+                                  "X0Y0D02*X0Y10000000D01*X0Y10000000D02*X10000000Y10000000D01*"
+                                  "Y0D01*X10000000Y0D02*X0D01*\n";
+        const Job job({{"b.GTL", image(kWideCopper)}, {"b.GKO", image(twice)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+        QVERIFY(!isReported(**board, "utline do not close"));
+    }
+
     void aFrameAroundTheBoardIsNoOutline() {
         const std::string frame =
             "X-5000000Y-5000000D02*X90000000D01*Y90000000D01*X-5000000D01*Y-5000000D01*"
