@@ -66,11 +66,18 @@ private:
         return m_files[row].isImage() && m_files[row].role.kind == FileRole::Kind::Copper;
     }
 
-    /// Flashes of copper, which holes and netlists are matched with.
+    [[nodiscard]] bool isNegative(std::size_t row) const {
+        return m_files[row].role.isNegative != m_files[row].image.isNegative;
+    }
+
+    /// Flashes of copper, which holes and netlists are matched with. Negatives draw where there is none, and frames far
+    /// beyond the board; they count where there is nothing else.
     void indexCopper() {
+        const bool hasPositive =
+            std::ranges::any_of(m_board.files, [&](std::size_t row) { return isCopper(row) && !isNegative(row); });
         std::vector<IndexedPad> pads;
         for (const std::size_t row : m_board.files) {
-            if (!isCopper(row)) {
+            if (!isCopper(row) || (hasPositive && isNegative(row))) {
                 continue;
             }
             for (const DrawnFeature& feature : m_files[row].image.features) {

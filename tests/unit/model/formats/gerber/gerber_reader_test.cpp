@@ -431,6 +431,20 @@ private slots:
         QVERIFY(!isReported(**board, "utline do not close"));
     }
 
+    /// Films of negative planes have frames of drawings around them.
+    void negativesDoNotTellHowLargeABoardIs() {
+        const std::string plane =
+            "G04 Layer:  ETCH/GND*\nG04 Mode:      Negative*\n" +
+            image("%ADD10C,1*%D10*X5000000Y5000000D03*X-60000000Y-60000000D02*X90000000D01*Y90000000D01*");
+        const Job job({{"b.GTL", image(kWideCopper)},
+                       {"gnd.art", plane},
+                       {"b.GBL", image(kWideCopper)},
+                       {"b.GKO", image(kOutline)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+    }
+
     void aFrameAroundTheBoardIsNoOutline() {
         const std::string frame =
             "X-5000000Y-5000000D02*X90000000D01*Y90000000D01*X-5000000D01*Y-5000000D01*"
