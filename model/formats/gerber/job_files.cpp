@@ -111,6 +111,7 @@ void complete(FileRole& role, const std::optional<FileRole>& other) {
     }
     role.side = role.side == LayerSide::None ? other->side : role.side;
     role.plating = role.plating == Plating::NotSaid ? other->plating : role.plating;
+    role.isNegative = role.isNegative || other->isNegative;
     if (role.order == 0) {
         role.order = other->order;
         role.isCountedFromTop = other->isCountedFromTop;
@@ -177,8 +178,10 @@ FileRole roleOf(const ReadFile& file, const JobFileFacts& job, std::size_t share
         role.side = LayerSide::Through;
         role.source = RoleSource::Content;
     }
-    const bool isNegative = equalsIgnoringCase(file.image.fileAttribute(".FilePolarity"), "Negative");
-    role.isNegative = role.kind == FileRole::Kind::Copper && (role.isNegative || isNegative);
+    const std::string_view polarity = file.image.fileAttribute(".FilePolarity");
+    const bool isNegative = equalsIgnoringCase(polarity, "Negative");
+    const bool isPositive = equalsIgnoringCase(polarity, "Positive");
+    role.isNegative = role.kind == FileRole::Kind::Copper && !isPositive && (role.isNegative || isNegative);
     if (role.kind == FileRole::Kind::Copper && role.side == LayerSide::None) {
         role.side = LayerSide::Inner;
     }

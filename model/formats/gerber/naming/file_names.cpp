@@ -297,6 +297,7 @@ std::optional<FileRole> roleOfEnding(std::string_view ending) {
     if (number > 0 && (word == "G" || word == "GL" || word == "GP" || word == "GI" || word == "IN" || word == "LY")) {
         role.kind = Kind::Copper;  // Altium: inner layers and internal planes (GP), from 1
         role.side = LayerSide::Inner;
+        role.isNegative = word == "GP";  // Protel and Altium draw what is left out of these
         role.order = number;
         return role;
     }

@@ -431,6 +431,22 @@ private slots:
         QVERIFY(!isReported(**board, "utline do not close"));
     }
 
+    /// Internal planes of Protel and Altium draw what is left out, unless their attribute says otherwise.
+    void internalPlanesAreNegative() {
+        const auto isNegative = [](const std::string& polarity) {
+            const std::string plane = polarity + image("%ADD10C,1*%D10*X5000000Y5000000D03*");
+            const Job job({{"b.GTL", image(kWideCopper)},
+                           {"b.GP1", plane},
+                           {"b.GBL", image(kWideCopper)},
+                           {"b.GKO", image(kOutline)}});
+            const Board board = job.open();
+            return board.ok() && std::ranges::any_of((*board)->layers, &model::Layer::isNegative);
+        };
+        QVERIFY(isNegative(""));
+        QVERIFY(isNegative("%TF.FilePolarity,Negative*%"));
+        QVERIFY(!isNegative("%TF.FilePolarity,Positive*%"));
+    }
+
     /// Films of negative planes have frames of drawings around them.
     void negativesDoNotTellHowLargeABoardIs() {
         const std::string plane =
