@@ -93,6 +93,14 @@ void parse(ReadFile& file) {
     }
 }
 
+/// Of which file "top.art,1" is an older version, as Allegro keeps them beside it; empty if it is none.
+std::string newerVersion(std::string_view path) {
+    const std::size_t comma = path.rfind(',');
+    const std::string_view number = comma == std::string_view::npos ? "" : path.substr(comma + 1);
+    const bool isVersion = !number.empty() && number.find_first_not_of("0123456789") == std::string_view::npos;
+    return isVersion ? std::string(path.substr(0, comma)) : std::string();
+}
+
 std::optional<FileRole> roleOfJob(const ReadFile& file, const JobFileFacts& job) {
     const auto found = job.functions.find(formats::lowerCase(file.name()));
     std::optional<FileRole> role = found == job.functions.end() ? std::nullopt : roleOfFunction(found->second);
@@ -259,6 +267,14 @@ base::Result<std::vector<ReadFile>> readFiles(const formats::Archive& archive, b
             return;
         }
         const int row = rows[order[i]];
+        const std::string newer = newerVersion(archive.path(row));
+        if (archive.rows().contains(newer)) {
+            files[order[i]].path = archive.path(row);
+            files[order[i]].diagnostics.report(
+                Severity::Info, archive.path(row), 0,
+                "an older version of " + newer + ", which lies beside it; it was not read");
+            return;
+        }
         base::Result<formats::Bytes> bytes = archive.bytes(row);
         if (bytes) {
             files[order[i]] = readFile(archive.path(row), std::move(*bytes));

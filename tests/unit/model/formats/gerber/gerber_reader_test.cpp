@@ -198,6 +198,23 @@ private slots:
         QVERIFY(isReported(**board, "taken as bottom copper 2"));
     }
 
+    /// Allegro keeps what it wrote before as "top.art,1".
+    void olderVersionsAreNotRead() {
+        const Job job({{"top.art", image(kCopper)},
+                       {"top.art,1", image(kCopper)},
+                       {"top.art,2", image(kCopper)},
+                       {"bottom.art", image(kCopper)},
+                       {"b.drl", kDrills},
+                       {"b.drl,1", kDrills}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(std::ranges::count((*board)->layers, model::LayerType::Signal, &model::Layer::type), 2);
+        QCOMPARE(std::ranges::count((*board)->layers, model::LayerType::Drill, &model::Layer::type), 1);
+        QVERIFY(isReported(**board, "n older version of top.art"));
+        const Job alone({{"top.art,1", image(kCopper)}});
+        QVERIFY(alone.open().ok());
+    }
+
     void wordsOfOneFileAreNoBoard() {
         const Job job({{"TOP.gbr", image(kCopper, "Copper,L1,Top")},
                        {"PAST_TOP.gbr", image(kCopper, "Paste,Top")},
