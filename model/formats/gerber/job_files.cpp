@@ -267,12 +267,12 @@ base::Result<std::vector<ReadFile>> readFiles(const formats::Archive& archive, b
             return;
         }
         const int row = rows[order[i]];
-        const std::string newer = newerVersion(archive.path(row));
+        const std::string newer = formats::lowerCase(newerVersion(archive.path(row)));
         if (archive.rows().contains(newer)) {
             files[order[i]].path = archive.path(row);
             files[order[i]].diagnostics.report(
                 Severity::Info, archive.path(row), 0,
-                "an older version of " + newer + ", which lies beside it; it was not read");
+                "an older version of " + newerVersion(archive.path(row)) + ", which lies beside it; it was not read");
             return;
         }
         base::Result<formats::Bytes> bytes = archive.bytes(row);

@@ -123,7 +123,9 @@ double ImageParser::readLength() {
     if (digits == 0) {
         report(Severity::Warning, "a coordinate without digits; it is taken as 0");
     } else if (behindPoint < 0 && m_format.hasFormat && m_format.isTooLong(value, digits)) {
-        report(Severity::Warning, "a coordinate has more digits than the file's format (FS); it is read as it stands");
+        // Where zeros in front are left out, there is no doubt what further digits in front are.
+        report(m_format.isTrailingOmitted ? Severity::Warning : Severity::Info,
+               "a coordinate has more digits than the file's format (FS); it is read as it stands");
     }
     const auto magnitude = behindPoint >= 0
                                ? static_cast<double>(value) * m_format.nmPerUnit / std::pow(10.0, behindPoint)
@@ -231,11 +233,15 @@ void ImageParser::mCode(int code) {
     }
 }
 
-/// Some programs fill the rest of the file with blanks, zeros or Ctrl-Z.
+/// Some programs fill the rest of the file with blanks, zeros or Ctrl-Z; EasyEDA ends it twice, with M00 and M02.
 void ImageParser::reportRest() {
     constexpr std::string_view kFillers("*% \t\r\n\0\x1a", 8);
     const std::string_view rest(m_at, static_cast<std::size_t>(m_end - m_at));
-    const std::size_t first = rest.find_first_not_of(kFillers);
+    std::size_t first = rest.find_first_not_of(kFillers);
+    while (first != std::string_view::npos &&
+           (rest.substr(first).starts_with("M02") || rest.substr(first).starts_with("M00"))) {
+        first = rest.find_first_not_of(kFillers, first + 3);
+    }
     if (first != std::string_view::npos) {
         m_line += static_cast<std::uint32_t>(
             std::count(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(first), '\n'));

@@ -41,6 +41,22 @@ class GerberImageTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void anImageMayEndTwice() {
+        const std::string body = "%ADD10C,1*%D10*X0Y0D03*M00*\n";
+        QVERIFY(parse(body + "M02*\n").diagnostics.entries().empty());
+        QVERIFY(isReported(parse(body + "M02*\nX1000000D03*\n"), "behind the end of the image"));
+    }
+
+    /// Boards larger than the format: what is written in front can only be integers.
+    void furtherDigitsInFrontAreNoDoubt() {
+        const auto severityOf = [](const std::string& format) {
+            const Image image = parse("%ADD10C,1*%D10*X1280840000Y0D03*", format + "%MOMM*%");
+            return image.diagnostics.entries().at(0).severity;
+        };
+        QCOMPARE(severityOf("%FSLAX26Y26*%"), model::Severity::Info);
+        QCOMPARE(severityOf("%FSTAX26Y26*%"), model::Severity::Warning);
+    }
+
     /// DipTrace runs around the openings of letters in the direction of their outside.
     void openingsOfLettersAreOpen() {
         const Image image = parse(

@@ -200,9 +200,9 @@ private slots:
 
     /// Allegro keeps what it wrote before as "top.art,1".
     void olderVersionsAreNotRead() {
-        const Job job({{"top.art", image(kCopper)},
-                       {"top.art,1", image(kCopper)},
-                       {"top.art,2", image(kCopper)},
+        const Job job({{"Top.art", image(kCopper)},
+                       {"Top.art,1", image(kCopper)},
+                       {"Top.art,2", image(kCopper)},
                        {"bottom.art", image(kCopper)},
                        {"b.drl", kDrills},
                        {"b.drl,1", kDrills}});
@@ -210,7 +210,7 @@ private slots:
         QVERIFY(board.ok());
         QCOMPARE(std::ranges::count((*board)->layers, model::LayerType::Signal, &model::Layer::type), 2);
         QCOMPARE(std::ranges::count((*board)->layers, model::LayerType::Drill, &model::Layer::type), 1);
-        QVERIFY(isReported(**board, "n older version of top.art"));
+        QVERIFY(isReported(**board, "n older version of Top.art"));
         const Job alone({{"top.art,1", image(kCopper)}});
         QVERIFY(alone.open().ok());
     }
