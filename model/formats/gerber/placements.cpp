@@ -18,12 +18,14 @@ struct ColumnName {
     Column column;
 };
 
-/// As KiCad, Altium, Allegro, Eagle, PADS, EasyEDA and OrCAD write them; middles before pin 1 and reference points.
+/// As KiCad, Altium, Allegro, Eagle, PADS, EasyEDA, OrCAD and DesignSpark write them; middles before pin 1 and
+/// reference points.
 constexpr std::array kNames = {
     ColumnName{"REF", Column::Refdes},
     ColumnName{"REFDES", Column::Refdes},
     ColumnName{"DESIGNATOR", Column::Refdes},
     ColumnName{"REFERENCE", Column::Refdes},
+    ColumnName{"NAME", Column::Refdes},
     ColumnName{"PART", Column::Refdes},
     ColumnName{"COMPONENT", Column::Refdes},
     ColumnName{"VAL", Column::Value},
@@ -35,6 +37,7 @@ constexpr std::array kNames = {
     ColumnName{"PATTERN", Column::Package},
     ColumnName{"MIDX", Column::X},
     ColumnName{"CENTERX", Column::X},
+    ColumnName{"CENTREX", Column::X},
     ColumnName{"POSX", Column::X},
     ColumnName{"XLOCATION", Column::X},
     ColumnName{"SYMX", Column::X},
@@ -42,6 +45,7 @@ constexpr std::array kNames = {
     ColumnName{"X", Column::X},
     ColumnName{"MIDY", Column::Y},
     ColumnName{"CENTERY", Column::Y},
+    ColumnName{"CENTREY", Column::Y},
     ColumnName{"POSY", Column::Y},
     ColumnName{"YLOCATION", Column::Y},
     ColumnName{"SYMY", Column::Y},
@@ -61,6 +65,7 @@ constexpr std::array kNames = {
 struct Head {
     char separator = 0;
     std::array<std::optional<std::size_t>, kColumns> columns;
+    std::size_t count = 0;  ///< of columns, those that are not read among them
     double nmPerUnit = base::kNmPerMm;
     bool hasUnit = false;
     bool isKicad = false;
@@ -94,6 +99,22 @@ std::vector<std::string> cells(std::string_view line, char separator) {
     return result;
 }
 
+/// Names of columns that blanks separate: "Mid X" and "Centre Y" are one.
+std::vector<std::string> joinedNames(std::vector<std::string> names) {
+    constexpr std::array<std::string_view, 6> kFirst = {"MID", "CENTER", "CENTRE", "REF", "PAD", "POS"};
+    std::vector<std::string> joined;
+    for (std::string& name : names) {
+        const bool isAxis = upperCase(name) == "X" || upperCase(name) == "Y";
+        const bool isSecond = !joined.empty() && std::ranges::find(kFirst, upperCase(joined.back())) != kFirst.end();
+        if (isAxis && isSecond) {
+            joined.back() += " " + name;
+        } else {
+            joined.push_back(std::move(name));
+        }
+    }
+    return joined;
+}
+
 std::string plainName(std::string_view cell) {
     std::string name;
     for (const char c : upperCase(cell.substr(0, cell.find('(')))) {
@@ -111,6 +132,7 @@ std::string plainName(std::string_view cell) {
 
 std::optional<double> unitIn(std::string_view text) {
     return holds(text, "mil")    ? std::optional(base::kNmPerMil)
+           : holds(text, "thou") ? std::optional(base::kNmPerMil)
            : holds(text, "inch") ? std::optional(base::kNmPerInch)
            : holds(text, "mm")   ? std::optional(base::kNmPerMm)
                                  : std::nullopt;
@@ -136,9 +158,12 @@ Head readHead(std::string_view line) {
         head.separator = separator;
         std::string_view rest = trimmed(line);
         rest.remove_prefix(rest.starts_with('#') ? 1 : 0);
-        const std::vector<std::string> names = cells(rest, separator);
+        const std::vector<std::string> names =
+            separator == ' ' ? joinedNames(cells(rest, separator)) : cells(rest, separator);
+        head.count = names.size();
         std::array<std::size_t, kColumns> ranks;
         ranks.fill(kNames.size());
+        std::optional<std::size_t> component;
         for (std::size_t i = 0; i < names.size(); ++i) {
             const auto row = std::ranges::find(kNames, plainName(names[i]), &ColumnName::name);
             if (row == kNames.end()) {
@@ -151,11 +176,18 @@ Head readHead(std::string_view line) {
                 head.columns[column] = i;
             }
             head.isKicad = head.isKicad || row->name == "POSX";  // nobody else calls it so
+            if (row->name == "COMPONENT") {
+                component = i;
+            }
             if (row->column == Column::X && unitIn(names[i])) {
                 head.nmPerUnit = *unitIn(names[i]);
                 head.hasUnit = true;
             }
         }
+        // DesignSpark calls the designator a name, and the kind of part a component.
+        std::optional<std::size_t>& value = head.columns[static_cast<std::size_t>(Column::Value)];
+        const bool isOfPart = component != head.columns[static_cast<std::size_t>(Column::Refdes)];
+        value = value || !isOfPart ? value : component;
         if (head.isGood()) {
             return head;
         }
@@ -175,6 +207,45 @@ std::optional<Nm> lengthOf(std::string_view cell, double nmPerUnit) {
     std::string_view rest = cell;
     const std::optional<double> value = takeReal(rest);
     return value ? toNm(*value * unitIn(rest).value_or(nmPerUnit)) : std::nullopt;
+}
+
+/// A row whose cells blanks separate, with one for each column. Values and packages may have blanks themselves: then
+/// there are more words, and the numbers tell how many of them are before the places. What is left over at the end
+/// belongs to the last column.
+std::vector<std::string> fittedRow(std::vector<std::string> row, const Head& head) {
+    if (head.separator != ' ' || row.size() <= head.count) {
+        return row;
+    }
+    const auto at = [&](Column column) { return head.columns[static_cast<std::size_t>(column)]; };
+    const std::size_t x = *at(Column::X);
+    const std::size_t y = *at(Column::Y);
+    const std::size_t wide = std::min({at(Column::Value).value_or(x), at(Column::Package).value_or(x), x});
+    std::size_t more = 0;
+    const auto isNumber = [&](std::optional<std::size_t> column) {
+        return !column || *column <= wide || lengthOf(row[*column + more], base::kNmPerMm).has_value();
+    };
+    const auto isSide = [&](std::optional<std::size_t> column) {
+        return !column || *column <= wide || sideOf(row[*column + more]) != LayerSide::None;
+    };
+    const auto isPlace = [&] {
+        return isNumber(x) && isNumber(y) && isNumber(at(Column::Rotation)) && isSide(at(Column::Side));
+    };
+    while (more < row.size() - head.count && !isPlace()) {
+        ++more;
+    }
+    const auto join = [&](std::size_t first, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            row[first] += " " + row[first + 1];
+            row.erase(row.begin() + static_cast<std::ptrdiff_t>(first) + 1);
+        }
+    };
+    if (wide < x && isPlace()) {
+        join(wide, more);
+    }
+    if (row.size() > head.count) {
+        join(head.count - 1, row.size() - head.count);
+    }
+    return row;
 }
 
 }  // namespace
@@ -209,7 +280,10 @@ PlacementFile parsePlacements(std::string_view text, std::string_view path, Diag
         if (line.empty() || line.front() == '#') {
             continue;
         }
-        const std::vector<std::string> row = cells(line, head.separator);
+        if (line.find_first_not_of("-=") == std::string_view::npos) {
+            continue;  // a rule below the names
+        }
+        const std::vector<std::string> row = fittedRow(cells(line, head.separator), head);
         const auto cell = [&](Column column) {
             const std::optional<std::size_t> at = head.columns[static_cast<std::size_t>(column)];
             return at && *at < row.size() ? std::string_view(row[*at]) : std::string_view();

@@ -6,6 +6,7 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "model/formats/gerber/placements.h"
 #include "tests/unit/model/formats/gerber/gerber_testing.h"
 
 using namespace gerber_testing;
@@ -315,6 +316,33 @@ private slots:
         QCOMPARE((*board)->components[0].placement.origin, (model::Point{5'000'000, 5'000'000}));
         QCOMPARE((*board)->components[0].placement.clockwiseDeg, 270.0);
         QCOMPARE((*board)->packages[0].name, std::string("HDR"));
+    }
+
+    /// Tables of fixed width: names of columns with blanks, and values and packages with blanks.
+    void placesAreReadFromTablesWithBlanks_data() {
+        QTest::addColumn<QString>("table");
+        QTest::newRow("Altium")
+            << "Designator Footprint      Mid X     Mid Y     Ref X     Ref Y TB  Rotation Comment\n\n"
+               "R1         RES 0402         5mm       2mm       1mm       1mm  T     90.00 220uF, 4V\n"
+               "R2         RES0402          3mm       4mm       1mm       1mm  B      0.00\n";
+        QTest::newRow("DesignSpark") << "Units:          thou (precision 0)\n\n"
+                                        "Name      Component    Side     Centre X    Centre Y  Rotation\n"
+                                        "--------------------------------------------------------------\n"
+                                        "R1        R 10k        Top     196.85039    78.74016     90.00\n"
+                                        "R2        R            Bottom  118.11024   157.48031      0.00\n";
+    }
+    void placesAreReadFromTablesWithBlanks() {
+        QFETCH(QString, table);
+        model::Diagnostics diagnostics;
+        const auto file = model::gerber::parsePlacements(table.toStdString(), "places.txt", diagnostics);
+        QVERIFY(diagnostics.entries().empty());
+        QCOMPARE(file.parts.size(), std::size_t{2});
+        QCOMPARE(file.parts[0].refdes, std::string("R1"));
+        QCOMPARE(file.parts[0].position, (model::Point{5'000'000, 2'000'000}));
+        QCOMPARE(file.parts[0].rotationDeg, 90.0);
+        QCOMPARE(file.parts[1].position, (model::Point{3'000'000, 4'000'000}));
+        QVERIFY(file.parts[1].side == model::LayerSide::Bottom);
+        QVERIFY(!file.parts[0].value.empty());
     }
 
     void aDesignatorThatIsPlacedTwiceIsTold() {
