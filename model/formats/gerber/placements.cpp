@@ -248,9 +248,62 @@ std::vector<std::string> fittedRow(std::vector<std::string> row, const Head& hea
     return row;
 }
 
+/// The unit that Allegro's placement file begins with ("UUNITS = MILS"); none in other files.
+std::optional<double> unitOfAllegro(std::string_view line) {
+    if (!line.starts_with("UUNITS")) {
+        return std::nullopt;
+    }
+    return holds(line, "MILS")     ? std::optional(base::kNmPerMil)
+           : holds(line, "INCH")   ? std::optional(base::kNmPerInch)
+           : holds(line, "MILLIM") ? std::optional(base::kNmPerMm)
+           : holds(line, "CENTIM") ? std::optional(10.0 * base::kNmPerMm)
+           : holds(line, "MICRON") ? std::optional(base::kNmPerMm / 1000.0)
+                                   : std::nullopt;
+}
+
+/// "R22  3190.0  3675.0  270  m 0402": designator, place, rotation, m if it is on the bottom, package.
+std::optional<PlacedPart> partOfAllegro(std::string_view line, double nmPerUnit) {
+    const std::vector<std::string> row = cells(line, ' ');
+    const std::optional<Nm> x = row.size() > 3 ? lengthOf(row[1], nmPerUnit) : std::nullopt;
+    const std::optional<Nm> y = row.size() > 3 ? lengthOf(row[2], nmPerUnit) : std::nullopt;
+    std::string_view rotation = row.size() > 3 ? std::string_view(row[3]) : std::string_view();
+    const std::optional<double> degrees = takeReal(rotation);
+    if (!x || !y || !degrees) {
+        return std::nullopt;
+    }
+    const bool isOnBottom = row.size() > 4 && row[4] == "m";
+    const std::size_t package = isOnBottom ? 5 : 4;
+    PlacedPart part;
+    part.refdes = row[0];
+    part.package = package < row.size() ? row[package] : std::string();
+    part.position = {*x, *y};
+    part.rotationDeg = *degrees;
+    part.side = isOnBottom ? LayerSide::Bottom : LayerSide::Top;
+    return part;
+}
+
+PlacementFile placementsOfAllegro(Lines& lines, double nmPerUnit, std::string_view path, Diagnostics& diagnostics) {
+    PlacementFile file;
+    while (lines.next()) {
+        const std::string_view line = trimmed(lines.line());
+        std::optional<PlacedPart> part = partOfAllegro(line, nmPerUnit);
+        if (part) {
+            part->line = lines.number();
+            file.parts.push_back(std::move(*part));
+        } else if (!line.empty()) {
+            diagnostics.report(Severity::Warning, path, lines.number(),
+                               "a row that places no component; it was left out");
+        }
+    }
+    return file;
+}
+
 }  // namespace
 
 bool looksLikePlacements(std::string_view head) {
+    if (unitOfAllegro(head.substr(0, head.find('\n')))) {
+        return true;
+    }
     Lines lines(head);
     for (int i = 0; i < 40 && lines.next(); ++i) {
         if (readHead(lines.line()).isGood()) {
@@ -267,6 +320,10 @@ PlacementFile parsePlacements(std::string_view text, std::string_view path, Diag
     Lines lines(text);
     while (lines.next()) {
         const std::string_view line = trimmed(lines.line());
+        const std::optional<double> ofAllegro = lines.number() == 1 ? unitOfAllegro(line) : std::nullopt;
+        if (ofAllegro) {
+            return placementsOfAllegro(lines, *ofAllegro, path, diagnostics);
+        }
         if (!head.isGood()) {
             head = readHead(line);
             if (!unit && (holds(line, "unit") || line.starts_with('#'))) {

@@ -35,7 +35,8 @@ struct PlacementFile {
 }
 
 [[nodiscard]] bool looksLikePlacements(std::string_view head);
-/// Comma, semicolon, tab or blank separated, with a line that names the columns. Rows that cannot be read are reported.
+/// Comma, semicolon, tab or blank separated, with a line that names the columns, or Allegro's placement file without
+/// one. Rows that cannot be read are reported.
 [[nodiscard]] PlacementFile parsePlacements(std::string_view text, std::string_view path, Diagnostics& diagnostics);
 
 }  // namespace model::gerber
