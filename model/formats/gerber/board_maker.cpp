@@ -129,16 +129,33 @@ private:
         return std::nullopt;
     }
 
-    void readDrillsAgain() {
+    void fitDrills() {
         const std::optional<Point> shift = shiftOfDrills();
+        std::optional<CoordinateFormat> sibling;
+        std::vector<std::size_t> beside;
+        for (const std::size_t row : m_board.files) {
+            ReadFile& file = m_files[row];
+            if (!file.isImage() || !isOfHoles(file) || (shift && moveHoles(file, *shift, m_copperBox))) {
+                continue;
+            }
+            if (!fitToCopper(file, m_filePads, m_copperBox)) {
+                beside.push_back(row);
+            } else if (file.kind == ReadFile::Kind::Drills && !file.image.features.empty()) {
+                sibling = sibling.value_or(file.format);
+            }
+        }
+        for (const std::size_t row : beside) {
+            fitAsSibling(m_files[row], sibling, m_copperBox);
+        }
+    }
+
+    void readDrillsAgain() {
+        fitDrills();
         std::vector<std::size_t> seen;
         for (const std::size_t row : m_board.files) {
             ReadFile& file = m_files[row];
             if (!file.isImage() || !isOfHoles(file)) {
                 continue;
-            }
-            if (!shift || !moveHoles(file, *shift, m_copperBox)) {
-                fitToCopper(file, m_filePads, m_copperBox);
             }
             for (const std::size_t other : seen) {
                 const bool isOfItsOwn = file.role.source == RoleSource::Told || haveOtherSpans(m_files[other], file);

@@ -158,19 +158,21 @@ bool moveHoles(ReadFile& drills, Point shift, const Box& copper) {
     return true;
 }
 
-void fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper) {
+bool fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper) {
     // Of a file that is read too large by far, no hole is within what a board can be.
     const bool hasHoles = !drills.image.features.empty() || drills.head.hasHits;
     if (drills.kind != ReadFile::Kind::Drills || !hasHoles) {
-        return;
+        return true;
     }
     if (copper.isEmpty()) {
-        return reportUnit(drills, false);
+        reportUnit(drills, false);
+        return true;
     }
     Fit best = fitOf(drills.image, pads, copper);
     const bool isOnPads = best.onPads > kProven;
     if (isOnPads || (best.inside > 0.5 && drills.head.isInch)) {
-        return reportUnit(drills, isOnPads);
+        reportUnit(drills, isOnPads);
+        return true;
     }
     const CoordinateFormat stated = drills.format;
     if (readOtherwise(drills, pads, copper, best)) {
@@ -180,13 +182,34 @@ void fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper) {
                                   "read as " + describe(drills.format) +
                                       ", which puts the holes on the copper, not as " + describe(stated) +
                                       (isTold ? ", as the file says" : ""));
-        return;
+        return true;
+    }
+    if (best.inside < 0.5) {
+        return false;
     }
     reportUnit(drills, false);
-    if (best.inside < 0.5) {
-        drills.diagnostics.report(Severity::Warning, drills.path, 0,
-                                  "most holes lie beside the copper, in whatever format their coordinates are read");
+    return true;
+}
+
+void fitAsSibling(ReadFile& drills, const std::optional<CoordinateFormat>& sibling, const Box& copper) {
+    const DrillHead& head = drills.head;
+    const bool isOtherUnit = sibling && head.isInch && *head.isInch != (sibling->nmPerUnit == base::kNmPerInch);
+    const bool areOtherZeros =
+        sibling && head.isTrailingOmitted && *head.isTrailingOmitted != sibling->isTrailingOmitted;
+    if (sibling && !isFormatTold(head) && !isOtherUnit && !areOtherZeros) {
+        Image image = parseDrills(drills.bytes.view(), drills.path, *sibling);
+        const bool isMore = image.features.size() >= drills.image.features.size();
+        if (isMore && fitOf(image, {}, copper).inside > fitOf(drills.image, {}, copper).inside) {
+            drills.image = std::move(image);
+            drills.format = *sibling;
+            drills.diagnostics.report(Severity::Info, drills.path, 0,
+                                      "read as " + describe(*sibling) + ", like another drill file of the job");
+            return;
+        }
     }
+    reportUnit(drills, false);
+    drills.diagnostics.report(Severity::Warning, drills.path, 0,
+                              "most holes lie beside the copper, in whatever format their coordinates are read");
 }
 
 bool areSameHoles(const Image& first, const Image& second) {

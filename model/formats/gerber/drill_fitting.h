@@ -15,8 +15,11 @@ namespace model::gerber {
 /// the copper, or would not lie on it.
 bool moveHoles(ReadFile& drills, Point shift, const Box& copper);
 /// Reads a drill file again in another format where the one it states, or that was assumed, does not put its holes on
-/// the board and another does; what was done is reported.
-void fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper);
+/// the board and another does; what was done is reported. False if most holes lie beside the copper in any format.
+bool fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper);
+/// Reads a file of which that was false in the format of a file of the same job, if it does not say otherwise and more
+/// of it lies on the board then; or reports where it lies.
+void fitAsSibling(ReadFile& drills, const std::optional<CoordinateFormat>& sibling, const Box& copper);
 /// Does the second file drill the same holes as the first?
 [[nodiscard]] bool areSameHoles(const Image& first, const Image& second);
 

@@ -118,6 +118,19 @@ private slots:
         QCOMPARE(isReported(**board, "nly the name of the drill file"), spans != "1-4 1-4 ");
     }
 
+    /// A path around the board lies beside all copper in any format.
+    void filesThatNoCopperTellAreReadLikeTheOthers() {
+        const std::string drills = "M48\nINCH\nT1C0.03\n%\nT1\nX0020000Y0020000\nX0080000\nX0080000Y0080000\nM30\n";
+        const std::string path =
+            "M48\nINCH\nT1C0.1\n%\nT1\nG00X00020000Y00020000\nM15\nG01X00280000\nY00280000\nM16\nM30\n";
+        const std::string pads = "%ADD10C,1.5*%D10*X5080000Y5080000D03*X20320000D03*Y20320000D03*\n";
+        const Job job({{"b.gtl", image(pads)}, {"b.gbl", image(pads)}, {"a-npth.drl", path}, {"b.drl", drills}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "like another drill file of the job"));
+        QVERIFY(!isReported(**board, "ost holes lie beside"));
+    }
+
     /// Programs can write drills from another origin than images. The format that the file tells is not doubted then,
     /// though in another one the holes would lie on the board, too.
     void drillsFromAnotherOriginAreLaidOnTheirPads() {
