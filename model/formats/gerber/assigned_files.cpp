@@ -109,6 +109,7 @@ base::Result<AssignedFiles> assign(std::vector<ReadFile> files, const fs::path& 
     if (std::ranges::none_of(job.files, &ReadFile::isImage)) {
         return noImage(job.files, path);
     }
+    moveFarJob(job.files);
     assignRoles(job.files, factsOf(job.files));
     if (options != nullptr) {
         RETURN_IF_ERROR(applyMap(path, *options, job));

@@ -79,7 +79,8 @@ std::vector<std::tuple<Nm, Nm>> placesOf(const Image& image) {
 bool readOtherwise(ReadFile& drills, const PadIndex& pads, const Box& copper, Fit& best) {
     bool isFound = false;
     const std::vector<CoordinateFormat> formats = likelyFormats(drills.head);  // it was read in the first of them
-    for (const CoordinateFormat& format : std::span(formats).subspan(1)) {
+    for (CoordinateFormat format : std::span(formats).subspan(1)) {
+        format.shift = drills.format.shift;
         Image other = parseDrills(drills.bytes.view(), drills.path, format);
         const Fit fit = fitOf(other, pads, copper);
         if (other.features.size() >= drills.image.features.size() && isBetter(fit, best, drills.head)) {

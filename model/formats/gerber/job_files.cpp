@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
+#include "model/base/median.h"
 #include "model/base/parallel.h"
 #include "model/formats/gerber/text/words.h"
 #include "model/text/whole_file.h"
@@ -305,6 +307,43 @@ base::Result<std::vector<ReadFile>> readFilesAt(const std::filesystem::path& pat
     Diagnostics unpacking;
     ASSIGN_OR_RETURN(const formats::Archive archive, formats::Archive::open(folder, {}, progress, unpacking));
     return readFiles(archive, progress);
+}
+
+void moveFarJob(std::vector<ReadFile>& files) {
+    std::size_t there = 0;
+    std::size_t beyond = 0;
+    std::vector<double> xs;
+    std::vector<double> ys;
+    for (const ReadFile& file : files) {
+        if (file.kind == ReadFile::Kind::Gerber) {
+            there += file.image.features.size();
+            beyond += file.image.placesBeyond;
+        }
+        if (file.kind == ReadFile::Kind::Gerber && file.image.placesBeyond > 0) {
+            xs.push_back(file.image.cornerBeyond.x);
+            ys.push_back(file.image.cornerBeyond.y);
+        }
+    }
+    if (beyond <= there) {
+        return;
+    }
+    // Frames of drawings may be far from the board: most images are none.
+    constexpr double kStep = 1e8;  ///< nm: a round number, which people can add in their heads
+    const base::PointD shift{0.0 - std::floor(base::medianOf(xs) / kStep) * kStep,
+                             0.0 - std::floor(base::medianOf(ys) / kStep) * kStep};
+    base::parallelFor(files.size(), [&](std::size_t i) {
+        ReadFile& file = files[i];
+        if (file.kind == ReadFile::Kind::Gerber) {
+            file.image = parseImage(file.bytes.view(), file.path, shift);
+        } else if (file.kind == ReadFile::Kind::Drills) {
+            file.format.shift = shift;
+            file.image = parseDrills(file.bytes.view(), file.path, file.format);
+        }
+    });
+    const auto first = std::ranges::find(files, ReadFile::Kind::Gerber, &ReadFile::kind);
+    first->diagnostics.report(Severity::Warning, first->path, 0,
+                              "the job lies farther out than coordinates reach (1.07 m); all of it was moved by " +
+                                  shortNumber(shift.x / 1e6) + ", " + shortNumber(shift.y / 1e6) + " mm");
 }
 
 void assignRoles(std::vector<ReadFile>& files, const JobFileFacts& job) {

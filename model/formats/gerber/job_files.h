@@ -47,6 +47,10 @@ struct ReadFile {
     [[nodiscard]] bool isImage() const { return (kind == Kind::Gerber || kind == Kind::Drills) && !isIgnored(); }
 };
 
+/// Reads the images and drills of a job anew that lies farther out than coordinates reach (1.07 m), as boards in large
+/// drawings of Allegro do: moved near the origin, which is reported.
+void moveFarJob(std::vector<ReadFile>& files);
+
 /// What the text of a file is, by its content.
 [[nodiscard]] ReadFile::Kind kindOf(std::string_view text, std::string_view name);
 /// Is it a picture, a drawing or another program's file by its name, which is never read?

@@ -63,7 +63,7 @@ Image parseDrills(std::string_view text, std::string_view path, const Coordinate
 }
 
 DrillParser::DrillParser(std::string_view path, const CoordinateFormat& format)
-    : m_path(path), m_format(format), m_attributes(m_image) {}
+    : m_path(path), m_format(format), m_attributes(m_image), m_origin(format.shift) {}
 
 Image DrillParser::run(std::string_view text) {
     m_hasPlunges = text.find("M15") != std::string_view::npos || text.find("M14") != std::string_view::npos;
@@ -393,7 +393,7 @@ void DrillParser::setOrigin(const DrillValues& parts) {
     for (const DrillValue& part : parts) {
         double* const target = part.letter == 'X' ? &m_origin.x : part.letter == 'Y' ? &m_origin.y : nullptr;
         if (target != nullptr) {
-            *target = length(part.digits);
+            *target = length(part.digits) + (part.letter == 'X' ? m_format.shift.x : m_format.shift.y);
         }
     }
     m_isConsumed = true;

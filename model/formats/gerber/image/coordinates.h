@@ -18,6 +18,7 @@ struct CoordinateFormat {
     bool hasFormat = false;      ///< the file says its digits
     bool hasUnit = false;
     double nmPerUnit = base::kNmPerInch;
+    base::PointD shift;  ///< nm, added to all places: of a job that lies farther out than coordinates reach
 
     /// `FSLAX25Y25` behind FS. False if it cannot be read.
     bool readFormat(std::string_view text);

@@ -37,6 +37,8 @@ struct Image {
     std::size_t flashes = 0;
     std::size_t draws = 0;
     std::size_t contours = 0;
+    std::size_t placesBeyond = 0;  ///< coordinates that are farther out than a board can be
+    base::PointD cornerBeyond;     ///< the lower left one of these, nm
     Diagnostics diagnostics;
 
     /// The value of a file attribute; empty if there is none.
@@ -44,6 +46,7 @@ struct Image {
 };
 
 /// Reads every command of a file. What cannot be read or is outdated in a way that matters is reported with its line.
-[[nodiscard]] Image parseImage(std::string_view text, std::string_view path);
+/// `shift`: nm, added to all places.
+[[nodiscard]] Image parseImage(std::string_view text, std::string_view path, base::PointD shift = {});
 
 }  // namespace model::gerber

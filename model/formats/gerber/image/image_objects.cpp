@@ -40,6 +40,12 @@ bool ImageParser::isClockwise() const {
     return (m_mode == Mode::Clockwise) != (m_isImageMirroredA != m_isImageMirroredB);
 }
 
+void ImageParser::noteBeyond(base::PointD place) {
+    base::PointD& corner = m_image.cornerBeyond;
+    const bool isFirst = m_image.placesBeyond++ == 0;
+    corner = isFirst ? place : base::PointD{std::min(corner.x, place.x), std::min(corner.y, place.y)};
+}
+
 void ImageParser::operate(const Word& read) {
     const Word word = onImage(read);
     int operation = word.operation;
@@ -56,10 +62,13 @@ void ImageParser::operate(const Word& read) {
     }
     m_lastOperation = operation;
     const bool isIncremental = m_format.isIncremental;
-    const auto x = toNm(!word.hasX ? m_position.x : word.x + (isIncremental ? m_position.x : 0));
-    const auto y = toNm(!word.hasY ? m_position.y : word.y + (isIncremental ? m_position.y : 0));
+    const double atX = !word.hasX ? m_position.x : word.x + (isIncremental ? m_position.x : m_format.shift.x);
+    const double atY = !word.hasY ? m_position.y : word.y + (isIncremental ? m_position.y : m_format.shift.y);
+    const std::optional<Nm> x = toNm(atX);
+    const std::optional<Nm> y = toNm(atY);
     if (!x || !y) {
         m_isBad = true;
+        noteBeyond({atX, atY});
         return report(Severity::Warning,
                       "a coordinate is larger than any board (1.07 m); what is drawn there is left out");
     }

@@ -33,17 +33,18 @@ std::size_t likelyObjects(std::string_view text) {
 
 }  // namespace
 
-Image parseImage(std::string_view text, std::string_view path) {
-    return ImageParser(text, path).run();
+Image parseImage(std::string_view text, std::string_view path, base::PointD shift) {
+    return ImageParser(text, path, shift).run();
 }
 
-ImageParser::ImageParser(std::string_view text, std::string_view path)
+ImageParser::ImageParser(std::string_view text, std::string_view path, base::PointD shift)
     : m_at(text.data()),
       m_end(text.data() + text.size()),
       m_path(path),
       m_attributes(m_image),
       m_mover(m_image),
       m_format(findFormat(text)) {
+    m_format.shift = shift;
     if (text.starts_with("\xef\xbb\xbf")) {
         m_at += 3;
     }

@@ -19,7 +19,7 @@ namespace model::gerber {
 /// copies: they are nearly all of a file.
 class ImageParser {
 public:
-    ImageParser(std::string_view text, std::string_view path);
+    ImageParser(std::string_view text, std::string_view path, base::PointD shift);
 
     [[nodiscard]] Image run();
 
@@ -70,6 +70,7 @@ private:
     void operate(const Word& read);
     [[nodiscard]] Word onImage(Word word) const;
     [[nodiscard]] bool isClockwise() const;
+    void noteBeyond(base::PointD place);
     void draw(Point to, const Word& word);
     void flash();
     void flashBlock(const Aperture& aperture);

@@ -216,6 +216,20 @@ private slots:
         QVERIFY(alone.open().ok());
     }
 
+    /// Boards in large drawings: 1.5 m to the right of the origin.
+    void jobsThatLieFarOutAreMoved() {
+        const std::string copper =
+            "%ADD10C,1.5*%D10*X1502000000Y2000000D03*X1508000000D03*Y8000000D03*X1502000000D03*X1505000000D03*\n";
+        const std::string drills = "M48\nMETRIC\nT1C0.8\n%\nT1\nX1502.0Y2.0\nX1508.0Y2.0\nX1508.0Y8.0\nM30\n";
+        const Job job({{"b.GTL", image(copper)}, {"b.GBL", image(copper)}, {"b.drl", drills}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "moved by -1500, 0 mm"));
+        QVERIFY(!isReported(**board, "eft out"));
+        QCOMPARE((*board)->board.min.x, 1'250'000);
+        QCOMPARE(holesOf(**board), std::size_t{3});
+    }
+
     void wordsOfOneFileAreNoBoard() {
         const Job job({{"TOP.gbr", image(kCopper, "Copper,L1,Top")},
                        {"PAST_TOP.gbr", image(kCopper, "Paste,Top")},
