@@ -1,6 +1,8 @@
 #include "model/formats/gerber/pad_index.h"
 
 #include <algorithm>
+#include <iterator>
+#include <tuple>
 #include <unordered_map>
 
 #include "model/base/median.h"
@@ -13,6 +15,7 @@ constexpr std::size_t kVoters = 200;
 constexpr std::size_t kMostPads = 20'000;
 constexpr std::int64_t kVoteGrid = 20'000;
 constexpr double kEnough = 0.5;
+constexpr std::size_t kCandidates = 200;
 
 Point moved(Point p, Point shift) {
     const auto add = [](Nm a, Nm b) {
@@ -72,7 +75,6 @@ std::optional<Point> PadIndex::shiftOf(std::span<const Point> points, Nm reach) 
         Point first;
     };
     std::unordered_map<std::uint64_t, Votes> votes;
-    const Votes* best = nullptr;
     for (const IndexedPad& pad : thinned(std::span<const IndexedPad>(m_pads), kMostPads)) {
         for (const Point p : voters) {
             const std::int64_t dx = std::int64_t{pad.position.x} - p.x;
@@ -86,10 +88,21 @@ std::optional<Point> PadIndex::shiftOf(std::span<const Point> points, Nm reach) 
             if (vote.count++ == 0) {
                 vote.first = {static_cast<Nm>(dx), static_cast<Nm>(dy)};
             }
-            best = best == nullptr || vote.count > best->count ? &vote : best;
         }
     }
-    if (best == nullptr || share(voters, best->first, reach) < kEnough) {
+    // The votes for a shift on the edge of the grid are divided among cells, and rows of vias agree with each other one
+    // step further, too: those with most votes are held against the pads.
+    std::vector<Votes> ranked;
+    std::ranges::transform(votes, std::back_inserter(ranked), [](const auto& vote) { return vote.second; });
+    const std::size_t count = std::min(ranked.size(), kCandidates);
+    const auto end = ranked.begin() + static_cast<std::ptrdiff_t>(count);
+    std::ranges::partial_sort(ranked, end, [](const Votes& a, const Votes& b) {
+        return std::tuple(b.count, a.first.x, a.first.y) < std::tuple(a.count, b.first.x, b.first.y);
+    });
+    ranked.erase(end, ranked.end());
+    const auto shareOf = [&](const Votes& vote) { return share(voters, vote.first, reach); };
+    const auto best = std::ranges::max_element(ranked, {}, shareOf);
+    if (best == ranked.end() || shareOf(*best) < kEnough) {
         return std::nullopt;
     }
     // The first pair is off by rounding, or a part whose place is not the middle of its pins: most are not.

@@ -118,6 +118,23 @@ private slots:
         QCOMPARE(isReported(**board, "nly the name of the drill file"), spans != "1-4 1-4 ");
     }
 
+    /// Rows of vias agree with their pads one step further, too, and rounding divides the votes for the true shift.
+    void rowsOfViasAreLaidOnTheirOwnPads() {
+        std::string pads = "%ADD10C,0.5*%D10*";
+        std::string drills = "M48\n;FILE_FORMAT=3:3\nMETRIC\nT1C0.4\n%\nT1\n";
+        for (int i = 0; i < 40; ++i) {
+            const int x = 1'000 + i / 4 * 805;
+            const int y = 2'000 + i % 4 * 1'000;
+            const int rounding = i % 2 == 0 ? 10 : -10;  // nm
+            pads += "X" + std::to_string(x * 1'000 + rounding) + "Y" + std::to_string(y * 1'000) + "D03*\n";
+            drills += QString::asprintf("X%06dY%06d\n", x + 100'000, y).toStdString();
+        }
+        const Job job({{"b.gtl", image(pads)}, {"b.gbl", image(pads)}, {"b.drl", drills + "M30\n"}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "moved by -100, 0 mm"));
+    }
+
     /// A path around the board lies beside all copper in any format.
     void filesThatNoCopperTellAreReadLikeTheOthers() {
         const std::string drills = "M48\nINCH\nT1C0.03\n%\nT1\nX0020000Y0020000\nX0080000\nX0080000Y0080000\nM30\n";
