@@ -165,8 +165,27 @@ std::optional<FileRole> roleAmongNames(std::string_view name, std::size_t shared
     return isOfAll ? std::nullopt : whole;
 }
 
+/// Does an image draw the edge of the board only, as the functions of its apertures say? Proteus calls it drills
+/// without plating.
+bool isProfile(const Image& image) {
+    const auto isOfProfile = [&](const formats::DrawnFeature& feature) {
+        if (feature.attributes < 0) {
+            return false;
+        }
+        const formats::Words& words = image.attributes[static_cast<std::size_t>(feature.attributes)];
+        return std::ranges::any_of(words, [](const auto& word) {
+            return word.first == ".AperFunction" && word.second.starts_with("Profile");
+        });
+    };
+    return !image.features.empty() && std::ranges::all_of(image.features, isOfProfile);
+}
+
 FileRole roleOf(const ReadFile& file, const JobFileFacts& job, std::size_t shared) {
-    const std::optional<FileRole> ofAttribute = roleOfFunction(file.image.fileAttribute(".FileFunction"));
+    std::optional<FileRole> ofAttribute = roleOfFunction(file.image.fileAttribute(".FileFunction"));
+    if (ofAttribute && ofAttribute->kind == FileRole::Kind::Drill && isProfile(file.image)) {
+        ofAttribute = FileRole{FileRole::Kind::Profile};
+        ofAttribute->source = RoleSource::Attribute;
+    }
     const std::optional<FileRole> ofJob = roleOfJob(file, job);
     const std::optional<FileRole> ofComments = roleOfComments(file.image);
     std::optional<FileRole> ofName = roleAmongNames(file.name(), file.kind == ReadFile::Kind::Gerber ? shared : 0);

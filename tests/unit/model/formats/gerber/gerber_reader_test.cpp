@@ -230,6 +230,19 @@ private slots:
         QCOMPARE(holesOf(**board), std::size_t{3});
     }
 
+    /// Proteus draws the edge of the board in a file of drills without plating.
+    void theEdgeOfTheBoardIsNoSlot() {
+        const std::string edge =
+            "%TA.AperFunction,Profile*%%ADD10C,0.2*%%TD*%D10*X0Y0D02*X10000000D01*Y10000000D01*X0D01*Y0D01*\n";
+        const Job job({{"top.gbr", image(kWideCopper, "Copper,L1,Top")},
+                       {"bottom.gbr", image(kWideCopper, "Copper,L2,Bot")},
+                       {"mechanical 1.gbr", image(edge, "NonPlated,1,2,NPTH")}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(holesOf(**board), std::size_t{0});
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+    }
+
     void wordsOfOneFileAreNoBoard() {
         const Job job({{"TOP.gbr", image(kCopper, "Copper,L1,Top")},
                        {"PAST_TOP.gbr", image(kCopper, "Paste,Top")},
