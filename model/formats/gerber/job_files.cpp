@@ -217,6 +217,24 @@ FileRole roleOf(const ReadFile& file, const JobFileFacts& job, std::size_t share
     return role;
 }
 
+/// gEDA called masks of the component side so, and that of the solder side just a solder mask: where one of two is on
+/// the top and the other tells no side, it is on the bottom.
+void takeOtherSide(std::vector<ReadFile>& files, FileRole::Kind kind) {
+    std::size_t onTop = 0;
+    std::size_t count = 0;
+    ReadFile* other = nullptr;
+    for (ReadFile& file : files) {
+        if (file.isImage() && file.role.kind == kind) {
+            ++count;
+            onTop += file.role.side == LayerSide::Top ? 1 : 0;
+            other = file.role.side == LayerSide::None ? &file : other;
+        }
+    }
+    if (count == 2 && onTop == 1 && other != nullptr) {
+        other->role.side = LayerSide::Bottom;
+    }
+}
+
 }  // namespace
 
 bool isNamedLikeGerber(std::string_view name) {
@@ -371,6 +389,9 @@ void assignRoles(std::vector<ReadFile>& files, const JobFileFacts& job) {
         if (file.isImage()) {
             file.role = roleOf(file, job, shared);
         }
+    }
+    for (const FileRole::Kind kind : {FileRole::Kind::SolderMask, FileRole::Kind::Legend, FileRole::Kind::Paste}) {
+        takeOtherSide(files, kind);
     }
 }
 
