@@ -1,0 +1,184 @@
+// Whole jobs as particular programs write them: names, planes, places.
+
+#include <QtTest>
+#include <algorithm>
+
+#include "model/formats/gerber/gerber_reader.h"
+#include "model/formats/gerber/placements.h"
+#include "tests/unit/model/formats/gerber/gerber_testing.h"
+
+using namespace gerber_testing;
+
+namespace {
+
+std::size_t holesOf(const model::Document& board) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(board.elements.flags, [](std::uint8_t flags) { return (flags & model::kHole) != 0; }));
+}
+
+}  // namespace
+
+class GerberDialectsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theLowestCopperIsNotCalledInner() {
+        const Job job({{"art001.pho", image(kCopper)}, {"art002.pho", image(kCopper)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY((*board)->findLayer("bottom copper 2").isValid());
+        QVERIFY(isReported(**board, "taken as bottom copper 2"));
+    }
+
+    /// Allegro keeps what it wrote before as "top.art,1".
+    void olderVersionsAreNotRead() {
+        const Job job({{"Top.art", image(kCopper)},
+                       {"Top.art,1", image(kCopper)},
+                       {"Top.art,2", image(kCopper)},
+                       {"bottom.art", image(kCopper)},
+                       {"b.drl", kDrills},
+                       {"b.drl,1", kDrills}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(std::ranges::count((*board)->layers, model::LayerType::Signal, &model::Layer::type), 2);
+        QCOMPARE(std::ranges::count((*board)->layers, model::LayerType::Drill, &model::Layer::type), 1);
+        QVERIFY(isReported(**board, "n older version of Top.art"));
+        const Job alone({{"top.art,1", image(kCopper)}});
+        QVERIFY(alone.open().ok());
+    }
+
+    /// Boards in large drawings: 1.5 m to the right of the origin.
+    void jobsThatLieFarOutAreMoved() {
+        const std::string copper =
+            "%ADD10C,1.5*%D10*X1502000000Y2000000D03*X1508000000D03*Y8000000D03*X1502000000D03*X1505000000D03*\n";
+        const std::string drills = "M48\nMETRIC\nT1C0.8\n%\nT1\nX1502.0Y2.0\nX1508.0Y2.0\nX1508.0Y8.0\nM30\n";
+        const Job job({{"b.GTL", image(copper)}, {"b.GBL", image(copper)}, {"b.drl", drills}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "moved by -1500, 0 mm"));
+        QVERIFY(!isReported(**board, "eft out"));
+        QCOMPARE((*board)->board.min.x, 1'250'000);
+        QCOMPARE(holesOf(**board), std::size_t{3});
+    }
+
+    /// Proteus draws the edge of the board in a file of drills without plating.
+    void theEdgeOfTheBoardIsNoSlot() {
+        const std::string edge =
+            "%TA.AperFunction,Profile*%%ADD10C,0.2*%%TD*%D10*X0Y0D02*X10000000D01*Y10000000D01*X0D01*Y0D01*\n";
+        const Job job({{"top.gbr", image(kWideCopper, "Copper,L1,Top")},
+                       {"bottom.gbr", image(kWideCopper, "Copper,L2,Bot")},
+                       {"mechanical 1.gbr", image(edge, "NonPlated,1,2,NPTH")}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(holesOf(**board), std::size_t{0});
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+    }
+
+    void theMaskThatTellsNoSideIsTheOtherOne() {
+        const auto sideOf = [](const Files& files) {
+            const Board board = Job(files).open();
+            const auto layer = board.ok() ? (*board)->findLayer("b_soldermask") : model::LayerId();
+            return layer.isValid() ? (*board)->layer(layer).side : model::LayerSide::Inner;
+        };
+        const std::string mask = image(kCopper, "Soldermask,Top");
+        const Files two = {
+            {"b_top.gbr", image(kCopper)}, {"a_mask_top.gbr", mask}, {"b_soldermask.gbr", image(kCopper)}};
+        QCOMPARE(static_cast<int>(sideOf(two)), static_cast<int>(model::LayerSide::Bottom));
+    }
+
+    void wordsOfOneFileAreNoBoard() {
+        const Job job({{"TOP.gbr", image(kCopper, "Copper,L1,Top")},
+                       {"PAST_TOP.gbr", image(kCopper, "Paste,Top")},
+                       {"SOLD_TOP.gbr", image(kCopper, "Soldermask,Top")}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        for (const char* name : {"TOP", "PAST_TOP", "SOLD_TOP"}) {
+            QVERIFY2(std::ranges::find((*board)->layers, name, &model::Layer::name) != (*board)->layers.end(), name);
+        }
+    }
+
+    /// "GND2" may be the second ground; where the numbers of all are places of their own, they are meant so.
+    void numbersInNamesOrderInnerLayers() {
+        const auto film = [](const std::string& etch) { return "G04 Layer:  ETCH/" + etch + "*\n" + image(kCopper); };
+        const auto copperOf = [&](const std::vector<std::string>& inner) {
+            Files files = {{"TOP.art", film("TOP")}, {"BOTTOM.art", film("BOTTOM")}};
+            for (const std::string& name : inner) {
+                files[name + ".art"] = film(name);
+            }
+            const Board board = Job(files).open();
+            std::string order;
+            for (const model::Layer& layer : board.ok() ? (*board)->layers : std::vector<model::Layer>()) {
+                order += layer.type == model::LayerType::Signal ? layer.name + " " : "";
+            }
+            const bool isNumbered = board.ok() && isReported(**board, "by the number in it");
+            return QString::fromStdString(order + (isNumbered ? "numbered" : "by name"));
+        };
+        QCOMPARE(copperOf({"GND2", "SIG03", "SIG04", "GND5"}), QString("TOP GND2 SIG03 SIG04 GND5 BOTTOM numbered"));
+        QCOMPARE(copperOf({"SIG3", "GND2"}), QString("TOP GND2 SIG3 BOTTOM numbered"));
+        QCOMPARE(copperOf({"SIG1", "GND2"}), QString("TOP GND2 SIG1 BOTTOM by name"));
+        QCOMPARE(copperOf({"SIG", "GND3"}), QString("TOP GND3 SIG BOTTOM by name"));
+    }
+
+    /// Internal planes of Protel and Altium draw what is left out, unless their attribute says otherwise.
+    void internalPlanesAreNegative() {
+        const auto isNegative = [](const std::string& polarity) {
+            const std::string plane = polarity + image("%ADD10C,1*%D10*X5000000Y5000000D03*");
+            const Job job({{"b.GTL", image(kWideCopper)},
+                           {"b.GP1", plane},
+                           {"b.GBL", image(kWideCopper)},
+                           {"b.GKO", image(kOutline)}});
+            const Board board = job.open();
+            return board.ok() && std::ranges::any_of((*board)->layers, &model::Layer::isNegative);
+        };
+        QVERIFY(isNegative(""));
+        QVERIFY(isNegative("%TF.FilePolarity,Negative*%"));
+        QVERIFY(!isNegative("%TF.FilePolarity,Positive*%"));
+    }
+
+    /// Films of negative planes have frames of drawings around them.
+    void negativesDoNotTellHowLargeABoardIs() {
+        const std::string plane =
+            "G04 Layer:  ETCH/GND*\nG04 Mode:      Negative*\n" +
+            image("%ADD10C,1*%D10*X5000000Y5000000D03*X-60000000Y-60000000D02*X90000000D01*Y90000000D01*");
+        const Job job({{"b.GTL", image(kWideCopper)},
+                       {"gnd.art", plane},
+                       {"b.GBL", image(kWideCopper)},
+                       {"b.GKO", image(kOutline)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+    }
+
+    /// Tables of fixed width: names of columns with blanks, and values and packages with blanks.
+    void placesAreReadFromTablesWithBlanks_data() {
+        QTest::addColumn<QString>("table");
+        QTest::newRow("Altium")
+            << "Designator Footprint      Mid X     Mid Y     Ref X     Ref Y TB  Rotation Comment\n\n"
+               "R1         RES 0402         5mm       2mm       1mm       1mm  T     90.00 220uF, 4V\n"
+               "R2         RES0402          3mm       4mm       1mm       1mm  B      0.00\n";
+        QTest::newRow("Allegro") << "UUNITS = MICRONS\n"
+                                    "R1                   5000.0        2000.0       90    RES0402\n"
+                                    "R2                   3000.0        4000.0        0  m RES0402\n";
+        QTest::newRow("DesignSpark") << "Units:          thou (precision 0)\n\n"
+                                        "Name      Component    Side     Centre X    Centre Y  Rotation\n"
+                                        "--------------------------------------------------------------\n"
+                                        "R1        R 10k        Top     196.85039    78.74016     90.00\n"
+                                        "R2        R            Bottom  118.11024   157.48031      0.00\n";
+    }
+    void placesAreReadFromTablesWithBlanks() {
+        QFETCH(QString, table);
+        model::Diagnostics diagnostics;
+        const auto file = model::gerber::parsePlacements(table.toStdString(), "places.txt", diagnostics);
+        QVERIFY(diagnostics.entries().empty());
+        QCOMPARE(file.parts.size(), std::size_t{2});
+        QCOMPARE(file.parts[0].refdes, std::string("R1"));
+        QCOMPARE(file.parts[0].position, (model::Point{5'000'000, 2'000'000}));
+        QCOMPARE(file.parts[0].rotationDeg, 90.0);
+        QCOMPARE(file.parts[1].position, (model::Point{3'000'000, 4'000'000}));
+        QVERIFY(file.parts[1].side == model::LayerSide::Bottom);
+        QVERIFY(!file.parts[0].value.empty() || !file.parts[0].package.empty());
+    }
+};
+
+QTEST_APPLESS_MAIN(GerberDialectsTest)
+#include "gerber_dialects_test.moc"
