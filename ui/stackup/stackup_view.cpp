@@ -208,19 +208,23 @@ void StackupView::paintBore(QPainter& painter, std::size_t row) const {
     painter.drawText(QRectF(hole.center().x() - 20.0, kMargin, 40.0, lineHeight()), Qt::AlignCenter, boreNumber(row));
 }
 
-/// Where there is no room the layer's name is cut, not how many holes there are.
 void StackupView::paintCaption(QPainter& painter, std::size_t row) const {
-    const double top = kMargin + m_drawing.height + lineHeight() * (static_cast<double>(row) + 1.5);
-    const int room = static_cast<int>(width() - 2 * kMargin);
+    const QRectF line = captionRect(row);
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(line, Qt::AlignVCenter, captionOf(row, static_cast<int>(line.width())));
+}
+
+QString StackupView::captionOf(std::size_t row, int room) const {
+    constexpr int kLeastLetters = 4;
     const QString name = QString::fromStdString(m_document->layer(m_drawing.bores[row].layer).name);
     const QString text = boreText(row);
     const QString number = boreNumber(row) + QStringLiteral("  ");
     const QString rest = text.mid(name.size());
     const int left = room - fontMetrics().horizontalAdvance(number + rest);
     const QString cut = fontMetrics().elidedText(name, Qt::ElideMiddle, std::max(left, 0));
-    painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(QRectF(kMargin, top, room, lineHeight()), Qt::AlignVCenter,
-                     fontMetrics().elidedText(number + cut + rest, Qt::ElideRight, room));
+    const bool isNamed = cut == name || cut.size() > kLeastLetters;
+    const QString unnamed = rest.mid(QStringView(u": ").size());
+    return fontMetrics().elidedText(number + (isNamed ? cut + rest : unnamed), Qt::ElideRight, room);
 }
 
 QString StackupView::boreText(std::size_t row) const {
@@ -230,6 +234,19 @@ QString StackupView::boreText(std::size_t row) const {
 std::size_t StackupView::boreAt(QPointF at) const {
     std::size_t row = 0;
     while (row < m_drawing.bores.size() && !boreRect(row).contains(at)) {
+        ++row;
+    }
+    return row;
+}
+
+QRectF StackupView::captionRect(std::size_t row) const {
+    const double top = kMargin + m_drawing.height + lineHeight() * (static_cast<double>(row) + 1.5);
+    return {kMargin, top, width() - 2 * kMargin, lineHeight()};
+}
+
+std::size_t StackupView::captionAt(QPointF at) const {
+    std::size_t row = 0;
+    while (row < m_drawing.bores.size() && !captionRect(row).contains(at)) {
         ++row;
     }
     return row;
@@ -257,6 +274,9 @@ model::LayerId StackupView::layerAt(QPointF at) const {
 
 QString StackupView::tipAt(QPointF at) const {
     if (const std::size_t bore = boreAt(at); bore < m_drawing.bores.size()) {
+        return boreText(bore);
+    }
+    if (const std::size_t bore = captionAt(at); bore < m_drawing.bores.size()) {
         return boreText(bore);
     }
     const std::size_t row = rowAt(at);

@@ -34,6 +34,10 @@ public:
     [[nodiscard]] QRectF bandRect(std::size_t row) const;
     [[nodiscard]] QRectF zoneRect(std::size_t row, std::size_t zone) const;
     [[nodiscard]] QRectF boreRect(std::size_t row) const;
+    /// The line below the drawing that says what a kind of hole is. Where there is no room for all of it the layer's
+    /// name is cut, or left out once hardly a letter of it would be seen; how many holes there are stays.
+    [[nodiscard]] QString captionOf(std::size_t row, int room) const;
+    [[nodiscard]] QRectF captionRect(std::size_t row) const;
     /// What is under the pointer there; empty for nothing.
     [[nodiscard]] QString tipAt(QPointF at) const;
     [[nodiscard]] QSize sizeHint() const override;
@@ -63,6 +67,7 @@ private:
     [[nodiscard]] model::LayerId layerAt(QPointF at) const;
     [[nodiscard]] QString zonesOf(std::size_t row) const;
     [[nodiscard]] std::size_t boreAt(QPointF at) const;
+    [[nodiscard]] std::size_t captionAt(QPointF at) const;
     [[nodiscard]] std::size_t rowAt(QPointF at) const;
     [[nodiscard]] QString boreText(std::size_t row) const;
     [[nodiscard]] QColor colourOf(const model::StackupRow& row) const;

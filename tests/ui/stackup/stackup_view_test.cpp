@@ -97,6 +97,21 @@ private slots:
         QCOMPARE(window().layers().soloLayer(), layerOf("L4"));
     }
 
+    void aCaptionWithoutRoomForTheNameSaysWhatTheHolesAre() {
+        const std::size_t bore = 0;
+        const QString whole = view().captionOf(bore, 10'000);
+        const auto& layer = view().drawing().bores[bore].layer;
+        const QString name = QString::fromStdString(window().document()->layer(layer).name);
+        QVERIFY2(whole.startsWith("1  " + name + ": "), qPrintable(whole));
+        const QString unnamed = QString(whole).remove(name + ": ");
+        const int room = view().fontMetrics().horizontalAdvance(unnamed) + 4;
+        QCOMPARE(view().captionOf(bore, room), unnamed);
+        QVERIFY(view().captionOf(bore, room / 2).startsWith(unnamed.left(8)));
+        // The line of the caption says the whole of it.
+        const QString tip = view().tipAt({view().width() * 0.5, view().captionRect(bore).center().y()});
+        QCOMPARE("1  " + tip, whole);
+    }
+
     void aClickOnALabelOrAHoleCountsToo() {
         const double label = view().bandRect(0).top() + view().drawing().bands[rowOf("L3")].label;
         clickAt({view().width() * 0.5, label});
