@@ -99,6 +99,8 @@ void CellDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelInd
     QStyledItemDelegate::initStyleOption(option, index);
     if (option->font.bold() || (traitsOf(index) & kNumber) != 0) {
         option->textElideMode = Qt::ElideRight;
+    } else if ((traitsOf(index) & kPath) != 0) {
+        option->textElideMode = Qt::ElideLeft;
     }
 }
 

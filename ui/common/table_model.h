@@ -17,6 +17,7 @@ enum ColumnTrait {
     kColour = 8,    ///< a swatch of the value
     kPercent = 16,  ///< a bar of the value
     kLength = 32,   ///< in the user's unit, which files name in the heading
+    kPath = 64,     ///< its end tells what it is: without room its beginning is cut
 };
 
 struct Column {

@@ -71,6 +71,22 @@ void TableView::fit() {
     resizeColumnsToContents();
     if (m_stretched >= 0) {
         horizontalHeader()->setSectionResizeMode(m_stretched, QHeaderView::Stretch);
+        leaveRoom();
+    }
+}
+
+/// The stretched column is what the table is about: where others leave it less than half of the room, none of them
+/// takes more than a third.
+void TableView::leaveRoom() {
+    const int room = viewport()->width();
+    int taken = 0;
+    for (int column = 0; column < model()->columnCount(); ++column) {
+        taken += column != m_stretched && !isColumnHidden(column) ? columnWidth(column) : 0;
+    }
+    for (int column = 0; taken > room / 2 && column < model()->columnCount(); ++column) {
+        if (column != m_stretched && columnWidth(column) > room / 3) {
+            setColumnWidth(column, room / 3);
+        }
     }
 }
 

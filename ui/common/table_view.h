@@ -19,7 +19,8 @@ public:
 
     /// From now on a click on a heading sorts; until then rows are in the order of the model.
     SortedRows& makeSortable();
-    /// Columns are as wide as their cells after every reset; `stretched` takes the room that is left, none: -1.
+    /// Columns are as wide as their cells after every reset; `stretched` takes the room that is left, none: -1. Where
+    /// that is little, what is wide is cut for it.
     void fitColumns(int stretched = -1);
     /// Columns are never narrower than their headings, those of numbers never narrower than these: they grow when rows
     /// come and when cells change, and shrink only by hand.
@@ -57,6 +58,7 @@ protected:
 private:
     [[nodiscard]] int rowOf(const QModelIndex& index) const;
     void fit();
+    void leaveRoom();
     void widen();
     template <class Measure>
     void measure(bool& isDue, Measure measure);

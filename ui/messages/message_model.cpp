@@ -8,7 +8,7 @@ namespace ui {
 MessageModel::MessageModel(QObject* parent)
     : TableModel({{tr("Severity"), tr("How much it matters")},
                   {tr("Message"), tr("What was skipped, repaired or assumed")},
-                  {tr("Where"), tr("File inside the job and line of the first occurrence")},
+                  {tr("Where"), tr("File inside the job and line of the first occurrence"), kPath},
                   {tr("Count"), tr("How often it happened"), kNumber}},
                  parent) {}
 
@@ -86,8 +86,11 @@ Cell MessageModel::cell(int row, int column) const {
     }
 }
 
-QString MessageModel::tip(int row, int) const {
+QString MessageModel::tip(int row, int column) const {
     const model::Diagnostic& entry = message(row);
+    if (column == Location) {
+        return QString::fromStdString(model::placeOf(entry));
+    }
     const bool isOnBoard = entry.element.isValid() || entry.location.has_value();
     const QString text = QString::fromStdString(entry.text);
     return isOnBoard ? text + '\n' + tr("Click to see the location on the board") : text;

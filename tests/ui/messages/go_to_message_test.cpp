@@ -52,6 +52,21 @@ private slots:
         QVERIFY(window().statusBar()->currentMessage().contains("not about one location"));
     }
 
+    void aLongPathLeavesRoomForTheMessage() {
+        QTableView& table = window().table("messages");
+        model::Diagnostics exported;
+        exported.report(model::Severity::Info, std::string(150, 'p') + "/features", 12, "a message of a few words");
+        window().find<MessageModel>().setExported(std::move(exported));
+        const int room = table.viewport()->width();
+        QVERIFY(room > 300);
+        QVERIFY(table.columnWidth(MessageModel::Location) <= room / 3);
+        QVERIFY2(3 * table.columnWidth(MessageModel::Text) > room,
+                 qPrintable(QString::number(table.columnWidth(MessageModel::Text))));
+        const MessageModel& messages = window().find<MessageModel>();
+        const QModelIndex where = messages.index(messages.rowCount() - 1, MessageModel::Location);
+        QVERIFY(where.data(Qt::ToolTipRole).toString().endsWith("features:12"));
+    }
+
 private:
     TestWindow& window() { return m_fixture->window(); }
 
