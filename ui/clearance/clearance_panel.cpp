@@ -127,7 +127,11 @@ QBoxLayout* ClearancePanel::searchRow(const ActionSet& actions) {
         {&actions[ActionId::SearchClearances], &actions[ActionId::ExportClearances], &actions[ActionId::EditRules]});
     m_openRules = tools->addAction(tr("Open rules…"), this, &ClearancePanel::rulesAsked);
     m_saveRules = tools->addAction(tr("Save rules…"), this, &ClearancePanel::rulesSaved);
-    m_waivers = tools->addWidget(waiverButton());
+    m_waivers = waiverMenu()->menuAction();  // an action: what has no room folds into a menu, which widgets do not
+    tools->addAction(m_waivers);
+    auto* waivers = qobject_cast<QToolButton*>(tools->widgetForAction(m_waivers));
+    waivers->setObjectName(QStringLiteral("waivers"));
+    waivers->setPopupMode(QToolButton::InstantPopup);
     m_summary->setObjectName(QStringLiteral("summary"));
     auto* choices = new QHBoxLayout;
     choices->addWidget(m_what);
@@ -139,12 +143,8 @@ QBoxLayout* ClearancePanel::searchRow(const ActionSet& actions) {
     return row;
 }
 
-QToolButton* ClearancePanel::waiverButton() {
-    auto* button = new QToolButton;
-    button->setText(tr("Waivers"));
-    button->setObjectName(QStringLiteral("waivers"));
-    button->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(button);
+QMenu* ClearancePanel::waiverMenu() {
+    auto* menu = new QMenu(tr("Waivers"), this);
     m_showWaived = menu->addAction(tr("&Show waived locations"), this, &ClearancePanel::listRule);
     m_showWaived->setCheckable(true);
     m_showWaived->setChecked(true);
@@ -152,8 +152,7 @@ QToolButton* ClearancePanel::waiverButton() {
     menu->addAction(tr("&Open waivers…"), this, &ClearancePanel::waiversAsked);
     menu->addAction(tr("Save &waivers…"), this, &ClearancePanel::waiversSaved);
     menu->addAction(tr("Withdraw waivers without a &finding"), this, &ClearancePanel::goneWaiversAsked);
-    button->setMenu(menu);
-    return button;
+    return menu;
 }
 
 void ClearancePanel::addWaiverCommands() {

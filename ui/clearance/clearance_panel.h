@@ -9,9 +9,9 @@ class QAction;
 class QBoxLayout;
 class QComboBox;
 class QLabel;
+class QMenu;
 class QSlider;
 class QSplitter;
-class QToolButton;
 
 namespace ui {
 
@@ -73,7 +73,7 @@ protected:
 private:
     [[nodiscard]] QBoxLayout* searchRow(const ActionSet& actions);
     [[nodiscard]] QBoxLayout* sliderRow(const ActionSet& actions);
-    [[nodiscard]] QToolButton* waiverButton();
+    [[nodiscard]] QMenu* waiverMenu();
     void addWaiverCommands();
     void onReset();
     void onCurrent();
