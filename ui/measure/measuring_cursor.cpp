@@ -18,6 +18,12 @@ std::optional<double> lockOf(Qt::KeyboardModifiers modifiers) {
                                                      : std::nullopt;
 }
 
+/// Has a section plane taken what is there? Nothing of it is seen, so nothing is measured there.
+bool isCutAway(const BoardView& view, base::PointD location) {
+    const std::optional<model::CutSide> cut = Probing::cutSideOf(view);
+    return cut && (location.x - cut->at.x) * cut->outward.x + (location.y - cut->at.y) * cut->outward.y > 0.0;
+}
+
 bool isOfPoints(Catch what) {
     return what == Catch::Points || what == Catch::Copper;
 }
@@ -152,7 +158,8 @@ std::optional<MeasuringCursor::Pointed> MeasuringCursor::pointedAt(const BoardVi
         return std::nullopt;
     }
     pointed.location = isFlat ? pointed.location : location.toJob(*face);
-    return pointed;
+    const bool isGone = !isFlat && isCutAway(view, pointed.location);
+    return isGone ? std::nullopt : std::optional(pointed);
 }
 
 bool MeasuringCursor::isWanted(const model::Hit& hit, base::PointD location, double reach, Catch what) {

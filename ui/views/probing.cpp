@@ -153,6 +153,15 @@ std::vector<model::PickLayer> Probing::layersOf(const BoardView& view) const {
     return layers;
 }
 
+std::optional<model::CutSide> Probing::cutSideOf(const BoardView& view) {
+    const render::SectionCut* cut = view.cut();
+    if (cut == nullptr) {
+        return std::nullopt;
+    }
+    const glm::dvec2 along = cut->plane.direction;
+    return model::CutSide{view.position().toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
+}
+
 std::vector<model::Hit> Probing::hitsAt(const BoardView& view, QPointF position) {
     if (!m_picker) {
         return {};
@@ -167,10 +176,7 @@ std::vector<model::Hit> Probing::hitsAt(const BoardView& view, QPointF position)
     const glm::dvec3 step = glm::normalize(glm::dvec3(direction)) * base::kNmPerMm;
     model::SightLine line{
         view.position().toJob(origin), static_cast<double>(origin.z) * base::kNmPerMm, {step.x, step.y}, -step.z};
-    if (const render::SectionCut* cut = view.cut()) {
-        const glm::dvec2 along = cut->plane.direction;
-        line.cutSide = {view.position().toJob(glm::vec3(glm::vec2(cut->plane.start), 0.0F)), {-along.y, along.x}};
-    }
+    line.cutSide = cutSideOf(view);
     std::vector<model::Hit> hits = m_picker->along(line, reach, layers);
     if (view.isFabricated()) {
         std::erase_if(hits, [&](const model::Hit& hit) {

@@ -41,6 +41,8 @@ public:
     [[nodiscard]] const BoardPosition& position() const { return m_views.flat().position(); }
     /// What the view shows of each layer, nothing while it waits for the board; empty without one.
     [[nodiscard]] std::vector<model::PickLayer> layersOf(const BoardView& view) const;
+    /// What the section plane of a view has taken; none: the board is whole there.
+    [[nodiscard]] static std::optional<model::CutSide> cutSideOf(const BoardView& view);
     /// What lies under a location on the canvas, see model::Picker.
     [[nodiscard]] std::vector<model::Hit> hitsAt(const BoardView& view, QPointF position);
     /// Selects what a click there does, unless it is chosen already: what a menu is opened on. False where nothing

@@ -281,6 +281,36 @@ private slots:
         QVERIFY2(details(1).contains("assumed thicknesses: below top"), qPrintable(details(1)));
     }
 
+    void nothingIsMeasuredWhereASectionPlaneTookTheBoard() {
+        BoardView& solid = window().views().solid();
+        const model::Box box = window().document()->board;
+        const double left = base::toMm(box.min.x);
+        const double right = base::toMm(box.max.x);
+        const double y = base::toMm(box.min.y);
+        m_fixture->key(Qt::Key_M);
+        click(solid, {left, y});
+        click(solid, {right, y});
+        const int whole = window().measurements().rowCount();
+        QCOMPARE(whole, 1);
+        window().actions()[ActionId::SectionPlane].trigger();
+        const std::optional<model::CutSide> cut = ui::Probing::cutSideOf(solid);
+        QVERIFY(cut);
+        const auto isGone = [&](QPointF mm) {
+            return (mm.x() * 1e6 - cut->at.x) * cut->outward.x + (mm.y() * 1e6 - cut->at.y) * cut->outward.y > 0.0;
+        };
+        const double top = base::toMm(box.max.y);
+        std::vector<QPointF> gone;
+        for (const QPointF corner : {QPointF(left, y), QPointF(right, y), QPointF(left, top), QPointF(right, top)}) {
+            if (isGone(corner)) {
+                gone.push_back(corner);
+            }
+        }
+        QVERIFY(gone.size() >= 2);
+        click(solid, gone[0]);
+        click(solid, gone[1]);
+        QCOMPARE(window().measurements().rowCount(), whole);
+    }
+
     void distancesInAPlanAreThoseSeenFromAbove() {
         m_fixture->key(Qt::Key_M);
         click(flat(), {-3, 0});
