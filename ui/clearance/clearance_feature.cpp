@@ -111,8 +111,8 @@ void ClearanceFeature::connectFiles(FeatureContext& context) {
                          [this](const QString& path) { return exportReport(path); });
     });
     connect(m_panel, &ClearancePanel::rulesAsked, this, [this, &context] {
-        context.openFile(tr("Open rules"), tr("Rules (*.json *.kicad_dru);;All files (*)"), m_workspace.boardFolder(),
-                         [this](const QString& path) {
+        context.openFile(tr("Open rules"), tr("Rules (*.json *.kicad_dru);;All files (*)"),
+                         context.settings.lastFolder(m_workspace.boardFolder()), [this](const QString& path) {
                              const base::Result<QString> opened = openRules(path);
                              opened ? m_workspace.report(*opened) : m_workspace.reportSaved(opened.error(), path);
                          });
@@ -136,8 +136,8 @@ void ClearanceFeature::connectWaivers(FeatureContext& context) {
         }
     });
     connect(m_panel, &ClearancePanel::waiversAsked, this, [this, &context] {
-        context.openFile(tr("Open waivers"), tr("Waivers (*.json);;All files (*)"), m_workspace.boardFolder(),
-                         [this](const QString& path) {
+        context.openFile(tr("Open waivers"), tr("Waivers (*.json);;All files (*)"),
+                         context.settings.lastFolder(m_workspace.boardFolder()), [this](const QString& path) {
                              const base::Status opened = m_waivers.read(path);
                              opened ? m_workspace.report(tr("Waivers of %1").arg(path))
                                     : m_workspace.reportSaved(opened, path);

@@ -219,8 +219,9 @@ void MainWindow::createMenus() {
 
 void MainWindow::connectFiles() {
     const auto choose = [this](const QString& title, const QString& filters) {
-        m_nextBoard = &m_features.openFile(title, filters, m_workspace.boardFolder(), [this](const QString& path) {
-            m_settings.setLastFolder(QFileInfo(path).absolutePath());
+        const QString folder = m_settings.boardsFolder(m_workspace.boardFolder());
+        m_nextBoard = &m_features.openFile(title, filters, folder, [this](const QString& path) {
+            m_settings.setBoardsFolder(QFileInfo(path).absolutePath());
             openPath(path);
         });
     };

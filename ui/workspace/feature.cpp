@@ -108,7 +108,7 @@ void FeatureContext::saveFile(const QString& title, const QString& what, const Q
 
 QDialog& FeatureContext::openFile(const QString& title, const QString& filters, const QString& folder,
                                   const std::function<void(const QString&)>& open) const {
-    auto* dialog = new PathDialog(&window, title, settings.lastFolder(folder), filters);
+    auto* dialog = new PathDialog(&window, title, folder, filters);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setOption(QFileDialog::HideNameFilterDetails, areCut(filters));
     dialog->setFileMode(filters.isEmpty() ? QFileDialog::Directory : QFileDialog::ExistingFile);

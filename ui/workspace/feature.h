@@ -87,8 +87,8 @@ struct FeatureContext {
     /// The same for a file that is written at once, and reports what came of it.
     void saveFile(const QString& title, const QString& what, const QStringList& filters,
                   const std::function<base::Status(const QString&)>& write) const;
-    /// `open` is called with the file that the user chooses in this dialog, which shows the last folder, before the
-    /// first dialog `folder`. Without filters a folder is chosen.
+    /// `open` is called with the file that the user chooses in this dialog, which begins with `folder`. Without filters
+    /// a folder is chosen.
     QDialog& openFile(const QString& title, const QString& filters, const QString& folder,
                       const std::function<void(const QString&)>& open) const;
 };

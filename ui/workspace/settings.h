@@ -49,7 +49,13 @@ public:
     /// Paths, newest first.
     [[nodiscard]] QStringList recentBoards() const { return m_store.value("files/recent").toStringList(); }
     void setRecentBoards(const QStringList& paths) { m_store.setValue("files/recent", paths); }
-    /// Where the last dialog was; `other` before the first one.
+    /// From where the last board was opened with a dialog; `other` before the first one. Apart from where files are
+    /// written: what is exported of a board does not go beside one that was looked at before.
+    [[nodiscard]] QString boardsFolder(const QString& other = QDir::homePath()) const {
+        return m_store.value("files/boards", other).toString();
+    }
+    void setBoardsFolder(const QString& folder) { m_store.setValue("files/boards", folder); }
+    /// Where the last file was written; `other` before the first one.
     [[nodiscard]] QString lastFolder(const QString& other = QDir::homePath()) const {
         return m_store.value("files/folder", other).toString();
     }

@@ -22,6 +22,7 @@
 #include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/canvas/image_canvas.h"
+#include "ui/export/export_dialog.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/shell/first_size.h"
 #include "ui/shell/message_bar.h"
@@ -124,6 +125,29 @@ private slots:
         QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
         QFileDialog& dialog = openDialog();
         QCOMPARE(dialog.directory().absolutePath(), m_fixture->folder());
+        dialog.reject();
+    }
+
+    /// Not beside the one that a dialog opened before.
+    void anExportIsProposedBesideTheBoardThatIsShown() {
+        QTemporaryDir other;
+        const QString first = other.filePath("first.tgz");
+        QVERIFY(QFile::copy(m_fixture->copyOfSample(), first));
+        auto* field = openDialog().findChild<QLineEdit*>("fileNameEdit");
+        QTRY_VERIFY(field->hasFocus());
+        QSignalSpy opened(&window().workspace(), &ui::Workspace::boardOpened);
+        QTest::keyClicks(field, first, Qt::NoModifier, 1);
+        QTest::keyClick(field, Qt::Key_Return);
+        QTRY_COMPARE(opened.count(), 1);
+        QTRY_VERIFY(window().findChild<QFileDialog*>() == nullptr);
+        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
+        window().actions()[ActionId::ExportBoard].trigger();
+        QTRY_VERIFY(window().findChild<QLineEdit*>("exportFile") != nullptr);
+        const QString file = window().findChild<QLineEdit*>("exportFile")->text();
+        QCOMPARE(QFileInfo(file).absolutePath(), m_fixture->folder());
+        window().findChild<ui::ExportDialog*>()->reject();
+        QFileDialog& dialog = openDialog();
+        QCOMPARE(dialog.directory().absolutePath(), other.path());
         dialog.reject();
     }
 
