@@ -33,8 +33,9 @@ inline constexpr double kOunceTolerance = 0.035;
 /// drills and routs must have their spans set and reach from the lower face of the lowest to the upper face of the
 /// highest copper they pass; everything else, layers without material (LayerFacts::hasMaterial) too, is a plane above
 /// or below the board. A board of one copper layer has its substrate below z = 0, or above the copper where that is the
-/// bottom layer, by its side, its name or where the job's dielectrics lie; holes pass both. Coverlays, adhesives and stiffeners lie one on the other, from the board outwards; between
-/// copper layers they lie on the flexible copper next to them.
+/// bottom layer, by its side, its name or where the job's dielectrics lie; holes pass both. Coverlays, adhesives and
+/// stiffeners lie one on the other, from the board outwards; between copper layers they lie on the flexible copper next
+/// to them.
 ///
 /// What the user set counts most, then the job's own number; what is left of the job's board thickness is shared by
 /// those dielectrics (or, where all of them are known, copper layers) that have no number; defaults come last. Shares

@@ -31,9 +31,9 @@ constexpr std::size_t kDrawn = 100;      ///< locations of a rule in a report wi
 base::Status saveRulesOf(const std::filesystem::path& board, const model::Document& document,
                          const model::RuleFile& rules, model::session::KnownPart* known) {
     using Saved = std::optional<model::RuleTable>;
-    const std::optional<model::RuleFile> project = model::kicadRulesFor(board, document);
-    const bool hasRules = project && !project->table.rules.empty();
-    const model::RuleTable first = hasRules ? project->table : model::defaultRules();
+    const std::optional<model::RuleTable> project = model::kicadTableFor(board, document);
+    const bool hasRules = project && !project->rules.empty();
+    const model::RuleTable first = hasRules ? *project : model::defaultRules();
     return model::session::saveDesignRules(board, document, rules.table == first ? Saved() : Saved(rules.table), known);
 }
 
