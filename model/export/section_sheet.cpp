@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/board/board_heights.h"
 #include "model/export/stackup_drawing.h"
 #include "model/section/section_labels.h"
 #include "model/text/formatting.h"
@@ -63,9 +64,11 @@ private:
     void chooseScale() {
         const double length = base::toMm(m_section.stations.back());
         m_sheet.scale = m_how.scale > 0.0 ? m_how.scale : roundNumber(kWidest / length);
-        m_top = m_board.boardThickness;
+        const ZRange board = boardHeights(m_board);
+        m_top = static_cast<double>(board.top);
+        m_bottom = static_cast<double>(board.bottom);
         double tallest = m_top;
-        double deepest = 0.0;
+        double deepest = m_bottom;
         for (const SectionPiece& piece : m_section.pieces) {
             const bool isPart = drawOrderOf(piece.material) == 1 || drawOrderOf(piece.material) == 2;
             (isPart ? tallest : m_top) = std::max<double>(isPart ? tallest : m_top, piece.top);

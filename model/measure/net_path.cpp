@@ -9,6 +9,7 @@
 #include <optional>
 #include <queue>
 
+#include "model/board/board_heights.h"
 #include "model/geometry/vectors.h"
 #include "model/measure/net_graph.h"
 #include "model/measure/separation.h"
@@ -127,8 +128,8 @@ void addUp(const BoardIndex& index, NetPath& path) {
                       "the next track, so its length is an estimate",
                       base::toMm(path.padLength)));
     }
-    const Document& board = *index.board;
-    if (path.holeCount > 0 && !assumedBetween(board, 0, board.boardThickness).empty()) {
+    const ZRange heights = boardHeights(*index.board);
+    if (path.holeCount > 0 && !assumedBetween(*index.board, heights.bottom, heights.top).empty()) {
         path.notes.emplace_back("the heights of holes rest on assumed thicknesses");
     }
 }

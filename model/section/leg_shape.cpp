@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "model/board/board_heights.h"
 #include "model/board/holes.h"
 #include "model/section/inner_copper.h"
 #include "model/section/standing_parts.h"
@@ -35,27 +36,13 @@ Intervals both(const Intervals& a, const Intervals& b) {
     return subtracted(a, subtracted(a, b));
 }
 
-/// The outermost copper on one side.
-const Layer* outerCopper(const Document& board, bool isTop) {
-    const Layer* outer = nullptr;
-    for (const Layer& layer : board.layers) {
-        if (layer.isCopper() && isOnBoard(layer) && layer.thickness > 0 &&
-            (outer == nullptr || (isTop ? layer.z > outer->z : layer.z < outer->z))) {
-            outer = &layer;
-        }
-    }
-    return outer;
-}
-
 /// With the mask that lies right on the copper. As the 3D view draws it a coverlay is one too.
-BoardFace faceOf(const Document& board, const Layer& copper, bool isTop, bool isFlat) {
+BoardFace faceOf(const Document& board, bool isTop, bool isFlat) {
     BoardFace face;
     face.isTop = isTop;
     face.isFlat = isFlat;
-    const bool isBare = copper.side == (isTop ? LayerSide::Bottom : LayerSide::Top);  // one copper layer, on the other
-    const Nm bare = isTop ? copper.z + copper.thickness + board.boardThickness : copper.z - board.boardThickness;
-    face.copper = isBare ? bare : isTop ? copper.z + copper.thickness : copper.z;
-    face.substrate = isBare ? bare : isTop ? copper.z : copper.z + copper.thickness;
+    face.copper = isTop ? boardHeights(board).top : boardHeights(board).bottom;
+    face.substrate = isTop ? substrateHeights(board).top : substrateHeights(board).bottom;
     for (std::size_t row = 0; row < board.layers.size(); ++row) {
         const Layer& layer = board.layers[row];
         const Nm inner = isTop ? layer.z : layer.z + layer.thickness;
@@ -209,10 +196,8 @@ std::vector<SectionPiece> inkOn(const BoardFace& face, const SectionPiece& piece
 }  // namespace
 
 LegShaper::LegShaper(const Document& board, bool isAsSolid) : m_board(board), m_isAsSolid(isAsSolid) {
-    for (const bool isTop : {true, false}) {
-        if (const Layer* copper = outerCopper(board, isTop)) {
-            m_faces.push_back(faceOf(board, *copper, isTop, isAsSolid));
-        }
+    if (std::ranges::any_of(board.layers, [](const Layer& layer) { return layer.isCopper() && isOnBoard(layer); })) {
+        m_faces = {faceOf(board, true, isAsSolid), faceOf(board, false, isAsSolid)};
     }
     for (std::size_t i = 0; i < board.stackup.rows.size(); ++i) {
         const StackupRow& row = board.stackup.rows[i];

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <set>
 
+#include "model/board/board_heights.h"
 #include "model/board/holes.h"
 
 namespace model {
 
 namespace {
-
-struct Heights {
-    Nm bottom = 0;
-    Nm top = 0;
-};
 
 Nm upperFace(const Layer& layer) {
     return layer.z + layer.thickness;
@@ -22,33 +18,13 @@ bool isStackupLayer(const Layer& layer) {
     return layer.context == LayerContext::Board && (layer.isCopper() || layer.type == LayerType::Dielectric);
 }
 
-Heights bodyHeights(const Document& document) {
-    const Layer* lowest = nullptr;
-    const Layer* highest = nullptr;
-    for (const Layer& layer : document.layers) {
-        if (!layer.isCopper() || layer.context != LayerContext::Board) {
-            continue;
-        }
-        lowest = lowest == nullptr || layer.z < lowest->z ? &layer : lowest;
-        highest = highest == nullptr || layer.z > highest->z ? &layer : highest;
-    }
-    if (lowest == nullptr) {
-        return {0, document.boardThickness};
-    }
-    if (lowest == highest) {
-        const Nm bottom = lowest->side == LayerSide::Bottom ? upperFace(*lowest) : lowest->z - document.boardThickness;
-        return {bottom, bottom + document.boardThickness};
-    }
-    return {upperFace(*lowest), highest->z};
-}
-
 /// Rigid-flex: layers are only where their zones have them.
 bool hasOutlines(const Document& document) {
     return std::ranges::any_of(document.layers, [](const Layer& layer) { return layer.outlineGroup > 0; });
 }
 
 /// Heights at which something about the substrate changes, rising.
-std::set<Nm> planesOf(const Document& document, const Heights& body) {
+std::set<Nm> planesOf(const Document& document, const ZRange& body) {
     const bool isByLayer = hasOutlines(document);
     std::set<Nm> planes{body.bottom, body.top};
     for (const Layer& layer : document.layers) {
@@ -173,7 +149,7 @@ private:
 
 std::vector<SubstratePart> substratesOf(const Document& document) {
     std::vector<SubstratePart> parts;
-    const Heights body = bodyHeights(document);
+    const ZRange body = substrateHeights(document);
     if (body.top <= body.bottom) {
         return parts;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/board/board_heights.h"
 #include "shaders/shared/board.h"
 
 namespace render {
@@ -14,8 +15,10 @@ std::uint32_t growthOf(const model::Layer& layer) {
 }
 
 void setHeights(const model::Document& document, BoardFrame& out) {
-    float low = 0.0F;
-    float high = static_cast<float>(base::toMm(document.boardThickness));
+    const model::ZRange faces = model::boardHeights(document);
+    out.facesMm = static_cast<float>(base::toMm(double(faces.bottom) + faces.top));
+    auto low = static_cast<float>(base::toMm(faces.bottom));
+    auto high = static_cast<float>(base::toMm(faces.top));
     for (const model::Layer& layer : document.layers) {
         out.layers.push_back({static_cast<float>(base::toMm(layer.z)),
                               static_cast<float>(base::toMm(double(layer.z) + layer.thickness)),
@@ -31,26 +34,6 @@ void setHeights(const model::Document& document, BoardFrame& out) {
         out.boxMin = {toGpu(base::toDouble(box.min), out.origin), low};
         out.boxMax = {toGpu(base::toDouble(box.max), out.origin), high};
     }
-}
-
-/// The lower and the upper face of the board: of its copper, and of the substrate that a single copper layer lies on.
-float sumOfFaces(const model::Document& document) {
-    model::Nm low = 0;
-    model::Nm high = document.boardThickness;
-    const model::Layer* single = nullptr;
-    std::size_t copper = 0;
-    for (const model::Layer& layer : document.layers) {
-        if (layer.isCopper() && layer.context == model::LayerContext::Board) {
-            high = copper++ == 0 ? layer.z + layer.thickness : std::max(high, layer.z + layer.thickness);
-            single = &layer;
-        }
-    }
-    if (copper == 1) {
-        const bool isBottom = single->side == model::LayerSide::Bottom;
-        low = isBottom ? single->z : high - document.boardThickness;
-        high = isBottom ? high + document.boardThickness : high;
-    }
-    return static_cast<float>(base::toMm(double(low) + high));
 }
 
 }  // namespace
@@ -73,7 +56,6 @@ BoardFrame frameOf(const model::Document& document) {
     BoardFrame frame;
     frame.origin = centreOf(document.board.isEmpty() ? document.extent : document.board);
     setHeights(document, frame);
-    frame.facesMm = sumOfFaces(document);
     return frame;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/board/board_heights.h"
 #include "ui/common/texts.h"
 #include "ui/measure/measurement_model.h"
 
@@ -81,12 +82,13 @@ QStringList inLines(const QString& text) {
 DrawnHeights::DrawnHeights(const BoardView& view, const model::Document& document)
     : m_position(view.position()),
       m_document(document),
+      m_board(model::boardHeights(document)),
       m_heights(view.drawnHeights()),
       m_isFromAbove(view.controller().camera().direction().z < 0.0F) {}
 
 glm::vec3 DrawnHeights::at(base::PointD nm, const std::string& layer) const {
     const model::LayerId id = m_document.findLayer(layer);
-    glm::vec3 at = m_position.toModel(nm, m_isFromAbove ? m_document.boardThickness : 0.0);
+    glm::vec3 at = m_position.toModel(nm, static_cast<double>(m_isFromAbove ? m_board.top : m_board.bottom));
     if (id.isValid() && id.row() < m_heights.size()) {
         at.z = m_isFromAbove ? m_heights[id.row()].z1 : m_heights[id.row()].z0;
     }

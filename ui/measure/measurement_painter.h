@@ -24,6 +24,7 @@ public:
 private:
     BoardPosition m_position;
     const model::Document& m_document;
+    model::ZRange m_board;
     std::vector<render::ZRange> m_heights;
     bool m_isFromAbove;
 };

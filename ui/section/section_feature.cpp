@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <utility>
 
+#include "model/board/board_heights.h"
 #include "model/export/section_export.h"
 #include "model/section/net_line.h"
 #include "ui/common/texts.h"
@@ -376,9 +377,10 @@ void SectionFeature::showLine() {
     const std::vector<base::PointD>& line = m_line.line();
     glm::vec3 low(1e30F);
     glm::vec3 high(-1e30F);
+    const auto [bottom, top] = model::boardHeights(*m_index->board);
     for (const base::PointD& corner : line) {
-        for (const double z : {0.0, double{1} * m_index->board->boardThickness}) {
-            const glm::vec3 at = m_views.flat().position().toModel(corner, z);
+        for (const model::Nm z : {bottom, top}) {
+            const glm::vec3 at = m_views.flat().position().toModel(corner, static_cast<double>(z));
             low = glm::min(low, at);
             high = glm::max(high, at);
         }

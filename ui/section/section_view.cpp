@@ -8,6 +8,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "model/board/board_heights.h"
 #include "model/export/section_export.h"
 #include "ui/canvas/camera_controller.h"
 #include "ui/common/thickness_text.h"
@@ -130,16 +131,18 @@ QRectF SectionView::plot() const {
 /// From the lowest to the highest of what is drawn. Parts may be many times as high as a board: then both ends are
 /// moved in until the board has its share.
 std::pair<double, double> SectionView::fittedHeights() const {
-    const double board = std::max<double>(this->board().boardThickness, 1.0);
+    const model::ZRange faces = model::boardHeights(board());
+    const auto bottom = static_cast<double>(faces.bottom);
+    const double thickness = std::max(static_cast<double>(faces.top) - bottom, 1.0);
     double below = 0.0;
     double above = 0.0;
     for (const SectionPiece& piece : m_drawn) {
-        below = std::max(below, -static_cast<double>(piece.bottom));
-        above = std::max(above, static_cast<double>(piece.top) - board);
+        below = std::max(below, bottom - static_cast<double>(piece.bottom));
+        above = std::max(above, static_cast<double>(piece.top) - bottom - thickness);
     }
-    const double room = board / kLeastOfBoard - board;
+    const double room = thickness / kLeastOfBoard - thickness;
     const double part = below + above > room ? room / (below + above) : 1.0;
-    return {-part * below, board + part * above};
+    return {bottom - part * below, bottom + thickness + part * above};
 }
 
 std::vector<QRectF> SectionView::brokenParts() const {
