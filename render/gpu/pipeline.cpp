@@ -84,74 +84,107 @@ MadePipeline make(Device& device, const ComputePipelineOptions& options) {
     return made;
 }
 
+/// The shaders of a graphics pipeline. Points into itself, so it stays where it was made.
+struct GraphicsStages {
+    VkBool32 hasSection = VK_FALSE;
+    VkSpecializationMapEntry sectionConstant{0, 0, sizeof hasSection};
+    VkSpecializationInfo constants{1, &sectionConstant, sizeof hasSection, &hasSection};
+    std::vector<Unique<VkShaderModule>> modules;
+    std::vector<VkPipelineShaderStageCreateInfo> infos;
+    VkShaderStageFlags flags = 0;
+
+    GraphicsStages(Device& device, const GraphicsPipelineOptions& options)
+        : hasSection(options.hasSection ? VK_TRUE : VK_FALSE) {
+        const bool needsNoColour =
+            options.pass == Pass::DepthOnly && options.cover == Cover::Triangles && !options.hasSection;
+        for (const ShaderStage& stage : options.stages) {
+            if (stage.stage != VK_SHADER_STAGE_FRAGMENT_BIT || !needsNoColour) {
+                add(device, stage, options.label);
+            }
+        }
+    }
+    GraphicsStages(const GraphicsStages&) = delete;
+    GraphicsStages& operator=(const GraphicsStages&) = delete;
+
+    void add(Device& device, const ShaderStage& stage, std::string_view label) {
+        modules.push_back(createModule(device, stage.shader, label));
+        infos.push_back(stageInfo(stage.stage, modules.back().get()));
+        infos.back().pSpecializationInfo = stage.stage == VK_SHADER_STAGE_FRAGMENT_BIT ? &constants : nullptr;
+        flags |= static_cast<VkShaderStageFlags>(stage.stage);
+    }
+};
+
+/// All that Vulkan wants to know of a graphics pipeline beside its shaders. Points into itself, as they do.
+struct FixedFunctions {
+    VkPipelineVertexInputStateCreateInfo noVertices =
+        vkInfo<VkPipelineVertexInputStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
+    VkPipelineInputAssemblyStateCreateInfo assembly =
+        vkInfo<VkPipelineInputAssemblyStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);
+    VkPipelineViewportStateCreateInfo viewport =
+        vkInfo<VkPipelineViewportStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO);
+    VkPipelineRasterizationStateCreateInfo raster =
+        vkInfo<VkPipelineRasterizationStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO);
+    VkPipelineMultisampleStateCreateInfo samples =
+        vkInfo<VkPipelineMultisampleStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
+    VkPipelineDepthStencilStateCreateInfo depth;
+    VkPipelineColorBlendAttachmentState blend;
+    VkPipelineColorBlendStateCreateInfo colour =
+        vkInfo<VkPipelineColorBlendStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);
+    VkPipelineDynamicStateCreateInfo dynamic =
+        vkInfo<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
+    VkPipelineRenderingCreateInfo rendering =
+        vkInfo<VkPipelineRenderingCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO);
+
+    explicit FixedFunctions(const GraphicsPipelineOptions& options)
+        : depth(depthState(options.pass)), blend(blendState(options.pass)) {
+        assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+        viewport.viewportCount = 1;
+        viewport.scissorCount = 1;
+        raster.cullMode = options.cullsBackFaces ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
+        raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+        raster.lineWidth = 1.0F;
+        samples.rasterizationSamples = options.samples;
+        samples.sampleShadingEnable = options.cover == Cover::Samples ? VK_TRUE : VK_FALSE;
+        samples.minSampleShading = 1.0F;
+        colour.attachmentCount = 1;
+        colour.pAttachments = &blend;
+        // Binding a pipeline where a state is fixed undoes what was set: so the front face is dynamic in all of them.
+        static constexpr VkDynamicState kDynamic[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                                      VK_DYNAMIC_STATE_FRONT_FACE, VK_DYNAMIC_STATE_STENCIL_REFERENCE,
+                                                      VK_DYNAMIC_STATE_BLEND_CONSTANTS};
+        dynamic.dynamicStateCount = options.pass == Pass::Blend ? 5 : 3;
+        dynamic.pDynamicStates = kDynamic;
+        rendering.colorAttachmentCount = 1;
+        rendering.pColorAttachmentFormats = &options.colourFormat;
+        rendering.depthAttachmentFormat = options.depthFormat;
+        rendering.stencilAttachmentFormat = options.depthFormat;
+    }
+    FixedFunctions(const FixedFunctions&) = delete;
+    FixedFunctions& operator=(const FixedFunctions&) = delete;
+
+    void putInto(VkGraphicsPipelineCreateInfo& info) const {
+        info.pNext = &rendering;
+        info.pVertexInputState = &noVertices;
+        info.pInputAssemblyState = &assembly;
+        info.pViewportState = &viewport;
+        info.pRasterizationState = &raster;
+        info.pMultisampleState = &samples;
+        info.pDepthStencilState = &depth;
+        info.pColorBlendState = &colour;
+        info.pDynamicState = &dynamic;
+    }
+};
+
 MadePipeline make(Device& device, const GraphicsPipelineOptions& options) {
     MadePipeline made;
-    const VkBool32 hasSection = options.hasSection ? VK_TRUE : VK_FALSE;
-    const VkSpecializationMapEntry sectionConstant{0, 0, sizeof hasSection};
-    const VkSpecializationInfo constants{1, &sectionConstant, sizeof hasSection, &hasSection};
-    std::vector<Unique<VkShaderModule>> modules;
-    std::vector<VkPipelineShaderStageCreateInfo> stages;
-    for (const ShaderStage& stage : options.stages) {
-        const bool onlyColours =
-            options.pass == Pass::DepthOnly && options.cover == Cover::Triangles && !options.hasSection;
-        if (stage.stage == VK_SHADER_STAGE_FRAGMENT_BIT && onlyColours) {
-            continue;
-        }
-        modules.push_back(createModule(device, stage.shader, options.label));
-        stages.push_back(stageInfo(stage.stage, modules.back().get()));
-        stages.back().pSpecializationInfo = stage.stage == VK_SHADER_STAGE_FRAGMENT_BIT ? &constants : nullptr;
-        made.stages |= static_cast<VkShaderStageFlags>(stage.stage);
-    }
+    const GraphicsStages stages(device, options);
+    const FixedFunctions fixed(options);
+    made.stages = stages.flags;
     made.layout = createLayout(device, made.stages, options.pushBytes, options.label);
-
-    const auto noVertices =
-        vkInfo<VkPipelineVertexInputStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
-    auto assembly =
-        vkInfo<VkPipelineInputAssemblyStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);
-    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-    auto viewport = vkInfo<VkPipelineViewportStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO);
-    viewport.viewportCount = 1;
-    viewport.scissorCount = 1;
-    auto raster =
-        vkInfo<VkPipelineRasterizationStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO);
-    raster.cullMode = options.cullsBackFaces ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
-    raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
-    raster.lineWidth = 1.0F;
-    auto samples =
-        vkInfo<VkPipelineMultisampleStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
-    samples.rasterizationSamples = options.samples;
-    samples.sampleShadingEnable = options.cover == Cover::Samples ? VK_TRUE : VK_FALSE;
-    samples.minSampleShading = 1.0F;
-    const VkPipelineDepthStencilStateCreateInfo depth = depthState(options.pass);
-    const VkPipelineColorBlendAttachmentState blend = blendState(options.pass);
-    auto colour = vkInfo<VkPipelineColorBlendStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);
-    colour.attachmentCount = 1;
-    colour.pAttachments = &blend;
-    // Binding a pipeline where a state is fixed undoes what was set: so the front face is dynamic in all of them.
-    constexpr VkDynamicState kDynamic[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                           VK_DYNAMIC_STATE_FRONT_FACE, VK_DYNAMIC_STATE_STENCIL_REFERENCE,
-                                           VK_DYNAMIC_STATE_BLEND_CONSTANTS};
-    auto dynamic = vkInfo<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
-    dynamic.dynamicStateCount = options.pass == Pass::Blend ? 5 : 3;
-    dynamic.pDynamicStates = kDynamic;
-    auto rendering = vkInfo<VkPipelineRenderingCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO);
-    rendering.colorAttachmentCount = 1;
-    rendering.pColorAttachmentFormats = &options.colourFormat;
-    rendering.depthAttachmentFormat = options.depthFormat;
-    rendering.stencilAttachmentFormat = options.depthFormat;
-
     auto info = vkInfo<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);
-    info.pNext = &rendering;
-    info.stageCount = static_cast<std::uint32_t>(stages.size());
-    info.pStages = stages.data();
-    info.pVertexInputState = &noVertices;
-    info.pInputAssemblyState = &assembly;
-    info.pViewportState = &viewport;
-    info.pRasterizationState = &raster;
-    info.pMultisampleState = &samples;
-    info.pDepthStencilState = &depth;
-    info.pColorBlendState = &colour;
-    info.pDynamicState = &dynamic;
+    info.stageCount = static_cast<std::uint32_t>(stages.infos.size());
+    info.pStages = stages.infos.data();
+    fixed.putInto(info);
     info.layout = made.layout.get();
     VkPipeline handle = VK_NULL_HANDLE;
     VK_CHECK(vkCreateGraphicsPipelines(device.handle(), device.pipelineCache(), 1, &info, nullptr, &handle));
