@@ -17,6 +17,12 @@ constexpr std::int64_t kVoteGrid = 20'000;
 constexpr double kEnough = 0.5;
 constexpr std::size_t kCandidates = 200;
 
+/// How many pairs of a pad and a point are about so far apart, and how far the first of them.
+struct Votes {
+    int count = 0;
+    Point first;
+};
+
 Point moved(Point p, Point shift) {
     const auto add = [](Nm a, Nm b) {
         return static_cast<Nm>(
@@ -70,10 +76,16 @@ std::optional<Point> PadIndex::shiftOf(std::span<const Point> points, Nm reach) 
     if (share(voters, {}, reach) >= kEnough) {
         return Point{};
     }
-    struct Votes {
-        int count = 0;
-        Point first;
-    };
+    const std::vector<Point> shifts = likelyShifts(voters);
+    const auto shareOf = [&](Point shift) { return share(voters, shift, reach); };
+    const auto best = std::ranges::max_element(shifts, {}, shareOf);
+    if (best == shifts.end() || shareOf(*best) < kEnough) {
+        return std::nullopt;
+    }
+    return refined(*best, voters, reach);
+}
+
+std::vector<Point> PadIndex::likelyShifts(std::span<const Point> voters) const {
     std::unordered_map<std::uint64_t, Votes> votes;
     for (const IndexedPad& pad : thinned(std::span<const IndexedPad>(m_pads), kMostPads)) {
         for (const Point p : voters) {
@@ -90,31 +102,30 @@ std::optional<Point> PadIndex::shiftOf(std::span<const Point> points, Nm reach) 
             }
         }
     }
-    // The votes for a shift on the edge of the grid are divided among cells, and rows of vias agree with each other one
-    // step further, too: those with most votes are held against the pads.
     std::vector<Votes> ranked;
     std::ranges::transform(votes, std::back_inserter(ranked), [](const auto& vote) { return vote.second; });
     const std::size_t count = std::min(ranked.size(), kCandidates);
-    const auto end = ranked.begin() + static_cast<std::ptrdiff_t>(count);
-    std::ranges::partial_sort(ranked, end, [](const Votes& a, const Votes& b) {
-        return std::tuple(b.count, a.first.x, a.first.y) < std::tuple(a.count, b.first.x, b.first.y);
-    });
-    ranked.erase(end, ranked.end());
-    const auto shareOf = [&](const Votes& vote) { return share(voters, vote.first, reach); };
-    const auto best = std::ranges::max_element(ranked, {}, shareOf);
-    if (best == ranked.end() || shareOf(*best) < kEnough) {
-        return std::nullopt;
+    std::ranges::partial_sort(
+        ranked, ranked.begin() + static_cast<std::ptrdiff_t>(count), [](const Votes& a, const Votes& b) {
+            return std::tuple(b.count, a.first.x, a.first.y) < std::tuple(a.count, b.first.x, b.first.y);
+        });
+    std::vector<Point> shifts;
+    for (std::size_t i = 0; i < count; ++i) {
+        shifts.push_back(ranked[i].first);
     }
-    // The first pair is off by rounding, or a part whose place is not the middle of its pins: most are not.
+    return shifts;
+}
+
+Point PadIndex::refined(Point shift, std::span<const Point> voters, Nm reach) const {
     std::vector<Nm> xs;
     std::vector<Nm> ys;
     for (const Point p : voters) {
-        visit(moved(p, best->first), reach, [&](const IndexedPad& pad) {
+        visit(moved(p, shift), reach, [&](const IndexedPad& pad) {
             xs.push_back(pad.position.x - p.x);
             ys.push_back(pad.position.y - p.y);
         });
     }
-    return xs.empty() ? best->first : Point{base::medianOf(xs), base::medianOf(ys)};
+    return xs.empty() ? shift : Point{base::medianOf(xs), base::medianOf(ys)};
 }
 
 }  // namespace model::gerber

@@ -42,6 +42,13 @@ public:
 private:
     [[nodiscard]] std::size_t firstFrom(std::int64_t x) const;
     [[nodiscard]] double share(std::span<const Point> points, Point shift, Nm reach) const;
+    /// Those that most pairs of a pad and a point agree on, the likeliest first. Votes for one on the edge of the grid
+    /// they are counted in are divided among cells, and rows of vias agree with each other one step further, too: so
+    /// all of these are to be held against the pads.
+    [[nodiscard]] std::vector<Point> likelyShifts(std::span<const Point> points) const;
+    /// The pair that a shift comes from is off by rounding, or a part whose place is not the middle of its pins: most
+    /// are not.
+    [[nodiscard]] Point refined(Point shift, std::span<const Point> points, Nm reach) const;
 
     std::vector<IndexedPad> m_pads;  ///< by x
     Box m_box;

@@ -298,6 +298,75 @@ PlacementFile placementsOfAllegro(Lines& lines, double nmPerUnit, std::string_vi
     return file;
 }
 
+/// A table with a row of names: what comes before them, and a component a row.
+class TableOfPlaces {
+public:
+    TableOfPlaces(std::string_view path, Diagnostics& diagnostics) : m_path(path), m_diagnostics(diagnostics) {}
+
+    void take(std::string_view line, std::uint32_t number) {
+        const bool isRule = line.find_first_not_of("-=") == std::string_view::npos;  // below the names, or empty
+        if (!m_head.isGood()) {
+            takeHead(line);
+        } else if (!isRule && line.front() != '#') {
+            takeRow(line, number);
+        }
+    }
+    [[nodiscard]] PlacementFile finish() { return std::move(m_file); }
+
+private:
+    void takeHead(std::string_view line) {
+        m_head = readHead(line);
+        if (!m_unit && (holds(line, "unit") || line.starts_with('#'))) {
+            m_unit = unitIn(line);
+        }
+        if (m_head.isGood() && !m_head.hasUnit && m_unit) {
+            m_head.nmPerUnit = *m_unit;
+        }
+    }
+
+    void takeRow(std::string_view line, std::uint32_t number) {
+        const std::vector<std::string> row = fittedRow(cells(line, m_head.separator), m_head);
+        const auto cell = [&](Column column) {
+            const std::optional<std::size_t> at = m_head.columns[static_cast<std::size_t>(column)];
+            return at && *at < row.size() ? std::string_view(row[*at]) : std::string_view();
+        };
+        const std::optional<Nm> x = lengthOf(cell(Column::X), m_head.nmPerUnit);
+        const std::optional<Nm> y = lengthOf(cell(Column::Y), m_head.nmPerUnit);
+        if (!x || !y || cell(Column::Refdes).empty()) {
+            m_diagnostics.report(Severity::Warning, m_path, number, "a row that places no component; it was left out");
+            return;
+        }
+        if (!unitIn(cell(Column::X))) {
+            sayUnit(number);
+        }
+        std::string_view rotation = cell(Column::Rotation);
+        const double degrees = takeReal(rotation).value_or(0.0);
+        const LayerSide side = sideOf(cell(Column::Side));
+        m_file.parts.push_back({std::string(cell(Column::Refdes)),
+                                std::string(cell(Column::Value)),
+                                std::string(cell(Column::Package)),
+                                {*x, *y},
+                                m_head.isKicad ? fromFlipAlongX(degrees, side) : degrees,
+                                side,
+                                number});
+    }
+
+    /// Once.
+    void sayUnit(std::uint32_t number) {
+        if (!m_head.hasUnit && !m_unit) {
+            m_unit = base::kNmPerMm;
+            m_diagnostics.report(Severity::Info, m_path, number,
+                                 "the table of places does not say its unit; taken as mm");
+        }
+    }
+
+    std::string_view m_path;
+    Diagnostics& m_diagnostics;
+    Head m_head;
+    std::optional<double> m_unit;  ///< nm, of what is said before the names
+    PlacementFile m_file;
+};
+
 }  // namespace
 
 bool looksLikePlacements(std::string_view head) {
@@ -314,9 +383,7 @@ bool looksLikePlacements(std::string_view head) {
 }
 
 PlacementFile parsePlacements(std::string_view text, std::string_view path, Diagnostics& diagnostics) {
-    PlacementFile file;
-    Head head;
-    std::optional<double> unit;
+    TableOfPlaces table(path, diagnostics);
     Lines lines(text);
     while (lines.next()) {
         const std::string_view line = trimmed(lines.line());
@@ -324,51 +391,9 @@ PlacementFile parsePlacements(std::string_view text, std::string_view path, Diag
         if (ofAllegro) {
             return placementsOfAllegro(lines, *ofAllegro, path, diagnostics);
         }
-        if (!head.isGood()) {
-            head = readHead(line);
-            if (!unit && (holds(line, "unit") || line.starts_with('#'))) {
-                unit = unitIn(line);
-            }
-            if (head.isGood() && !head.hasUnit && unit) {
-                head.nmPerUnit = *unit;
-            }
-            continue;
-        }
-        if (line.empty() || line.front() == '#') {
-            continue;
-        }
-        if (line.find_first_not_of("-=") == std::string_view::npos) {
-            continue;  // a rule below the names
-        }
-        const std::vector<std::string> row = fittedRow(cells(line, head.separator), head);
-        const auto cell = [&](Column column) {
-            const std::optional<std::size_t> at = head.columns[static_cast<std::size_t>(column)];
-            return at && *at < row.size() ? std::string_view(row[*at]) : std::string_view();
-        };
-        const std::optional<Nm> x = lengthOf(cell(Column::X), head.nmPerUnit);
-        const std::optional<Nm> y = lengthOf(cell(Column::Y), head.nmPerUnit);
-        if (!x || !y || cell(Column::Refdes).empty()) {
-            diagnostics.report(Severity::Warning, path, lines.number(),
-                               "a row that places no component; it was left out");
-            continue;
-        }
-        if (!head.hasUnit && !unit && !unitIn(cell(Column::X))) {
-            unit = base::kNmPerMm;
-            diagnostics.report(Severity::Info, path, lines.number(),
-                               "the table of places does not say its unit; taken as mm");
-        }
-        std::string_view rotation = cell(Column::Rotation);
-        const double degrees = takeReal(rotation).value_or(0.0);
-        const LayerSide side = sideOf(cell(Column::Side));
-        file.parts.push_back({std::string(cell(Column::Refdes)),
-                              std::string(cell(Column::Value)),
-                              std::string(cell(Column::Package)),
-                              {*x, *y},
-                              head.isKicad ? fromFlipAlongX(degrees, side) : degrees,
-                              side,
-                              lines.number()});
+        table.take(line, lines.number());
     }
-    return file;
+    return table.finish();
 }
 
 }  // namespace model::gerber
