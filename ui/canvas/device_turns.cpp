@@ -1,6 +1,8 @@
 #include "ui/canvas/device_turns.h"
 
+#include <QMetaObject>
 #include <algorithm>
+#include <utility>
 
 namespace ui {
 
@@ -8,7 +10,9 @@ bool DeviceTurns::begin(QObject& user) {
     if (m_user == nullptr) {
         m_user = &user;
     }
-    if (m_user != &user && std::ranges::find(m_waiting, &user) == m_waiting.end()) {
+    if (m_user == &user) {
+        m_isDue = false;
+    } else if (std::ranges::find(m_waiting, &user) == m_waiting.end()) {
         m_waiting.push_back(&user);
     }
     return m_user == &user;
@@ -20,9 +24,16 @@ void DeviceTurns::end(QObject& user) {
         return;
     }
     m_user = nullptr;
-    if (!m_waiting.empty()) {
+    m_isDue = !m_waiting.empty();
+    if (m_isDue) {
         m_user = m_waiting.front();
         m_waiting.pop_front();
+        QMetaObject::invokeMethod(this, &DeviceTurns::giveTurn, Qt::QueuedConnection);
+    }
+}
+
+void DeviceTurns::giveTurn() {
+    if (std::exchange(m_isDue, false)) {
         emit came(m_user);
     }
 }

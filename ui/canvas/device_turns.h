@@ -7,7 +7,8 @@ namespace ui {
 
 /// Who may use the device now. It does one thing after the other, and a frame may take it long: what is given to it
 /// meanwhile waits, and so would the window. So there is one user at a time, who looks now and then whether the device
-/// is done, and the others come in the order in which they asked.
+/// is done, and the others come in the order in which they asked. A turn comes from the event loop: while a window is
+/// taken apart, where each of its users ends, none begins.
 class DeviceTurns : public QObject {
     Q_OBJECT
 
@@ -26,7 +27,10 @@ signals:
     void came(QObject* user);
 
 private:
+    void giveTurn();
+
     QObject* m_user = nullptr;
+    bool m_isDue = false;  ///< it was not told yet
     std::deque<QObject*> m_waiting;
 };
 
