@@ -33,6 +33,10 @@ void SortedRows::filterAnew() {
     invalidateFilter();
 }
 
+void SortedRows::multiData(const QModelIndex& index, QModelRoleDataSpan roles) const {
+    m_model.multiData(mapToSource(index), roles);
+}
+
 bool SortedRows::filterAcceptsRow(int row, const QModelIndex&) const {
     if (m_words.isEmpty() || m_model.rankOf(row) < m_leastRank) {
         return m_model.rankOf(row) >= m_leastRank;

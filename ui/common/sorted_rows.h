@@ -22,6 +22,9 @@ public:
     /// deselect.
     [[nodiscard]] bool isFiltering() const { return m_isFiltering; }
 
+    /// Qt's own asks for each role by itself.
+    void multiData(const QModelIndex& index, QModelRoleDataSpan roles) const override;
+
 protected:
     [[nodiscard]] bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
     [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;

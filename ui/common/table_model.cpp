@@ -16,6 +16,39 @@ QVariant alignmentOf(int traits) {
         Qt::Alignment(Qt::AlignVCenter | ((traits & kNumber) != 0 ? Qt::AlignRight : Qt::AlignLeft)));
 }
 
+bool isOfCell(int role) {
+    switch (role) {
+        case Qt::DisplayRole:
+        case Qt::EditRole:
+        case TableModel::kSortRole:
+        case Qt::CheckStateRole:
+        case Qt::ForegroundRole:
+        case Qt::DecorationRole:
+        case Qt::FontRole:
+        case TableModel::kChoicesRole:
+        case Qt::AccessibleTextRole: return true;
+        default: return false;
+    }
+}
+
+QVariant partOf(const Cell& at, int role) {
+    const QVariant& value = at.value.isValid() ? at.value : at.text;
+    switch (role) {
+        case Qt::DisplayRole: return at.text;
+        case Qt::EditRole: return value;
+        case TableModel::kSortRole: return at.order.isValid() ? at.order : value;
+        case Qt::CheckStateRole:
+            return at.isChecked ? QVariant(*at.isChecked ? Qt::Checked : Qt::Unchecked) : QVariant();
+        case Qt::ForegroundRole: return at.colour;
+        case Qt::DecorationRole: return at.decoration;
+        case Qt::FontRole: return at.font;
+        case TableModel::kChoicesRole: return at.choices;
+        case Qt::AccessibleTextRole:
+            return value.userType() == QMetaType::QColor ? value.value<QColor>().name() : QVariant();
+        default: return {};
+    }
+}
+
 }  // namespace
 
 TableModel::TableModel(std::vector<Column> columns, QObject* parent)
@@ -43,35 +76,39 @@ int TableModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant TableModel::data(const QModelIndex& index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
-        return {};
+    QModelRoleData one(role);
+    multiData(index, one);
+    return one.data();
+}
+
+void TableModel::multiData(const QModelIndex& index, QModelRoleDataSpan roles) const {
+    std::optional<Cell> at;  // made once for all roles, and not for those that need none
+    for (QModelRoleData& role : roles) {
+        role.clearData();
+        if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) {
+            continue;
+        }
+        const int traits = m_columns[static_cast<std::size_t>(index.column())].traits;
+        if (role.role() == Qt::TextAlignmentRole) {
+            role.setData(alignmentOf(traits));
+        } else if (role.role() == kTraitsRole) {
+            role.setData(traits);
+        } else if (role.role() == Qt::ToolTipRole) {
+            role.setData(tipOf(index));
+        } else if (isOfCell(role.role())) {
+            at = at ? std::move(at) : cell(index.row(), index.column());
+            role.setData(partOf(*at, role.role()));
+        }
     }
-    const int traits = m_columns[static_cast<std::size_t>(index.column())].traits;
-    switch (role) {
-        case Qt::TextAlignmentRole: return alignmentOf(traits);
-        case kTraitsRole: return traits;
-        default: break;
+}
+
+QVariant TableModel::tipOf(const QModelIndex& index) const {
+    const QString own = tip(index.row(), index.column());
+    if (!own.isEmpty()) {
+        return own;
     }
     const Cell at = cell(index.row(), index.column());
-    const QVariant& value = at.value.isValid() ? at.value : at.text;
-    switch (role) {
-        case Qt::DisplayRole: return at.text;
-        case Qt::ToolTipRole: {
-            const QString own = tip(index.row(), index.column());
-            return valid(own.isEmpty() ? at.tip : own);
-        }
-        case Qt::EditRole: return value;
-        case kSortRole: return at.order.isValid() ? at.order : value;
-        case Qt::CheckStateRole:
-            return at.isChecked ? QVariant(*at.isChecked ? Qt::Checked : Qt::Unchecked) : QVariant();
-        case Qt::ForegroundRole: return at.colour;
-        case Qt::DecorationRole: return at.decoration;
-        case Qt::FontRole: return at.font;
-        case kChoicesRole: return at.choices;
-        case Qt::AccessibleTextRole:
-            return value.userType() == QMetaType::QColor ? value.value<QColor>().name() : QVariant();
-        default: return {};
-    }
+    return valid(at.tip.isEmpty() && at.length ? fixedLengthInBoth(*at.length, m_unit) : at.tip);
 }
 
 QVariant TableModel::headerData(int section, Qt::Orientation orientation, int role) const {

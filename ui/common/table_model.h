@@ -34,8 +34,9 @@ struct Cell {
     QVariant colour = {};      ///< of the text
     QVariant decoration = {};  ///< before the text
     QVariant font = {};
-    QStringList choices = {};  ///< what the value may be; empty: anything
-    QString tip = {};          ///< where the model has none of its own
+    QStringList choices = {};           ///< what the value may be; empty: anything
+    QString tip = {};                   ///< where the model has none of its own
+    std::optional<double> length = {};  ///< nm, of a cell without a tip: that says it in both systems
 };
 
 /// A table of rows that its heir holds: the heir says how many there are and what is in a cell, and takes edits. All
@@ -63,6 +64,8 @@ public:
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const final;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const final;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const final;
+    /// Views ask for all that they draw of a cell at once.
+    void multiData(const QModelIndex& index, QModelRoleDataSpan roles) const final;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const final;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) final;
@@ -93,7 +96,7 @@ protected:
     [[nodiscard]] LengthUnit unit() const { return m_unit; }
     /// In the user's unit; the tip says it in the other system too.
     [[nodiscard]] Cell length(double nm) const {
-        return {.text = fixedLengthText(nm, m_unit), .value = nm / nmPer(m_unit), .tip = fixedLengthInBoth(nm, m_unit)};
+        return {.text = fixedLengthText(nm, m_unit), .value = nm / nmPer(m_unit), .length = nm};
     }
     /// The length that a list is for, in both systems.
     [[nodiscard]] Cell lengthInBothSystems(double nm) const {
@@ -106,6 +109,8 @@ protected:
     [[nodiscard]] static QFont boldFont();
 
 private:
+    [[nodiscard]] QVariant tipOf(const QModelIndex& index) const;
+
     std::vector<Column> m_columns;
     LengthUnit m_unit = LengthUnit::Millimetre;
 };

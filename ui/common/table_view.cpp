@@ -18,6 +18,15 @@
 
 namespace ui {
 
+namespace {
+
+/// Of longer tables so many rows are read to find how wide a column has to be, evenly spread, and of these one in so
+/// many is measured whatever it says.
+constexpr int kReadRows = 1'000;
+constexpr int kMeasuredOneIn = 5;
+
+}  // namespace
+
 TableView::TableView(TableModel& model, QWidget* parent) : QTableView(parent) {
     setModel(&model);
     setItemDelegate(new CellDelegate(this));
@@ -68,11 +77,33 @@ void TableView::measure(bool& isDue, Measure measure) {
 }
 
 void TableView::fit() {
-    resizeColumnsToContents();
+    for (int column = 0; column < model()->columnCount(); ++column) {
+        if (column != m_stretched) {
+            resizeColumnToContents(column);
+        }
+    }
     if (m_stretched >= 0) {
         horizontalHeader()->setSectionResizeMode(m_stretched, QHeaderView::Stretch);
         leaveRoom();
     }
+}
+
+int TableView::sizeHintForColumn(int column) const {
+    const int rows = model()->rowCount();
+    if (rows <= kReadRows / kMeasuredOneIn) {
+        return QTableView::sizeHintForColumn(column);
+    }
+    int width = 0;
+    qsizetype longest = -1;
+    for (int row = 0, count = 0; row < rows; row += rows / kReadRows + 1, ++count) {
+        const QModelIndex index = model()->index(row, column);
+        const qsizetype length = index.data().toString().size();
+        if (length > longest || count % kMeasuredOneIn == 0) {
+            width = std::max(width, sizeHintForIndex(index).width());
+            longest = std::max(longest, length);
+        }
+    }
+    return width;
 }
 
 /// The stretched column is what the table is about: where others leave it less than half of the room, none of them

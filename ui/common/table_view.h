@@ -44,6 +44,9 @@ signals:
     void deleteRequested(const std::vector<int>& rows);
 
 protected:
+    /// Reading a cell takes little, measuring it much: of long tables those with the longest texts are measured, and
+    /// some of the others. Numbers are as wide as they are long.
+    [[nodiscard]] int sizeHintForColumn(int column) const override;
     /// A text that the model has refused stays to be mended: Enter and Tab do not take it away, Esc and a click
     /// elsewhere do.
     void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;

@@ -1,0 +1,115 @@
+#include "ui/common/table_view.h"
+
+#include <QHeaderView>
+#include <QtTest>
+
+#include "ui/common/sorted_rows.h"
+#include "ui/common/table_model.h"
+
+using ui::Cell;
+using ui::TableModel;
+using ui::TableView;
+
+namespace {
+
+/// Numbers, and names that take the room that is left. Counts how often a cell is made.
+class Numbers : public TableModel {
+public:
+    explicit Numbers(int rows)
+        : TableModel({{"Number", "", ui::kNumber}, {"Name", ""}, {"Length", "", ui::kNumber | ui::kLength}}),
+          m_numbers(static_cast<std::size_t>(rows), 7) {}
+
+    void set(int row, qulonglong number) { m_numbers[static_cast<std::size_t>(row)] = number; }
+    void begin() {
+        beginResetModel();
+        endResetModel();
+    }
+
+    mutable int cells = 0;
+
+protected:
+    [[nodiscard]] int rows() const override { return static_cast<int>(m_numbers.size()); }
+    [[nodiscard]] Cell cell(int row, int column) const override {
+        ++cells;
+        const qulonglong number = m_numbers[static_cast<std::size_t>(row)];
+        if (column == 1) {
+            return {.text = "the name of row " + QString::number(row), .colour = QColor(Qt::red), .tip = "a name"};
+        }
+        return column == 0 ? count(number) : length(1e6 * static_cast<double>(number));
+    }
+
+private:
+    std::vector<qulonglong> m_numbers;
+};
+
+}  // namespace
+
+class TableViewTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theLongestNumberIsWholeWhereverItIs_data() {
+        QTest::addColumn<int>("rows");
+        QTest::addColumn<int>("longest");
+        QTest::newRow("first of a few") << 20 << 0;
+        QTest::newRow("last of a few") << 20 << 19;
+        QTest::newRow("first") << 900 << 0;
+        QTest::newRow("within") << 900 << 501;
+        QTest::newRow("last") << 900 << 899;
+    }
+    void theLongestNumberIsWholeWhereverItIs() {
+        QFETCH(const int, rows);
+        QFETCH(const int, longest);
+        Numbers numbers(rows);
+        numbers.set(longest, 123'456'789);
+        TableView table(numbers);
+        table.fitColumns(1);
+        table.show();
+        const int needed = table.fontMetrics().horizontalAdvance(QLocale().toString(123'456'789));
+        QVERIFY2(table.columnWidth(0) > needed, qPrintable(QString::number(table.columnWidth(0))));
+        numbers.set(longest, 1);
+        numbers.begin();
+        QVERIFY(table.columnWidth(0) < needed);
+    }
+
+    void aLongTableIsMeasuredBySomeOfItsRows() {
+        Numbers numbers(200'000);
+        TableView table(numbers);
+        table.resize(400, 300);
+        table.fitColumns(1);
+        table.show();
+        QVERIFY2(numbers.cells < 10'000, qPrintable(QString::number(numbers.cells)));
+        QVERIFY(numbers.cells > 0);
+    }
+
+    void allThatIsDrawnOfACellIsAskedForAtOnce() {
+        Numbers numbers(3);
+        ui::SortedRows rows(numbers);
+        for (const QModelIndex& index : {rows.index(1, 0), rows.index(1, 1), rows.index(2, 2), QModelIndex()}) {
+            std::vector<QModelRoleData> roles;
+            for (const int role : {Qt::DisplayRole, Qt::FontRole, Qt::ForegroundRole, Qt::CheckStateRole,
+                                   Qt::DecorationRole, Qt::TextAlignmentRole, Qt::BackgroundRole, Qt::EditRole}) {
+                roles.emplace_back(role);
+                roles.back().setData(QStringLiteral("from before"));
+            }
+            numbers.cells = 0;
+            rows.multiData(index, roles);
+            QCOMPARE(numbers.cells, index.isValid() ? 1 : 0);
+            for (const QModelRoleData& role : roles) {
+                QCOMPARE(role.data(), index.data(role.role()));
+            }
+        }
+    }
+
+    void lengthsSayBothSystemsInTheirTips() {
+        Numbers numbers(1);
+        numbers.setUnit(ui::LengthUnit::Millimetre);
+        QCOMPARE(numbers.index(0, 0).data(Qt::ToolTipRole), QVariant());
+        QCOMPARE(numbers.index(0, 1).data(Qt::ToolTipRole).toString(), QStringLiteral("a name"));
+        const QString tip = numbers.index(0, 2).data(Qt::ToolTipRole).toString();
+        QVERIFY2(tip.contains("7") && tip.contains("mm") && tip.contains("275.59"), qPrintable(tip));
+    }
+};
+
+QTEST_MAIN(TableViewTest)
+#include "table_view_test.moc"
