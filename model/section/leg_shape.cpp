@@ -141,14 +141,21 @@ Intervals copperOf(const BoardFace& face, const LegCut& leg) {
     });
 }
 
+/// Holes that come out on a face.
+Intervals boresOf(const BoardFace& face, const LegCut& leg) {
+    std::vector<Interval> bores;
+    for (const SectionPiece& bore : leg.bores) {
+        if ((face.isTop ? bore.top : bore.bottom) == face.copper) {
+            bores.push_back({bore.from, bore.to});
+        }
+    }
+    return united(std::move(bores));
+}
+
 /// Copper and tented holes.
 Intervals raisedOf(const BoardFace& face, const LegCut& leg) {
     Intervals raised = copperOf(face, leg);
-    for (const SectionPiece& bore : leg.bores) {
-        if ((face.isTop ? bore.top : bore.bottom) == face.copper) {
-            raised.push_back({bore.from, bore.to});
-        }
-    }
+    std::ranges::copy(boresOf(face, leg), std::back_inserter(raised));
     return united(std::move(raised));
 }
 
@@ -330,7 +337,8 @@ void LegShaper::shapeStretch(const Stretch& stretch, LegCut& leg) const {
     }
 }
 
-/// Mask, films and ink; the stacks of this face are taken out of `stacks`.
+/// Mask, films and ink, of which none lies over a hole that is open here; the stacks of this face are taken out of
+/// `stacks`.
 void LegShaper::shapeFace(const Stretch& stretch, const BoardFace& face, std::vector<LaidStack>& stacks,
                           LegCut& leg) const {
     const auto isMask = [&](const SectionPiece& piece) {
@@ -356,7 +364,17 @@ void LegShaper::shapeFace(const Stretch& stretch, const BoardFace& face, std::ve
         return isOn;
     });
     const std::vector<LaidPart> films(laid.begin() + static_cast<std::ptrdiff_t>(masks), laid.end());
-    replace(leg.pieces, isInk, [&](const SectionPiece& piece) { return inkOn(face, piece, under, masked, films); });
+    const Intervals open = subtracted(boresOf(face, leg), masked);
+    replace(leg.pieces, isInk, [&](const SectionPiece& piece) {
+        std::vector<SectionPiece> ink;
+        for (const Interval& where : subtracted({{piece.from, piece.to}}, open)) {
+            SectionPiece part = piece;
+            part.from = where.from;
+            part.to = where.to;
+            std::ranges::move(inkOn(face, part, under, masked, films), std::back_inserter(ink));
+        }
+        return ink;
+    });
 }
 
 void LegShaper::shapeFilms(const LaidStack& stack, const Intervals& raised, std::vector<LaidPart>& laid,

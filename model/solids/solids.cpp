@@ -196,13 +196,6 @@ private:
         }
     }
 
-    /// Solder mask closes a plated hole that is small enough. NPTHs and routs are made after it was applied.
-    static bool isTented(const Document& document, ElementId hole) {
-        const Box box = document.boxOf(hole);
-        return (document.elements.flags[hole.row()] & kPlated) != 0 &&
-               std::min(box.width(), box.height()) <= kWidestTent;
-    }
-
     const Plate& m_plate;
     Cutouts m_cutouts;
 };
@@ -222,6 +215,11 @@ void cutPlate(const Document& document, Plate& plate, const base::Progress& prog
 }
 
 }  // namespace
+
+bool isTented(const Document& document, ElementId hole) {
+    const Box box = document.boxOf(hole);
+    return (document.elements.flags[hole.row()] & kPlated) != 0 && std::min(box.width(), box.height()) <= kWidestTent;
+}
 
 bool addSolids(DocumentBuilder& builder, const base::Progress& progress) {
     const Document& document = builder.soFar();

@@ -10,6 +10,10 @@ namespace model {
 /// millimetre.
 inline constexpr Nm kWidestTent = 500'000;
 
+/// Does solder mask without an opening over it close the hole? Plated ones that are narrow enough; NPTHs and routs are
+/// made after the mask was applied.
+[[nodiscard]] bool isTented(const Document& document, ElementId hole);
+
 /// Adds what a board has besides the features of its job, as synthetic layers (Layer::isSynthetic), to be called when
 /// all other layers are complete:
 /// - the substrate (LayerType::Body): the outline minus all holes, from the upper face of the lowest to the lower face

@@ -8,6 +8,7 @@
 #include "model/base/parallel.h"
 #include "model/base/stopwatch.h"
 #include "model/board/copies.h"
+#include "model/solids/drilled_print.h"
 #include "model/solids/milling.h"
 #include "render/modelling/area_meshes.h"
 #include "render/modelling/area_pieces.h"
@@ -70,23 +71,30 @@ std::vector<std::uint32_t> rowsOfShapes(const Document& document, const std::vec
     return rows;
 }
 
-/// What is milled, and what of it becomes meshes behind those of the shapes.
+/// What is milled or, of print, drilled, and what of it becomes meshes behind those of the shapes.
 class Milling {
 public:
-    Milling(const Document& document, model::MilledBoard milled)
-        : m_isMilled(document.elements.size(), 0), m_milled(std::move(milled)) {
-        for (const model::MilledElement& element : m_milled.elements) {
+    Milling(const Document& document, model::MilledBoard milled, std::vector<model::MilledElement> drilledPrint)
+        : m_isMilled(document.elements.size(), 0), m_isOutlineDoubtful(milled.isOutlineDoubtful) {
+        std::ranges::transform(milled.elements, std::back_inserter(m_beyond), &model::MilledElement::element);
+        m_elements = std::move(milled.elements);
+        std::ranges::transform(drilledPrint, std::back_inserter(m_overHoles), &model::MilledElement::element);
+        model::addDrilledPrint(std::move(drilledPrint), m_elements);
+        for (const model::MilledElement& element : m_elements) {
             m_isMilled[element.element.row()] = 1;
         }
     }
 
     [[nodiscard]] bool isMilled(model::ElementId element) const { return m_isMilled[element.row()] != 0; }
-    [[nodiscard]] const std::vector<model::MilledElement>& elements() const { return m_milled.elements; }
-    [[nodiscard]] bool isOutlineDoubtful() const { return m_milled.isOutlineDoubtful; }
+    /// Those that reach beyond the outline, rising.
+    [[nodiscard]] const std::vector<model::ElementId>& beyond() const { return m_beyond; }
+    /// Print that lies over holes, rising.
+    [[nodiscard]] const std::vector<model::ElementId>& overHoles() const { return m_overHoles; }
+    [[nodiscard]] bool isOutlineDoubtful() const { return m_isOutlineDoubtful; }
 
     /// Appends a mesh of each rest; the region moves there.
     void takeRests(std::vector<ShapeMesh>& meshes) {
-        for (model::MilledElement& element : m_milled.elements) {
+        for (model::MilledElement& element : m_elements) {
             if (!element.rest.polygons.empty()) {
                 m_rests.push_back({element.element, static_cast<std::uint32_t>(meshes.size())});
                 meshes.emplace_back().polygons = std::move(element.rest);
@@ -102,7 +110,10 @@ public:
 
 private:
     std::vector<std::uint8_t> m_isMilled;  ///< by element
-    model::MilledBoard m_milled;
+    bool m_isOutlineDoubtful;
+    std::vector<model::ElementId> m_beyond;
+    std::vector<model::ElementId> m_overHoles;
+    std::vector<model::MilledElement> m_elements;  ///< rising
     std::vector<Rest> m_rests;
 };
 
@@ -256,6 +267,37 @@ bool isDrawing(const Layer& layer) {
     return layer.type == model::LayerType::Document || layer.context == model::LayerContext::Misc;
 }
 
+/// How many of these elements are on each layer, and which is the first.
+struct CountsOfLayers {
+    CountsOfLayers(const Document& document, const std::vector<model::ElementId>& elements)
+        : counts(document.layers.size(), 0), firsts(document.layers.size()) {
+        for (const model::ElementId element : elements) {
+            const std::size_t layer = document.elements.layer[element.row()].row();
+            if (counts[layer]++ == 0) {
+                firsts[layer] = element;
+            }
+        }
+    }
+
+    std::vector<std::uint32_t> counts;
+    std::vector<model::ElementId> firsts;
+};
+
+/// Says of which print something is left out because there is a hole: once per layer, with the line of the first.
+void reportDrilledPrint(const Document& document, const Milling& milling, BoardModel& out) {
+    const CountsOfLayers found(document, milling.overHoles());
+    for (std::size_t row = 0; row < found.counts.size(); ++row) {
+        if (found.counts[row] > 0) {
+            const Layer& layer = document.layers[row];
+            const model::ElementId first = found.firsts[row];
+            out.diagnostics.report(model::Severity::Info, layer.file, document.elements.line[first.row()],
+                                   "layer " + layer.name + ": " + std::to_string(found.counts[row]) +
+                                       " elements lie over open holes; 3D shows what print is left beside them",
+                                   first);
+        }
+    }
+}
+
 /// Says what the board as fabricated leaves out: once per layer, with the line of the first. Drawings of the job mostly
 /// reach beyond the board, and nothing is made of them: all of them are one entry.
 void reportMilled(const Document& document, const Milling& milling, BoardModel& out) {
@@ -264,14 +306,7 @@ void reportMilled(const Document& document, const Milling& milling, BoardModel& 
                                "more copper lies beyond the board outline than within; 3D shows all of it, as if the "
                                "outline were not that of the board");
     }
-    std::vector<std::uint32_t> counts(document.layers.size(), 0);
-    std::vector<model::ElementId> firsts(document.layers.size());
-    for (const model::MilledElement& milled : milling.elements()) {
-        const std::size_t layer = document.elements.layer[milled.element.row()].row();
-        if (counts[layer]++ == 0) {
-            firsts[layer] = milled.element;
-        }
-    }
+    const auto [counts, firsts] = CountsOfLayers(document, milling.beyond());
     std::string drawings;
     std::size_t firstDrawing = counts.size();
     for (std::size_t row = 0; row < counts.size(); ++row) {
@@ -359,8 +394,9 @@ base::Result<LooseModel> makeLoose(const Document& document, Milling milling, co
         return cancelled;
     }
     reportMeshes(document, meshes, out);
-    std::ranges::transform(milling.elements(), std::back_inserter(out.milled), &model::MilledElement::element);
+    out.milled = milling.beyond();
     reportMilled(document, milling, out);
+    reportDrilledPrint(document, milling, out);
     return loose;
 }
 
@@ -380,7 +416,8 @@ BoardModel putTogether(const Document& document, LooseModel loose) {
 Milling millingOf(const Document& document, bool isBoard, const model::Discretisation& how, base::Progress& progress) {
     progress.beginPhase("Milling");
     return {document,
-            isBoard ? model::findMilled(document, how, progress) : model::findInCutouts(document, how, progress)};
+            isBoard ? model::findMilled(document, how, progress) : model::findInCutouts(document, how, progress),
+            model::findDrilledPrint(document, how, progress)};
 }
 
 /// Takes what is said about a step over into what is said about the board, where its elements have no numbers.

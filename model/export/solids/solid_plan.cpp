@@ -8,6 +8,7 @@
 #include "model/geometry/loops/fit_arcs.h"
 #include "model/geometry/loops/needless_corners.h"
 #include "model/geometry/loops/region_booleans.h"
+#include "model/solids/drilled_print.h"
 
 namespace model {
 
@@ -445,6 +446,9 @@ base::Result<SolidPlan> planSolids(const Document& board, const SolidChoice& cho
             step.milled = findInCutouts(*step.document, {}, progress).elements;
         } else if (!choice.isAsDesigned && plan.copies.size() == 1) {
             step.milled = findMilled(*step.document, {}, progress).elements;
+        }
+        if (!choice.isAsDesigned) {
+            addDrilledPrint(findDrilledPrint(*step.document, {}, progress), step.milled);
         }
         step.holes = holesOf(step, choice);
         countUses(step);

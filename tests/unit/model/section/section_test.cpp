@@ -161,6 +161,25 @@ private slots:
         QVERIFY(section.notes.empty());
     }
 
+    void inkEndsAtHolesThatNoMaskCloses() {
+        DocumentBuilder builder;
+        addCard(builder);
+        builder.layer(LayerId{Print}).thickness = 10'000;
+        builder.beginLayer(LayerId{Print});
+        builder.addLine({{-4 * kMm, 0}, {4 * kMm, 0}, 200'000, 0}, {});
+        const Section section = cut(builder.finish(), {{-20e6, 0}, {20e6, 0}});
+        QCOMPARE(textOf(section.bores, Drill), (QStringList{"19500-20500@0-2300"}));
+        const QStringList ink = textOf(section.pieces, Print);
+        QVERIFY2(!ink.isEmpty() && ink.first().startsWith("15900-") && ink.last().contains("-24100@"),
+                 qPrintable(ink.join(' ')));
+        QVERIFY2(std::ranges::none_of(section.pieces,
+                                      [](const SectionPiece& piece) {
+                                          return piece.layer == LayerId{Print} && piece.to > 19.51e6 &&
+                                                 piece.from < 20.49e6;
+                                      }),
+                 qPrintable(ink.join(' ')));
+    }
+
     void aCutThroughTheWallAloneIsAllCopper() {
         const Section section = cut(card(), {{-20e6, 450'000}, {20e6, 450'000}});
         QCOMPARE(textOf(section.pieces, Drill).size(), 1);

@@ -210,6 +210,34 @@ private slots:
                                "Drawings reach beyond the board outline, where 3D ends them: FAB, NOTES"}));
     }
 
+    void printOverAnOpenHoleIsHeldBothWays() {
+        DocumentBuilder builder;
+        builder.setProfile(builder.addShape(polygonSketch({{0, 0}, {9 * kMm, 0}, {9 * kMm, 9 * kMm}, {0, 9 * kMm}})));
+        for (const auto& [name, type] :
+             {std::pair("SILK", model::LayerType::SilkScreen), std::pair("TOP", model::LayerType::Signal),
+              std::pair("DRILL", model::LayerType::Drill)}) {
+            model::Layer layer;
+            layer.name = name;
+            layer.type = type;
+            builder.beginLayer(builder.addLayer(layer));
+            if (layer.name == "SILK") {
+                builder.addLine({{kMm, kMm}, {8 * kMm, kMm}, kMm / 5, 0}, {});
+            } else if (layer.name == "DRILL") {
+                DocumentBuilder::Origin hole;
+                hole.flags = model::kHole;
+                builder.addCircle({{4 * kMm, kMm}, kMm, kMm}, hole);
+            }
+        }
+        const BoardModel model = build(*builder.finish());
+        QCOMPARE(model.diagnostics.entries().size(), 1U);
+        QCOMPARE(model.diagnostics.entries()[0].text,
+                 std::string("Layer SILK: 1 elements lie over open holes; 3D shows what print is left beside them"));
+        QVERIFY(model.milled.empty());  // none of it is beyond the outline
+        QCOMPARE(model.instances.size(), 1U);
+        QCOMPARE(model.instances[0].onlyAs, shader::kOnlyAsFabricated);
+        QCOMPARE(model.clusters[0].onlyAs, shader::kOnlyAsDesigned);
+    }
+
     void cancelledModellingSaysSo() {
         const auto document = readBoard(locations::kSample);
         base::Progress progress;
