@@ -40,6 +40,25 @@ bool areForeign(const RuleContext& context, ElementId a, ElementId b) {
     return context.owners().of(a) != context.owners().of(b) && (hasNet || context.isLand(a) || context.isLand(b));
 }
 
+/// Are both drawn by one record of the job, as a pad of KiCad draws its copper and its hole?
+bool areOfOneRecord(const Document& document, ElementId a, ElementId b) {
+    const auto fileOf = [&](ElementId element) -> const std::string& {
+        return document.layer(document.elements.layer[element.row()]).file;
+    };
+    const std::uint32_t line = document.elements.line[a.row()];
+    return line != 0 && line == document.elements.line[b.row()] && fileOf(a) == fileOf(b);
+}
+
+/// Is a hole drilled in the middle of this pad, or as one with it? Of an NPTH with a ring of copper the ring is no
+/// other copper that has to keep away.
+bool isInItsPad(const RuleContext& context, ElementId hole, ElementId copper) {
+    const Document& document = context.document();
+    const Box pad = document.boxOf(copper);
+    const Box drilled = document.boxOf(hole);
+    return (document.elements.flags[copper.row()] & kPad) != 0 && pad.holds(drilled.min) && pad.holds(drilled.max) &&
+           (areConcentric(pad, drilled) || areOfOneRecord(document, copper, hole));
+}
+
 /// A hole that is drilled, and how far.
 struct DrilledHole {
     ElementId element;
@@ -371,6 +390,7 @@ void checkToHoles(RuleContext& context, LayerId layer) {
         const ElementId hole = holes.elementOf(b);
         const bool isPlated = isPlatedHole(context.document().elements.flags[hole.row()]);
         return rule(a, b) && context.isBetween(copper.elementOf(a), hole) &&
+               !isInItsPad(context, hole, copper.elementOf(a)) &&
                (!isPlated || context.owners().of(copper.elementOf(a)) != context.owners().of(hole));
     };
     for (const FigurePair& pair : closestPairs(copper, holes, request, context.progress())) {

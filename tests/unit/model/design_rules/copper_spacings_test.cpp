@@ -167,6 +167,38 @@ private slots:
         QVERIFY(report.isPassed() && !report.isComplete());
     }
 
+    /// Tracks that lead to the ring are other copper, and so is a pad that the hole takes a bite of.
+    void theRingOfAnNpthIsItsOwn() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 2 * kMm, 0}, of({}, model::kPad));
+        board.builder.addCircle({{9 * kMm, 0}, 2 * kMm, 0}, of({}, model::kPad));
+        board.builder.addLine({{-5 * kMm, 0}, {-600 * kUm, 0}, 100 * kUm, 0}, of(board.a));
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, kMm, kMm}, of({}, kBare));
+        board.builder.addCircle({{9 * kMm, kMm}, kMm, kMm}, of({}, kBare));
+        const RuleReport report = check(*board.builder.finish(), RuleKind::CopperToHole, 200 * kUm);
+        QCOMPARE(report.findings.size(), std::size_t{2});
+        QCOMPARE(report.findings[0].a, model::ElementId{1});
+        QCOMPARE(report.findings[1].a, model::ElementId{2});
+    }
+
+    /// A pad of KiCad with an offset: its copper and its hole are of one line of the file.
+    void aHoleMayLieOffTheMiddleOfItsPad() {
+        for (const bool isOneRecord : {true, false}) {
+            Board board;
+            model::DocumentBuilder::Origin pad = of({}, model::kPad);
+            pad.line = 7;
+            board.builder.beginLayer(board.top);
+            board.builder.addCircle({{0, 0}, 3 * kMm, 0}, pad);
+            model::DocumentBuilder::Origin hole = of({}, kBare);
+            hole.line = isOneRecord ? 7 : 8;
+            board.builder.beginLayer(board.drill);
+            board.builder.addCircle({{500 * kUm, 0}, kMm, kMm}, hole);
+            QCOMPARE(check(*board.builder.finish(), RuleKind::CopperToHole, 200 * kUm).isPassed(), isOneRecord);
+        }
+    }
+
     void holesInHolesAreFound() {
         TwoHoles nets;
         QVERIFY2(!nets.first(300 * kUm, nets.a(), kWall).second(300 * kUm, nets.b(), kWall).arePassed(), "two nets");

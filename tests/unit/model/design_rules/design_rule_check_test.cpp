@@ -322,7 +322,7 @@ private slots:
         board.builder.addCircle({{0, 0}, 300 * kUm, 0}, of({}, model::kPad));                // as large
         board.builder.addCircle({{5000 * kUm, 0}, 200 * kUm, 0}, of(board.b, model::kPad));  // smaller
         board.builder.addCircle({{200 * kUm, 0}, 20 * kUm, 0}, of(board.a));            // 40 um from the first hole
-        board.builder.addCircle({{9000 * kUm, 0}, 310 * kUm, 0}, of({}, model::kPad));  // 5 um of it stay
+        board.builder.addCircle({{9100 * kUm, 0}, 310 * kUm, 0}, of({}, model::kPad));  // a crescent of it stays
         board.builder.beginLayer(board.drill);
         for (const Nm x : {0, 5000 * kUm, 9000 * kUm}) {
             board.builder.addCircle({{x, 0}, 300 * kUm, 0}, of({}, kBare));
