@@ -1,30 +1,9 @@
 #include "model/design_rules/floating_copper.h"
 
-#include <algorithm>
-
+#include "model/design_rules/text_strokes.h"
 #include "model/nets/connectivity.h"
 
 namespace model {
-
-namespace {
-
-/// Is the element a stroke of a text, as the job says by attribute or group?
-std::vector<bool> textsOf(const Document& document) {
-    std::vector<bool> isText(document.elements.size());
-    for (std::size_t row = 0; row < isText.size(); ++row) {
-        const AttributeValues& values = document.attributesOf(ElementId{row});
-        isText[row] = std::ranges::any_of(
-            values, [](const auto& value) { return value.first == ".string" || value.first == "string"; });
-    }
-    for (const ElementGroup& group : document.groups) {
-        for (std::uint32_t i = 0; document.text(group.type) == "TEXT" && i < group.elements.count; ++i) {
-            isText[document.groupElements[group.elements.first + i].row()] = true;
-        }
-    }
-    return isText;
-}
-
-}  // namespace
 
 base::Status checkFloatingCopper(RuleContext& context) {
     if (context.choice().rowsOf(RuleKind::FloatingCopper).empty() ||
@@ -37,7 +16,7 @@ base::Status checkFloatingCopper(RuleContext& context) {
     for (std::uint32_t piece = 0; piece < copper.pieceCount(); ++piece) {
         isHeld[copper.island(piece)] = isHeld[copper.island(piece)] || context.isLand(copper.element(piece));
     }
-    const std::vector<bool> isText = textsOf(document);
+    const std::vector<bool> isText = textStrokesOf(document);
     std::size_t texts = 0;
     for (std::uint32_t piece = 0; piece < copper.pieceCount(); ++piece) {
         const ElementId element = copper.element(piece);

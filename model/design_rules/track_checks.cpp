@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "model/design_rules/bridged.h"
+#include "model/design_rules/text_strokes.h"
 #include "model/figures/distance.h"
 
 namespace model {
@@ -222,6 +223,50 @@ private:
     const LayerGeometry& m_copper;
 };
 
+/// What is narrower than its rule asks tracks to be.
+class NarrowTracks {
+public:
+    NarrowTracks(RuleContext& context, LayerId layer) : m_context(context), m_layer(layer) {}
+
+    void add(std::size_t rule, ElementId element, const Spacing& across) {
+        const RuleTable& table = m_context.table();
+        if (!isBroken(table.rules[rule], table.tolerance, across.distance)) {
+            return;
+        }
+        if (isDrawing(element)) {
+            ++m_drawings;
+        } else {
+            m_context.add(rule, m_layer, element, {}, across, FindingReason::TooNarrow);
+        }
+    }
+
+    void report() const {
+        if (m_drawings > 0) {
+            m_context.report().notes.push_back(
+                std::to_string(m_drawings) + (m_drawings == 1 ? " stroke" : " strokes") +
+                " of texts or of no net on layer " + m_context.document().layer(m_layer).name +
+                (m_drawings == 1 ? " is" : " are") + " narrower than tracks may be, and no tracks");
+        }
+    }
+
+private:
+    [[nodiscard]] bool isDrawing(ElementId element) {
+        const Document& document = m_context.document();
+        if (!document.nets.empty() && !m_context.netOf(element).isValid()) {
+            return true;
+        }
+        if (m_isText.empty()) {
+            m_isText = textStrokesOf(document);
+        }
+        return m_isText[element.row()];
+    }
+
+    RuleContext& m_context;
+    LayerId m_layer;
+    std::vector<bool> m_isText;  ///< by element, once it was asked for
+    std::size_t m_drawings = 0;
+};
+
 }  // namespace
 
 void checkTrackWidths(RuleContext& context, LayerId layer) {
@@ -230,13 +275,15 @@ void checkTrackWidths(RuleContext& context, LayerId layer) {
     }
     const LayerGeometry tracks =
         layerGeometry(context.document(), layer, [&](ElementId element) { return isTrack(context, element); });
+    NarrowTracks narrow(context, layer);
     for (std::uint32_t row = 0; row < tracks.size(); ++row) {
         const ElementId element = tracks.elementOf(row);
         const auto rule = context.choice().of(RuleKind::TrackWidth, layer, context.partyOf(element));
         if (rule && !tracks.figures()[row].isFilled) {
-            context.add(*rule, layer, element, {}, narrowestOf(tracks.figures().edges(row)), FindingReason::TooNarrow);
+            narrow.add(*rule, element, narrowestOf(tracks.figures().edges(row)));
         }
     }
+    narrow.report();
 }
 
 void checkAcuteAngles(RuleContext& context, LayerId layer, const LayerGeometry& copper) {

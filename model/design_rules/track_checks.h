@@ -6,6 +6,7 @@
 namespace model {
 
 /// RuleKind::TrackWidth: the narrowest edge of each track. Necks of planes and of pads drawn as areas are not measured.
+/// Strokes of texts, and on boards with nets copper of none, are no tracks: a note counts those that are narrower.
 void checkTrackWidths(RuleContext& context, LayerId layer);
 
 /// RuleKind::AcuteAngle: two tracks of a net that meet at less than 90° and leave a notch between them, which etching
