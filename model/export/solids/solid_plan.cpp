@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "model/board/holes.h"
 #include "model/board/laser_via.h"
 #include "model/geometry/loops/fit_arcs.h"
 #include "model/geometry/loops/needless_corners.h"
@@ -107,8 +108,8 @@ void addLayer(StepSolids& step, LayerId layer, std::vector<Member>& members) {
 
 bool isSolid(const Document& document, ElementId element) {
     const ZRange z = solidHeightsOf(document, element);
-    const bool isOpenHole = (document.elements.flags[element.row()] & (kHole | kPlated)) == kHole;
-    return z.top > z.bottom && !isOpenHole;
+    const bool isOfHoles = isHoles(document.layer(document.elements.layer[element.row()]).type);
+    return z.top > z.bottom && (!isOfHoles || isPlatedHole(document.elements.flags[element.row()]));
 }
 
 StepSolids solidsOf(const Document& document, bool isFlipped, const SolidChoice& choice) {

@@ -10,6 +10,7 @@
 #include "model/board/element_copy.h"
 #include "model/formats/common/element_regions.h"
 #include "model/formats/common/painting.h"
+#include "model/geometry/edges.h"
 #include "model/geometry/outlines.h"
 #include "model/solids/shells/area_shell.h"
 
@@ -50,6 +51,12 @@ public:
         const double area = areaOf(piece);
         const bool isPiece = area > 0.0 && area < m_half && overlap(piece, m_outline) > area / 2.0;
         return isPiece && !holdsCopper(piece) ? piece : std::vector<EdgeLoops>();
+    }
+
+    /// Is it closed, with half of the board or more within?
+    [[nodiscard]] bool isAroundBoard(const Document& routed, ElementId path) const {
+        const std::vector<EdgeLoops> piece = enclosedBy(routed, path);
+        return m_half > 0.0 && !piece.empty() && overlap(piece, m_outline) >= m_half;
     }
 
     /// Layers whose paths go through the whole board.
@@ -122,13 +129,52 @@ private:
     double m_half;
 };
 
+/// As wide as a path cuts; 0 for areas too.
+Nm penOf(const Document& routed, ElementId element) {
+    const std::uint32_t row = routed.elements.geometry[element.row()];
+    switch (routed.elements.kind[element.row()]) {
+        case ElementKind::Line: return routed.lines[row].width;
+        case ElementKind::Arc: return routed.arcs[row].width;
+        case ElementKind::Trail: return routed.trails[row].width;
+        case ElementKind::Circle: return routed.circles[row].diameter;
+        case ElementKind::Area: return 0;
+    }
+    return 0;
+}
+
 bool isCompensated(const Document& routed, ElementId element) {
     return std::ranges::any_of(routed.attributesOf(element), [](const auto& attribute) {
         return attribute.first == ".comp" && attribute.second != "none" && attribute.second != "0";
     });
 }
 
-/// Finds what lies on an outline.
+Edge straight(Point from, Point to) {
+    PathNode node;
+    node.point = from;
+    return edgeOf(node, to);
+}
+
+/// The middle line of what a round pen draws; empty for areas.
+std::vector<Edge> middleLineOf(const Document& routed, ElementId element) {
+    const std::uint32_t row = routed.elements.geometry[element.row()];
+    switch (routed.elements.kind[element.row()]) {
+        case ElementKind::Line: return {straight(routed.lines[row].a, routed.lines[row].b)};
+        case ElementKind::Arc: return {edgeOf(routed.arcs[row].node, routed.arcs[row].end)};
+        case ElementKind::Circle: return {straight(routed.circles[row].centre, routed.circles[row].centre)};
+        case ElementKind::Trail: {
+            std::vector<Edge> edges;
+            const std::span<const PathNode> nodes = routed.nodesOf(routed.trails[row]);
+            for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+                edges.push_back(edgeOf(nodes[i], nodes[i + 1].point));
+            }
+            return edges;
+        }
+        case ElementKind::Area: return {};
+    }
+    return {};
+}
+
+/// How a path lies to an outline.
 class OutlineFollower {
 public:
     explicit OutlineFollower(const std::vector<EdgeLoops>& outline) {
@@ -137,32 +183,86 @@ public:
         }
     }
 
-    /// Does the middle line of the pen follow the outline?
-    [[nodiscard]] bool isFollowedBy(const Document& routed, ElementId element) const {
-        const std::uint32_t row = routed.elements.geometry[element.row()];
-        switch (routed.elements.kind[element.row()]) {
-            case ElementKind::Line: return isOn(routed.lines[row].a) && isOn(routed.lines[row].b);
-            case ElementKind::Arc: return isOn(routed.arcs[row].node.point) && isOn(routed.arcs[row].end);
-            case ElementKind::Circle: return isOn(routed.circles[row].centre);
-            case ElementKind::Trail:
-                return std::ranges::all_of(routed.nodesOf(routed.trails[row]),
-                                           [this](const PathNode& node) { return isOn(node.point); });
-            case ElementKind::Area: return false;
-        }
-        return false;
+    /// Does it begin and turn on the outline only? Programs make chords of arcs in either of both.
+    [[nodiscard]] bool holdsCornersOf(const std::vector<Edge>& path) const {
+        return !path.empty() && std::ranges::all_of(path, [this](const Edge& edge) {
+            return isNear(edge.a, kRounding) && isNear(edge.b, kRounding);
+        });
+    }
+    /// Does all of it lie on the outline, or so far beside it that the pen reaches up to it from beyond? At corners it
+    /// is farther off by half.
+    [[nodiscard]] bool isFollowedBy(const std::vector<Edge>& path, double pen) const {
+        return everyPointOf(path, [&](PointD point) {
+            return isNear(point, kRounding) || (isNear(point, 0.75 * pen + kRounding) && !holds(point));
+        });
+    }
+    /// Does none of it lie within the outline?
+    [[nodiscard]] bool isPassedBy(const std::vector<Edge>& path) const {
+        return everyPointOf(path, [this](PointD point) { return isNear(point, kRounding) || !holds(point); });
     }
 
 private:
-    [[nodiscard]] bool isOn(Point point) const {
-        const PointD place{static_cast<double>(point.x), static_cast<double>(point.y)};
+    template <class Check>
+    [[nodiscard]] bool everyPointOf(const std::vector<Edge>& path, const Check& check) const {
+        constexpr int kParts = 4;  // of each edge; a line that joins two locations of the outline leaves it in between
+        return !path.empty() && !m_edges.empty() && std::ranges::all_of(path, [&](const Edge& edge) {
+            const double length = lengthOf(edge);
+            bool isGood = check(edge.a) && check(edge.b);
+            for (int i = 1; i < kParts && isGood && length > 0.0; ++i) {
+                isGood = check(pointAt(edge, length * i / kParts));
+            }
+            return isGood;
+        });
+    }
+
+    [[nodiscard]] bool isNear(PointD place, double reach) const {
         return std::ranges::any_of(m_edges, [&](const Edge& edge) {
             const PointD nearest = nearestOn(edge, place);
-            return std::hypot(nearest.x - place.x, nearest.y - place.y) <= kRounding;
+            return std::hypot(nearest.x - place.x, nearest.y - place.y) <= reach;
         });
+    }
+    [[nodiscard]] bool holds(PointD place) const {
+        return std::accumulate(m_edges.begin(), m_edges.end(), 0, [&](int winding, const Edge& edge) {
+                   return winding + windingAround(edge, place);
+               }) != 0;
     }
 
     std::vector<Edge> m_edges;
 };
+
+/// What a path on a layer of routed slots is, if it is no slot.
+enum class Contour : std::uint8_t { None, Compensated, AlongOutline, WithoutWidth };
+
+Contour contourOf(const Document& board, const OutlineFollower& outline, const Document& routed, ElementId element) {
+    const std::vector<Edge> path = middleLineOf(routed, element);
+    if (isCompensated(routed, element) && outline.holdsCornersOf(path)) {
+        return Contour::Compensated;
+    }
+    if ((routed.elements.flags[element.row()] & kPlated) != 0) {
+        return Contour::None;  // plating of the edge
+    }
+    const Nm pen = penOf(routed, element);
+    if (outline.isFollowedBy(path, static_cast<double>(pen))) {
+        return Contour::AlongOutline;
+    }
+    const bool isAround = pen == 0 && (outline.isPassedBy(path) || RoutedPieces(board).isAroundBoard(routed, element));
+    return isAround && !path.empty() ? Contour::WithoutWidth : Contour::None;
+}
+
+const char* textOf(Contour contour) {
+    switch (contour) {
+        case Contour::None: break;
+        case Contour::Compensated:
+            return "a routed path with compensation is the edge of what stays: only what it covers beyond the board "
+                   "outline is cut, and it counts as no hole";
+        case Contour::AlongOutline:
+            return "a routed path goes along the board outline: it counts as no hole, and what it covers within the "
+                   "outline is not cut";
+        case Contour::WithoutWidth:
+            return "a routed path without a width goes around the board: it cuts nothing and counts as no hole";
+    }
+    return "";
+}
 
 /// Elements of one document on the layer of a builder of their own.
 class ElementPile {
@@ -170,8 +270,12 @@ public:
     explicit ElementPile(const Document& from) : m_from(from), m_copier(m_pile, from) {
         m_pile.beginLayer(m_pile.addLayer({}));
     }
-    void add(ElementId element) {
-        m_copier.copy(element, originOf(m_pile, m_from, element.row()));
+    void add(ElementId element, bool isHole) {
+        DocumentBuilder::Origin origin = originOf(m_pile, m_from, element.row());
+        if (!isHole) {
+            origin.flags &= static_cast<std::uint8_t>(~kHole);
+        }
+        m_copier.copy(element, origin);
         m_negatives.push_back(0);
     }
     void takeAway(ShapeSketch sketch) {
@@ -235,14 +339,12 @@ void addRouted(DocumentBuilder& builder, const RoutedLayer& layer) {
     ElementPile beside(routed);
     for (std::size_t i = 0; i < routed.elements.size(); ++i) {
         const ElementId element{i};
-        if (isCompensated(routed, element) && follower.isFollowedBy(routed, element)) {
-            builder.diagnostics().report(Severity::Info, layer.file, routed.elements.line[i],
-                                         "a routed path with compensation is the edge of what stays: only what it "
-                                         "covers beyond the board outline is cut");
-            beside.add(element);
-        } else {
-            others.add(element);
+        const Contour contour = contourOf(board, follower, routed, element);
+        if (contour != Contour::None) {
+            builder.diagnostics().report(Severity::Info, layer.file, routed.elements.line[i], textOf(contour));
         }
+        const bool isBeside = contour != Contour::None && penOf(routed, element) > 0;
+        (isBeside ? beside : others).add(element, contour == Contour::None);
     }
     beside.takeAway(sketchOf(outline));
     builder.beginLayer(layer.layer);

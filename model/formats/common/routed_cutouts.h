@@ -22,8 +22,9 @@ struct RoutedLayer {
 /// To be called when the profile and all positive layers but `waiting` are there, before what depends on the outline.
 void takeOutRouted(DocumentBuilder& builder, std::span<const RoutedLayer> waiting = {});
 
-/// Adds the elements of the layer. A path with compensation (attribute `.comp`) is the edge of what stays: if it lies
-/// on the outline, only what its pen covers beyond the outline is cut, which is reported.
+/// Adds the elements of the layer. A path along the outline is the edge of what stays, with compensation (attribute
+/// `.comp`) or without: only what its pen covers beyond the outline is cut, and it is no hole. Nor is one without a
+/// width that passes around the board. Each is reported.
 void addRouted(DocumentBuilder& builder, const RoutedLayer& layer);
 
 }  // namespace model::formats

@@ -118,7 +118,7 @@ private:
             if (m_parts.progress.isCancelled()) {
                 return false;
             }
-            if (hasCompensation(row)) {
+            if (isRouted(row)) {
                 const std::string& file = m_step.layers[row].features.path;
                 m_routed.push_back({m_layers.id(row), std::make_unique<DocumentBuilder>(), file});
                 paint(*m_routed.back().routed, row);
@@ -130,11 +130,11 @@ private:
         return true;
     }
 
-    /// Cutters with compensation run beside their path, on which side of it the outline says.
-    [[nodiscard]] bool hasCompensation(std::size_t row) const {
+    /// Which paths are slots, and which the edge of the board, the outline says.
+    [[nodiscard]] bool isRouted(std::size_t row) const {
         const FeatureFile& file = m_step.layers[row].features.value;
         return m_matrix.layers[row].type == LayerType::Rout && !m_matrix.layers[row].isNegative && !file.hasNegatives &&
-               std::ranges::find(file.attributes.names, ".comp") != file.attributes.names.end();
+               m_step.layers[row].features.isPresent();
     }
 
     void buildRouted() {

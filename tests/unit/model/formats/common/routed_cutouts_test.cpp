@@ -15,7 +15,7 @@ std::shared_ptr<const model::Document> boardWith(const std::string& routed, cons
     const Folder folder;
     writeSmallJob(folder, "UNITS=MM\n$0 r1000\nP 90 90 0 P 0 0\n" + copper);
     folder.write("matrix/matrix", matrixOf({{"SIGNAL", "TOP"}, {"ROUT", "ROUT"}}));
-    folder.write("steps/board/layers/rout/features", "UNITS=MM\n$0 r200\n" + routed);
+    folder.write("steps/board/layers/rout/features", "UNITS=MM\n$0 r200\n$1 r0\n" + routed);
     return read(folder.path());
 }
 
@@ -23,6 +23,10 @@ std::shared_ptr<const model::Document> boardWith(const std::string& routed, cons
 const std::string kSquare = "L 40 40 60 40 0 P 0\nL 60 40 60 60 0 P 0\nL 60 60 40 60 0 P 0\nL 40 60 40 40.05 0 P 0\n";
 
 const char* const kMessage = "a closed routed path cuts a piece without copper out of the board";
+
+bool isHole(const model::Document& board, model::ElementId element) {
+    return (board.elements.flags[element.row()] & model::kHole) != 0;
+}
 
 /// Of the board within its outline, in mm².
 double areaOf(const model::Document& board) {
@@ -44,7 +48,7 @@ private slots:
         QCOMPARE(qRound(areaOf(*board)), 10'000 - 400);
         const model::Diagnostic* message = findDiagnostic(board->diagnostics, kMessage);
         QVERIFY(message != nullptr);
-        QCOMPARE(message->line, 3U);
+        QCOMPARE(message->line, 4U);
         QVERIFY(message->element.isValid());
     }
 
@@ -94,18 +98,52 @@ private slots:
         QCOMPARE(qRound(areaOf(*board)), 10'000 - 400);
         const model::Layer& layer = board->layer(board->findLayer("ROUT"));
         double cut = 0.0;
+        int holes = 0;
         for (std::uint32_t i = 0; i < layer.elements.count; ++i) {
             const model::ElementId id{layer.elements.first + i};
-            QVERIFY((board->elements.flags[id.row()] & model::kHole) != 0);
+            holes += isHole(*board, id) ? 1 : 0;
             cut += squareMillimetres(*board, id);
         }
         // Half of the pen's 0.2 mm along 4 * 20 mm within the cut-out and 4 * 100 mm around the board; all of the slot.
         const double expected = (80 * 0.1 - 4 * 0.01) + (400 * 0.1 + 3.1416 * 0.01) + (20 * 0.2 + 3.1416 * 0.01);
         QVERIFY2(std::abs(cut - expected) < 0.05, QByteArray::number(cut).constData());
+        QCOMPARE(holes, 1);  // the slot
         QVERIFY(findDiagnostic(board->diagnostics, "a routed path with compensation is the edge of what stays") !=
                 nullptr);
         const auto without = boardWith(head + path(outer, " ;0=0 1=200"));
         QVERIFY(findDiagnostic(without->diagnostics, "with compensation") == nullptr);
+    }
+
+    /// The board as programs draw it for the router: with a pen on the outline or beside it, or without a width.
+    void contoursOfTheBoardAreNoHoles_data() {
+        QTest::addColumn<QString>("routed");
+        QTest::addColumn<bool>("isSlot");
+        QTest::newRow("on the outline") << "L 0 0 100 0 0 P 0\nL 100 0 100 100 0 P 0\nL 100 100 0 100 0 P 0\n"
+                                           "L 0 100 0 0 0 P 0\n"
+                                        << false;
+        QTest::newRow("beside it") << "L -0.1 -0.1 100.1 -0.1 0 P 0\nL 100.1 -0.1 100.1 100.1 0 P 0\n"
+                                      "L 100.1 100.1 -0.1 100.1 0 P 0\nL -0.1 100.1 -0.1 -0.1 0 P 0\n"
+                                   << false;
+        QTest::newRow("in pieces") << "L 0 0 100 0 0 P 0\nL 100 50 100 100 0 P 0\n" << false;
+        QTest::newRow("across the board") << "L 0 0 100 100 0 P 0\n" << true;
+        QTest::newRow("beside it, within") << "L 0.1 0.1 99.9 0.1 0 P 0\n" << true;
+        QTest::newRow("without a width, with round corners")
+            << "L 5 0 95 0 1 P 0\nA 95 0 100 5 95 5 1 P 0 N\nL 100 5 100 100 1 P 0\nL 100 100 0 100 1 P 0\n"
+               "L 0 100 0 5 1 P 0\nA 0 5 5 0 5 5 1 P 0 N\n"
+            << false;
+        QTest::newRow("without a width, across") << "L 0 50 100 50 1 P 0\n" << true;
+    }
+    void contoursOfTheBoardAreNoHoles() {
+        QFETCH(QString, routed);
+        QFETCH(bool, isSlot);
+        const auto board = boardWith(routed.toStdString());
+        QCOMPARE(qRound(areaOf(*board)), 10'000);
+        const model::Range elements = board->layer(board->findLayer("ROUT")).elements;
+        QVERIFY(elements.count > 0);
+        for (std::uint32_t i = 0; i < elements.count; ++i) {
+            QCOMPARE(isHole(*board, model::ElementId{elements.first + i}), isSlot);
+        }
+        QCOMPARE(findDiagnostic(board->diagnostics, "a routed path") == nullptr, isSlot);
     }
 
     void otherPathsCutNothingOut_data() {
