@@ -23,6 +23,11 @@ void setBarrel(const DrillTool* tool, Nm size, Hole& hole) {
     hole.finished = finishedSize(size);
 }
 
+/// Boards of one copper layer have nothing that plating would join, and are made without.
+bool passesOneLayer(const Layer& layer) {
+    return layer.spanTop.isValid() && layer.spanTop == layer.spanBottom;
+}
+
 }  // namespace
 
 void ToolsPlating::include(const DrillTool& tool) {
@@ -94,7 +99,7 @@ bool HoleRules::isPlated(const DrillHit& hit, const ToolsOfSize& tools, Hole& ho
     }
     const ToolsPlating& found = tools.plating.isClear() ? tools.plating : m_all;
     hole.isPlatingAssumed = !found.isClear();
-    return found.isClear() ? found.isPlated : m_layer.type == LayerType::Drill;
+    return found.isClear() ? found.isPlated : m_layer.type == LayerType::Drill && !passesOneLayer(m_layer);
 }
 
 bool HoleRules::isVia(const DrillHit& hit, const ToolsOfSize& tools, bool hasPin) {

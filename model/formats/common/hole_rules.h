@@ -57,9 +57,9 @@ public:
     HoleRules(const Layer& layer, const std::vector<DrillTool>& tools, const PinLocations& pins);
 
     /// Plated as the hit says, else as the tools of that size or of the whole layer say, else by the layer: drills are
-    /// plated, routed slots are not. Back-drills are never plated. A plated hole is a via by the hit, then by the same
-    /// sources; where these are silent, a net without a pin makes it one. Its barrel follows from the tool's drilled
-    /// and finished size where they differ. On one thread at a time.
+    /// plated, but for those of a single copper layer, routed slots are not. Back-drills are never plated. A plated
+    /// hole is a via by the hit, then by the same sources; where these are silent, a net without a pin makes it one.
+    /// Its barrel follows from the tool's drilled and finished size where they differ. On one thread at a time.
     [[nodiscard]] Hole hole(const DrillHit& hit, Nm size) const;
     /// A routed path is one long hole; each track of a drill layer is a slot of its own.
     [[nodiscard]] bool joinsTracks() const { return m_layer.type == LayerType::Rout; }

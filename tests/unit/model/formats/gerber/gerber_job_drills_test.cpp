@@ -2,6 +2,7 @@
 
 #include <QtTest>
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "model/board/holes.h"
@@ -48,6 +49,28 @@ private slots:
         QVERIFY(board.ok());
         QCOMPARE(holesOf(**board, 800'000, model::HoleKind::Via), 1U);
         QCOMPARE(holesOf(**board, 400'000, model::HoleKind::NonPlated), 1U);
+    }
+
+    /// Nothing that plating would join; a file may still say so.
+    void holesOfASingleCopperLayerAreNotPlated() {
+        const std::string head = "M48\nMETRIC\n";
+        const std::string hits = "T1C0.8\nT2C0.4\n%\nT1\nX2.0Y2.0\nT2\nX8.0Y8.0\nM30\n";
+        const auto platedOf = [&](const std::string& drills, bool isDouble) {
+            std::map<std::string, std::string> files{{"b.gbl", image(kCopper)}, {"b.drl", drills}};
+            if (isDouble) {
+                files["b.gtl"] = image(kCopper);
+            }
+            const Job job(files);
+            const Board board = job.open();
+            std::uint32_t plated = 0;
+            for (const model::DrillRow& row : model::drillTable(**board)) {
+                plated += row.kind == model::HoleKind::NonPlated ? 0 : row.count;
+            }
+            return plated;
+        };
+        QCOMPARE(platedOf(head + hits, false), 0U);
+        QCOMPARE(platedOf(head + hits, true), 2U);
+        QCOMPARE(platedOf(head + ";TYPE=PLATED\n" + hits, false), 2U);
     }
 
     void sizesInCommentsMakeADrillFile() {
