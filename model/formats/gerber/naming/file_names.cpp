@@ -161,6 +161,26 @@ constexpr Words kWords[] = {
     {{"POWER"}, Kind::Copper},
 };
 
+/// Names that companies give to films of Allegro, OrCAD and PADS: two letters for what is drawn, and TOP or BOT, or PR
+/// or SE for the primary and the secondary side. They count where they stand alone, before the words above: "SSTOP" is
+/// no "STOP".
+constexpr Words kFilmNames[] = {
+    {{"SMTOP"}, Kind::SolderMask, kTop}, {{"SMBOT"}, Kind::SolderMask, kBottom},
+    {{"SMPR"}, Kind::SolderMask, kTop},  {{"SMSE"}, Kind::SolderMask, kBottom},
+    {{"SSTOP"}, Kind::Legend, kTop},     {{"SSBOT"}, Kind::Legend, kBottom},
+    {{"SLTOP"}, Kind::Legend, kTop},     {{"SLBOT"}, Kind::Legend, kBottom},
+    {{"SLPR"}, Kind::Legend, kTop},      {{"SLSE"}, Kind::Legend, kBottom},
+    {{"SKTOP"}, Kind::Legend, kTop},     {{"SKBOT"}, Kind::Legend, kBottom},
+    {{"SLKTOP"}, Kind::Legend, kTop},    {{"SLKBOT"}, Kind::Legend, kBottom},
+    {{"SPTOP"}, Kind::Paste, kTop},      {{"SPBOT"}, Kind::Paste, kBottom},
+    {{"SPPR"}, Kind::Paste, kTop},       {{"SPSE"}, Kind::Paste, kBottom},
+    {{"PMTOP"}, Kind::Paste, kTop},      {{"PMBOT"}, Kind::Paste, kBottom},
+    {{"ASTOP"}, Kind::Document, kTop},   {{"ASBOT"}, Kind::Document, kBottom},
+    {{"ASSTOP"}, Kind::Document, kTop},  {{"ASSBOT"}, Kind::Document, kBottom},
+    {{"ASYTOP"}, Kind::Document, kTop},  {{"ASYBOT"}, Kind::Document, kBottom},
+    {{"ASPR"}, Kind::Document, kTop},    {{"ASSE"}, Kind::Document, kBottom},
+};
+
 /// Copper that is called by nothing but its side: gEDA's layers, and KiCad's until 2013. These words count only where
 /// they stand alone, and where none of the others is there.
 struct SideWord {
@@ -318,6 +338,15 @@ FileRole namedCopper(LayerSide side) {
 
 /// From the words in a stem or an ending; of drills only what holes are.
 std::optional<FileRole> roleOfWords(std::string_view text, bool areHoles) {
+    const auto film =
+        std::ranges::find_if(kFilmNames, [&](const Words& row) { return !areHoles && hasAlone(text, row.all[0]); });
+    if (film != std::ranges::end(kFilmNames)) {
+        FileRole role;
+        role.source = RoleSource::Name;
+        role.kind = film->kind;
+        role.side = film->side;
+        return role;
+    }
     for (const Words& row : kWords) {
         const bool fits = std::ranges::all_of(row.all, [&](std::string_view word) {
             return word.empty() || (word.size() > 3 ? hasWord(text, word) : hasAlone(text, word));

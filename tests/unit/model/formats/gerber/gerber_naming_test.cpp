@@ -53,6 +53,13 @@ private slots:
         QTest::newRow("Allegro mask") << "b_smc_gaf.art" << Kind::SolderMask << Side::Top << 0;
         QTest::newRow("Allegro paste") << "b_sps.art" << Kind::Paste << Side::Bottom << 0;
         QTest::newRow("Allegro silkscreen") << "b_tslk_gaf.art" << Kind::Legend << Side::Top << 0;
+        QTest::newRow("OrCAD silkscreen") << "SSTOP.art" << Kind::Legend << Side::Top << 0;
+        QTest::newRow("Allegro mask by side") << "ctl_smbot.art" << Kind::SolderMask << Side::Bottom << 0;
+        QTest::newRow("Allegro paste by side") << "SPTOP.art" << Kind::Paste << Side::Top << 0;
+        QTest::newRow("Allegro assembly") << "ASTOP.art" << Kind::Document << Side::Top << 0;
+        QTest::newRow("mask, primary side") << "SMPR.gbr" << Kind::SolderMask << Side::Top << 0;
+        QTest::newRow("silkscreen, secondary side") << "b-slse.gbr" << Kind::Legend << Side::Bottom << 0;
+        QTest::newRow("no assembly of the back") << "chasse_top.gbr" << Kind::Copper << Side::Top << 0;
         QTest::newRow("Target mask") << "b1.2.StopBot" << Kind::SolderMask << Side::Bottom << 0;
         QTest::newRow("Eagle's word for a mask") << "b_bottom_stop.gbr" << Kind::SolderMask << Side::Bottom << 0;
         QTest::newRow("Target silkscreen") << "b1.2.PosiTop" << Kind::Legend << Side::Top << 0;
