@@ -116,7 +116,7 @@ private:
             if (!isDrawn(file) || file.role.kind != Kind::Profile) {
                 continue;
             }
-            Outline outline = outlineOf(file.image, m_copper.pads);
+            Outline outline = outlineOf(file.image, m_copper.pads, true);
             report(file, outline);
             if (!outline.shape.isEmpty() && mayBe(outline.box)) {
                 return BoardOutline{std::move(outline.shape), file.path};
@@ -206,6 +206,9 @@ private:
     }
 
     void report(const ReadFile& file, const Outline& outline) {
+        if (!outline.gaps.empty()) {
+            m_diagnostics.report(Severity::Warning, file.path, 0, outline.gaps);
+        }
         if (outline.openTracks > 0) {
             m_diagnostics.report(Severity::Warning, file.path, 0,
                                  "some lines of the board's outline do not close; they are left out of it");

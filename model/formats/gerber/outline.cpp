@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "model/formats/common/outline_gaps.h"
 #include "model/geometry/edges.h"
 
 namespace model::gerber {
@@ -118,6 +119,16 @@ public:
         return static_cast<std::size_t>(std::ranges::count(m_tracks, false, &Track::isClosed));
     }
     [[nodiscard]] Nm widestJoint() const { return m_widestJoint; }
+    /// What is part of no loop.
+    [[nodiscard]] std::vector<formats::OutlineTrack> openOnes() const {
+        std::vector<formats::OutlineTrack> open;
+        for (const Track& track : m_tracks) {
+            if (!track.isClosed) {
+                open.push_back({track.from, track.to});
+            }
+        }
+        return open;
+    }
 
 private:
     void take(const DrawnFeature& feature, const Image& image) {
@@ -242,6 +253,10 @@ double areaOf(const Box& box) {
 }
 
 constexpr std::size_t kMostPlaces = 300;
+/// The share of the copper that a board holds: some lies in frames.
+constexpr double kMost = 0.9;
+/// Closed loops that hold less are cut-outs and drawings.
+constexpr double kLeastHeld = 0.5;
 /// A ring around a fiducial in the frame of a panel is no board.
 constexpr double kLeastShare = 0.02;
 /// Mechanical layers with texts and dimensions have many more loops than any board has cut-outs.
@@ -291,6 +306,27 @@ private:
     std::vector<Box> m_boxes;
 };
 
+/// The share of the copper that lies in one of the loops; where there is none, of nothing, all of it.
+double shareHeld(std::span<const Loop> loops, std::span<const Point> copper) {
+    double share = copper.empty() && !loops.empty() ? 1.0 : 0.0;
+    for (const Loop& loop : loops) {  // boards of a panel, each with its own
+        share += shareInside(copper, loop, boxOfPath(loop, true));
+    }
+    return share;
+}
+
+/// Adds what holds most of the copper once its gaps are closed.
+void bridge(const std::vector<formats::OutlineTrack>& open, std::span<const Point> copper, std::vector<Loop>& loops,
+            Outline& outline) {
+    for (formats::BridgedLoop& loop : formats::bridgedLoops(open, static_cast<double>(std::ranges::max(kReaches)))) {
+        if (shareHeld(std::span(&loop.nodes, 1), copper) > kMost) {
+            outline.gaps = formats::gapsText(loop);
+            outline.openTracks -= loop.trackCount;
+            loops.push_back(std::move(loop.nodes));
+        }
+    }
+}
+
 void add(Outline& outline, const Loop& loop, const Box& box, bool isHole) {
     outline.shape.beginContour(isHole);
     for (const PathNode& node : loop) {
@@ -301,12 +337,16 @@ void add(Outline& outline, const Loop& loop, const Box& box, bool isHole) {
 
 }  // namespace
 
-Outline outlineOf(const Image& image, std::span<const Point> copper) {
+Outline outlineOf(const Image& image, std::span<const Point> copper, bool isBridged) {
     Chainer chainer(image);
-    const Loops loops(chainer.run());
     Outline outline;
+    std::vector<Loop> closed = chainer.run();
     outline.openTracks = chainer.openTracks();
     outline.widestJoint = chainer.widestJoint();
+    if (isBridged && shareHeld(closed, copper) < kLeastHeld) {
+        bridge(chainer.openOnes(), copper, closed, outline);
+    }
+    const Loops loops(std::move(closed));
     std::vector<double> shares;
     for (std::size_t i = 0; i < loops.size(); ++i) {
         shares.push_back(shareInside(copper, loops.loop(i), loops.box(i)));
@@ -315,7 +355,7 @@ Outline outlineOf(const Image& image, std::span<const Point> copper) {
     // perhaps.
     std::size_t first = 0;
     for (std::size_t i = 1; i < loops.size(); ++i) {
-        const bool isInner = shares[i] > 0.9 && (shares[first] <= 0.9 || loops.holds(first, i));
+        const bool isInner = shares[i] > kMost && (shares[first] <= kMost || loops.holds(first, i));
         first = isInner ? i : first;
     }
     const bool isDrawing = loops.size() > kMostCutouts;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/board/stackup.h"
+#include "model/formats/common/outline_gaps.h"
 #include "model/formats/kicad/barcodes.h"
 #include "model/formats/kicad/canvas.h"
 #include "model/formats/kicad/dimensions.h"
@@ -24,6 +25,7 @@
 #include "model/formats/kicad/unused_pads.h"
 #include "model/formats/kicad/vias.h"
 #include "model/formats/kicad/zones.h"
+#include "model/geometry/outlines.h"
 
 namespace model::kicad {
 
@@ -278,7 +280,10 @@ private:
     // ---- the end ----
 
     void setProfile() {
-        const Chains chains = chained(m_outline, kOutlineJoint);
+        Chains chains = chained(m_outline, kOutlineJoint);
+        if (!holdsPads(nested(chains.loops))) {
+            bridgeGaps(chains);
+        }
         m_canvas.step().profile = nested(chains.loops);
         if (!chains.open.empty()) {
             m_canvas.report(Severity::Warning, 0,
@@ -286,6 +291,38 @@ private:
         }
         if (chains.widestJoint > kSameEnd) {
             m_canvas.report(Severity::Info, 0, "ends on Edge.Cuts that lie up to 10 µm apart were joined");
+        }
+    }
+
+    /// Most of them, by the box of a shape. Circles within an outline that does not close are no board.
+    [[nodiscard]] bool holdsPads(const ShapeSketch& shape) {
+        const Box box = boxOf(shape);
+        std::size_t pads = 0;
+        std::size_t held = 0;
+        for (const auto& features : m_canvas.step().features) {
+            for (const formats::DrawnFeature& feature : features) {
+                const bool isPad = feature.kind == formats::DrawnKind::Pad;
+                pads += isPad ? 1 : 0;
+                held += isPad && box.holds(feature.a) ? 1 : 0;
+            }
+        }
+        return shape.contourCount() > 0 && 2 * held >= pads;
+    }
+
+    /// Adds the loops that hold most pads once their gaps are closed.
+    void bridgeGaps(Chains& chains) {
+        std::vector<formats::OutlineTrack> open;
+        for (const std::size_t row : chains.open) {
+            if (m_outline[row].from.edge != EdgeKind::Curve) {
+                open.push_back({m_outline[row].from, m_outline[row].to});
+            }
+        }
+        for (formats::BridgedLoop& loop : formats::bridgedLoops(open, kOutlineJoint)) {
+            if (holdsPads(nested(std::span(&loop.nodes, 1)))) {
+                m_canvas.report(Severity::Warning, 0, formats::gapsText(loop));
+                chains.loops.push_back(std::move(loop.nodes));
+                chains.open.resize(chains.open.size() - loop.trackCount);  // how many, not which
+            }
         }
     }
 

@@ -390,6 +390,19 @@ private slots:
         QVERIFY(!isReported(**board, "utline do not close"));
     }
 
+    /// Wider than programs round. A circle within, which closes, is no board.
+    void gapsOfTheOutlineAreClosedAndSaid() {
+        const std::string open =
+            "%ADD10C,0.1*%D10*X0Y0D02*X10000000D01*X10000000Y300000D02*Y10000000D01*X0D01*Y0D01*"
+            "G75*G03*X5500000Y5000000D02*X5500000Y5000000I-500000J0D01*G01*\n";
+        const Job job({{"b.GTL", image(kWideCopper)}, {"b.GKO", image(open)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+        QVERIFY(isReported(**board, "he board's outline has a gap of 0.30 mm at (10.00, 0.15) mm; a straight line"));
+        QVERIFY(!isReported(**board, "utline do not close"));
+    }
+
     void aFrameAroundTheBoardIsNoOutline() {
         const std::string frame =
             "X-5000000Y-5000000D02*X90000000D01*Y90000000D01*X-5000000D01*Y-5000000D01*"

@@ -368,6 +368,22 @@ private slots:
         QVERIFY(std::abs(mm2(job.steps[0].profile) - (600.0 - 3.14159265)) < 5e-3);
     }
 
+    /// What closes beside it are holes: they hold no pads.
+    void aGapInTheOutlineIsClosedAndSaid() {
+        const std::string pad =
+            "(footprint \"x\" (layer \"F.Cu\") (at 10 10) (pad \"1\" smd rect (at 0 0) (size 1 1) (layers \"F.Cu\")))";
+        const auto side = [](const char* ends) { return "(gr_line " + std::string(ends) + " (layer \"Edge.Cuts\"))"; };
+        const DrawnJob job = boardWith(pad + side("(start 0 0) (end 30 0)") + side("(start 30 0.2) (end 30 20)") +
+                                       side("(start 30 20) (end 0 20)") + side("(start 0 0) (end 0 20)") +
+                                       "(gr_circle (center 4 4) (end 5 4) (layer \"Edge.Cuts\"))");
+        QVERIFY(std::abs(mm2(job.steps[0].profile) - (600.0 - 3.14159265)) < 0.01);
+        QCOMPARE(messages(job.diagnostics,
+                          "The board's outline has a gap of 0.20 mm at (30.00, -0.10) mm; a straight "
+                          "line closes it"),
+                 1U);
+        QCOMPARE(messages(job.diagnostics, "lines on Edge.Cuts that close no outline"), 0U);
+    }
+
     void textsAreDrawnWithTheirVariables() {
         const DrawnJob job = drawn(fileText("small.kicad_pcb"));
         std::vector<std::string> texts;
