@@ -204,7 +204,7 @@ void addRender(CLI::App& parent, Command& chosen) {
                {4});
     command.add_flag("--components", arguments.hasComponents, "with the bodies of the components");
     command.add_flag("--as-designed", arguments.isAsDesigned,
-                     "in 3D, draw also what is milled away beyond the board outline");
+                     "in 3D, draw also what is milled away beyond the board outline, and print over holes");
     command.add_flag("--outlines", arguments.isOutlined, "in 2D, outlines without fill");
     command.add_flag("--transparent", arguments.isTransparent, "without background");
     command.add_flag("--mono", arguments.isMono, "shapes white on black, neither shaded nor smoothed");
@@ -336,7 +336,8 @@ void addExport(CLI::App& parent, Command& chosen) {
                      "only the substrate and the bodies of components; of outer copper in --layers the solder pads");
     command.add_flag("--merge", arguments.isMerged, "touching copper of one net and layer as one solid");
     command.add_flag("--one-part", arguments.isOnePart, "STEP, GLB: one part instead of a tree of layers and nets");
-    command.add_flag("--as-designed", arguments.isAsDesigned, "also what is milled away beyond the board outline");
+    command.add_flag("--as-designed", arguments.isAsDesigned,
+                     "also what is milled away beyond the board outline, and print over holes");
     command.add_flag("--instancing", arguments.isInstanced,
                      "GLB: equal pads of a net as one node (EXT_mesh_gpu_instancing), which not all viewers show");
     command.add_flag("--compress", arguments.isCompressed,
