@@ -243,7 +243,7 @@ public:
     void report() const {
         if (m_drawings > 0) {
             m_context.report().notes.push_back(
-                std::to_string(m_drawings) + (m_drawings == 1 ? " stroke" : " strokes") +
+                std::to_string(m_drawings) + (m_drawings == 1 ? " line" : " lines") +
                 " of texts or of no net on layer " + m_context.document().layer(m_layer).name +
                 (m_drawings == 1 ? " is" : " are") + " narrower than tracks may be, and no tracks");
         }

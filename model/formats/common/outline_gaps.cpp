@@ -242,13 +242,12 @@ std::string gapsText(const BridgedLoop& loop) {
     const OutlineGap widest = *std::ranges::max_element(loop.gaps, {}, widthOf);
     const std::size_t count = loop.gaps.size();
     std::array<char, 200> text{};
-    std::snprintf(
-        text.data(), text.size(),
-        count == 1 ? "a gap of %.2f mm at (%.2f, %.2f) mm" : "gaps of up to %.2f mm, the widest at (%.2f, %.2f) mm",
-        widthOf(widest) / 1e6, (double(widest.from.x) + widest.to.x) / 2e6,
-        (double(widest.from.y) + widest.to.y) / 2e6);
-    return "the board's outline has " + (count == 1 ? "" : std::to_string(count) + " ") + text.data() +
-           (count == 1 ? "; a straight line closes it" : "; straight lines close them");
+    std::snprintf(text.data(), text.size(),
+                  count == 1 ? "by %.2f mm at (%.2f, %.2f) mm" : "by up to %.2f mm, most at (%.2f, %.2f) mm",
+                  widthOf(widest) / 1e6, (double(widest.from.x) + widest.to.x) / 2e6,
+                  (double(widest.from.y) + widest.to.y) / 2e6);
+    return "the board's outline is open " + (count == 1 ? "" : "at " + std::to_string(count) + " locations, ") +
+           text.data() + (count == 1 ? "; a straight line closes it" : "; straight lines close it");
 }
 
 }  // namespace model::formats

@@ -34,7 +34,7 @@ struct BridgedLoop {
 /// gaps together are no longer than half of its lines. Nothing where there are so many ends that it is a drawing.
 [[nodiscard]] std::vector<BridgedLoop> bridgedLoops(std::span<const OutlineTrack> tracks, double joint);
 
-/// "the board's outline has a gap of 0.20 mm at (30.00, -0.10) mm; a straight line closes it"
+/// "the board's outline is open by 0.20 mm at (30.00, -0.10) mm; a straight line closes it"
 [[nodiscard]] std::string gapsText(const BridgedLoop& loop);
 
 }  // namespace model::formats

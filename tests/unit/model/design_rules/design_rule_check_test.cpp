@@ -353,7 +353,7 @@ private slots:
         QCOMPARE(report.findings.size(), std::size_t{1});
         QCOMPARE(report.findings.front().a, ElementId{0U});
         QCOMPARE(std::ranges::count(report.notes,
-                                    "2 strokes of texts or of no net on layer top are narrower than "
+                                    "2 lines of texts or of no net on layer top are narrower than "
                                     "tracks may be, and no tracks"),
                  1);
     }

@@ -38,9 +38,8 @@ private slots:
         QCOMPARE(loops[0].nodes.size(), 5U);
         QCOMPARE(loops[0].trackCount, 4U);
         QCOMPARE(model::boxOfPath(loops[0].nodes, true).max, (Point{30 * kMm, 20 * kMm}));
-        QCOMPARE(
-            model::formats::gapsText(loops[0]),
-            std::string("the board's outline has a gap of 0.50 mm at (30.00, 0.25) mm; a straight line closes it"));
+        QCOMPARE(model::formats::gapsText(loops[0]),
+                 std::string("the board's outline is open by 0.50 mm at (30.00, 0.25) mm; a straight line closes it"));
     }
 
     /// Sides that stop short of all corners, in any order and direction.
@@ -49,8 +48,8 @@ private slots:
         QCOMPARE(loops.size(), 1U);
         QCOMPARE(loops[0].gaps.size(), 4U);
         QCOMPARE(model::formats::gapsText(loops[0]),
-                 std::string("the board's outline has 4 gaps of up to 2.24 mm, the widest at (0.50, 1.00) mm; straight "
-                             "lines close them"));
+                 std::string("the board's outline is open at 4 locations, by up to 2.24 mm, most at (0.50, 1.00) mm; "
+                             "straight lines close it"));
     }
 
     void aSideMayBeMissing() {

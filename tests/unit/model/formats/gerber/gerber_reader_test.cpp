@@ -399,7 +399,7 @@ private slots:
         const Board board = job.open();
         QVERIFY(board.ok());
         QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
-        QVERIFY(isReported(**board, "he board's outline has a gap of 0.30 mm at (10.00, 0.15) mm; a straight line"));
+        QVERIFY(isReported(**board, "he board's outline is open by 0.30 mm at (10.00, 0.15) mm; a straight line"));
         QVERIFY(!isReported(**board, "utline do not close"));
     }
 

@@ -378,7 +378,7 @@ private slots:
                                        "(gr_circle (center 4 4) (end 5 4) (layer \"Edge.Cuts\"))");
         QVERIFY(std::abs(mm2(job.steps[0].profile) - (600.0 - 3.14159265)) < 0.01);
         QCOMPARE(messages(job.diagnostics,
-                          "The board's outline has a gap of 0.20 mm at (30.00, -0.10) mm; a straight "
+                          "The board's outline is open by 0.20 mm at (30.00, -0.10) mm; a straight "
                           "line closes it"),
                  1U);
         QCOMPARE(messages(job.diagnostics, "lines on Edge.Cuts that close no outline"), 0U);
