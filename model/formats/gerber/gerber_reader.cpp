@@ -86,7 +86,7 @@ Board makeDocument(std::vector<ReadFile> files, const std::filesystem::path& pat
     }
     reportOthers(boards, chosen, name, all);
     const bool hasCopper = boards[chosen].copperLayers > 0;
-    if (!made.hasNets && hasCopper) {
+    if (!made.hasNets && hasCopper && made.job.steps.front().netlists.empty()) {
         all.report(Severity::Info, name, 0, "the images name no nets; nets follow from the copper");
     }
     made.job.diagnostics = std::move(all);

@@ -91,7 +91,8 @@ void PadNets::add(const ReadFile& file, bool hasNets) {
     const std::vector<std::string> names = fullNames(file.netlist.nets, m_step.nets);
     if (!hasNets) {
         m_diagnostics.report(Severity::Info, file.path, 0,
-                             "the images name no nets; those of the netlist are given to the pads at its points");
+                             "the images name no nets; those of the netlist are given to the pads at its points, and "
+                             "from there to the copper that touches them");
         for (const D356Point& point : file.netlist.points) {
             giveNet(point, names, *shift);
         }

@@ -148,7 +148,8 @@ private:
     void point(std::string_view line) {
         if (!m_hasUnit) {
             m_hasUnit = true;
-            report("the netlist does not say its unit (P UNITS); taken as 0.0001 inch");
+            m_diagnostics.report(Severity::Info, m_path, m_line,
+                                 "the netlist does not say its unit (P UNITS); taken as 0.0001 inch, the format's own");
         }
         D356Point point;
         point.line = m_line;
@@ -214,9 +215,11 @@ private:
 bool looksLikeD356(std::string_view head) {
     Lines lines(head);
     int records = 0;
-    for (int i = 0; i < 300 && lines.next(); ++i) {
+    while (lines.next()) {
+        // Allegro fills lines with blanks, also those with nothing else on them, and lists the padstacks of a large
+        // board in hundreds of comments before the first record.
         const std::string_view line = lines.line();
-        if (line.empty() || line[0] == 'C' || line[0] == 'P' || line[0] == '#') {
+        if (trimmed(line).empty() || line[0] == 'C' || line[0] == 'P' || line[0] == '#') {
             if (line.starts_with("P") && holds(line, "UNITS") && (holds(line, "CUST") || holds(line, " SI"))) {
                 return true;
             }

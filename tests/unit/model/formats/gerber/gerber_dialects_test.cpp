@@ -11,6 +11,11 @@ using namespace gerber_testing;
 
 namespace {
 
+const std::string kNetlist =
+    "317SUPPLY           J1    -1     D0315PA00X+000787Y+000787X0591Y0000R000 S3\n"
+    "317SUPPLY           J1    -2     D0315PA00X+003150Y+000787X0591Y0000R000 S3\n"
+    "317OTHER            J1    -3     D0315PA00X+003150Y+003150X0591Y0000R000 S3\n999\n";
+
 std::size_t holesOf(const model::Document& board) {
     return static_cast<std::size_t>(
         std::ranges::count_if(board.elements.flags, [](std::uint8_t flags) { return (flags & model::kHole) != 0; }));
@@ -177,6 +182,22 @@ private slots:
         QCOMPARE(file.parts[1].position, (model::Point{3'000'000, 4'000'000}));
         QVERIFY(file.parts[1].side == model::LayerSide::Bottom);
         QVERIFY(!file.parts[0].value.empty() || !file.parts[0].package.empty());
+    }
+
+    /// Allegro fills lines with blanks, the empty first one too, and lists each padstack of a board in a comment.
+    void netlistsAreFoundBehindAnyNumberOfComments() {
+        std::string netlist = std::string(78, ' ') + "\n";
+        for (int i = 0; i < 400; ++i) {
+            netlist += "C  PAD" + std::to_string(i) + "               TOP       BOTTOM\n";
+        }
+        netlist += "P  TOL    0 1 000001 000001\n" + kNetlist;
+        const Job job({{"b.GTL", image(kCopper)}, {"b.GBL", image(kCopper)}, {"ipc.txt", netlist}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(std::ranges::find((*board)->nets, "SUPPLY", &model::Net::name) != (*board)->nets.end());
+        QVERIFY(isReported(**board, "does not say its unit (P UNITS); taken as 0.0001 inch"));
+        QVERIFY(!isReported(**board, "nets follow from the copper"));
+        QCOMPARE((*board)->components.size(), std::size_t{1});
     }
 };
 
