@@ -43,8 +43,9 @@ public:
                 addImage(layer, m_files[static_cast<std::size_t>(m_layers.files[layer])]);
             }
         }
-        addPlacedComponents();
+        addX3Components();
         PadNets(m_step, m_layers, m_parts, m_nets, diagnostics()).run(m_files, m_board, m_result.hasNets);
+        placeComponents();
         setSpans();
         setBackDrills();
         finish();
@@ -259,7 +260,7 @@ private:
     // ---- components ----
 
     /// X3 component layers: flashes at the places of components.
-    void addPlacedComponents() {
+    void addX3Components() {
         for (const std::size_t row : m_board.files) {
             const ReadFile& file = m_files[row];
             if (file.isImage() && file.role.kind == FileRole::Kind::Components) {
@@ -271,6 +272,11 @@ private:
                 m_parts.place(placed, file.path, m_filePads, m_copperBox, diagnostics());
             }
         }
+    }
+
+    /// When all pins are known, also those that only a netlist names: they tell where a pick-and-place file counts
+    /// from.
+    void placeComponents() {
         for (const std::size_t row : m_board.files) {
             const ReadFile& file = m_files[row];
             if (file.kind == ReadFile::Kind::Placements) {
@@ -293,7 +299,7 @@ private:
         }
         PlacedPart part;
         part.refdes = refdes;
-        part.position = feature.a;
+        part.position = base::toDouble(feature.a);
         part.side = file.role.side;
         part.line = feature.line;
         const formats::Words none;

@@ -1,11 +1,13 @@
 #include "model/formats/gerber/parts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "model/base/units.h"
 #include "model/formats/gerber/placement_shift.h"
 #include "model/formats/gerber/text/words.h"
 #include "model/geometry/edges.h"
@@ -18,6 +20,17 @@ using formats::DrawnPackage;
 using formats::kNoRow;
 
 namespace {
+
+/// Of tables that do not say theirs, which are read as if in mm; the likeliest first.
+struct Unit {
+    double factor;
+    std::string_view name;
+};
+constexpr std::array kUnits = {
+    Unit{1.0, "mm"},
+    Unit{base::kNmPerMil / base::kNmPerMm, "mil"},
+    Unit{base::kNmPerInch / base::kNmPerMm, "inch"},
+};
 
 Box pinBox(const DrawnComponent& component) {
     Box box;
@@ -66,13 +79,13 @@ void PartList::isSeenOn(std::int32_t component, LayerSide side, bool isPad, bool
     }
 }
 
-/// Of the places to their pins; without pins, places must lie on the board.
-std::optional<Point> PartList::shiftOf(const PlacementFile& file) const {
+/// Of the places to their pins.
+std::optional<Point> PartList::shiftOf(const PlacementFile& file, double factor) const {
     std::vector<PlacedPins> placed;
     for (const PlacedPart& part : file.parts) {
         const std::int32_t row = find(part.refdes);
         if (row != kNoRow && !m_step.components[static_cast<std::size_t>(row)].pins.empty()) {
-            placed.push_back({part.position, {}});
+            placed.push_back({{part.position.x * factor, part.position.y * factor}, {}});
             for (const formats::DrawnPin& pin : m_step.components[static_cast<std::size_t>(row)].pins) {
                 placed.back().pins.push_back(pin.position);
             }
@@ -81,29 +94,48 @@ std::optional<Point> PartList::shiftOf(const PlacementFile& file) const {
     return placementShift(placed);
 }
 
+std::optional<PartList::Fit> PartList::fitOf(const PlacementFile& file, const PadIndex& pads, const Box& board) const {
+    const std::size_t units = file.saysUnit ? 1 : kUnits.size();
+    for (std::size_t i = 0; i < units; ++i) {
+        if (const std::optional<Point> shift = shiftOf(file, kUnits[i].factor)) {
+            return Fit{kUnits[i].factor, *shift};
+        }
+    }
+    for (std::size_t i = 0; i < units; ++i) {
+        const auto inside = std::ranges::count_if(file.parts, [&](const PlacedPart& part) {
+            const auto x = toNm(part.position.x * kUnits[i].factor);
+            const auto y = toNm(part.position.y * kUnits[i].factor);
+            return x && y && (pads.pads().empty() || board.holds({*x, *y}));
+        });
+        if (static_cast<std::size_t>(inside) * 2 >= file.parts.size()) {
+            return Fit{kUnits[i].factor, {}};
+        }
+    }
+    return std::nullopt;
+}
+
 void PartList::place(const PlacementFile& file, std::string_view path, const PadIndex& pads, const Box& board,
                      Diagnostics& diagnostics) {
-    std::optional<Point> shift = file.isOnImages ? Point{} : shiftOf(file);
-    if (!shift) {
-        const auto inside =
-            std::ranges::count_if(file.parts, [&](const PlacedPart& p) { return board.holds(p.position); });
-        const bool isOnBoard = static_cast<std::size_t>(inside) * 2 >= file.parts.size() || pads.pads().empty();
-        if (!isOnBoard) {
-            return diagnostics.report(
-                Severity::Warning, path, 0,
-                "the places of components do not lie on the board, and nothing tells the origin they "
-                "count from; they are not used");
-        }
-        shift = Point{};
+    const std::optional<Fit> fit = file.isOnImages ? Fit{} : fitOf(file, pads, board);
+    if (!fit) {
+        return diagnostics.report(Severity::Warning, path, 0,
+                                  "the places of components do not lie on the board, and nothing tells the origin they "
+                                  "count from; they are not used");
     }
-    if (*shift != Point{}) {
+    if (!file.saysUnit) {
+        diagnostics.report(Severity::Info, path, file.parts.front().line,
+                           "the table of places does not say its unit; taken as " +
+                               std::string(std::ranges::find(kUnits, fit->factor, &Unit::factor)->name) +
+                               (fit->factor == 1.0 ? "" : ", as places in mm would lie beyond the board"));
+    }
+    if (fit->shift != Point{}) {
         diagnostics.report(Severity::Info, path, 0,
                            "places of components count from another origin, found by their pins");
     }
-    std::unordered_map<std::string, Point> places;
+    std::unordered_map<std::string, base::PointD> places;
     for (const PlacedPart& part : file.parts) {
-        const auto x = toNm(static_cast<double>(part.position.x) + shift->x);
-        const auto y = toNm(static_cast<double>(part.position.y) + shift->y);
+        const auto x = toNm(part.position.x * fit->factor + fit->shift.x);
+        const auto y = toNm(part.position.y * fit->factor + fit->shift.y);
         if (!x || !y) {
             diagnostics.report(Severity::Warning, path, part.line,
                                "a component is placed beyond any board (1.07 m); its place was left out");

@@ -23,7 +23,8 @@ public:
     /// A pad of a component on a copper layer, or something of its on a silkscreen: tells its side.
     void isSeenOn(std::int32_t component, LayerSide side, bool isPad, bool isThrough);
 
-    /// Brings in the places, values and packages of a pick-and-place file, whose origin is found by the pins.
+    /// Brings in the places, values and packages of a pick-and-place file. Its origin, and its unit where it says none,
+    /// are those that lay components on their pins, or without pins on the board.
     void place(const PlacementFile& file, std::string_view path, const PadIndex& pads, const Box& board,
                Diagnostics& diagnostics);
     /// Settles sides, places and packages of what no file places.
@@ -43,7 +44,14 @@ private:
         std::map<std::string, std::int32_t> pins;
     };
 
-    [[nodiscard]] std::optional<Point> shiftOf(const PlacementFile& file) const;
+    /// How places of a file become those on the board: times the factor, then plus the shift.
+    struct Fit {
+        double factor = 1.0;
+        Point shift;
+    };
+
+    [[nodiscard]] std::optional<Fit> fitOf(const PlacementFile& file, const PadIndex& pads, const Box& board) const;
+    [[nodiscard]] std::optional<Point> shiftOf(const PlacementFile& file, double factor) const;
     void addPackage(formats::DrawnComponent& component, const Facts& facts);
 
     formats::DrawnStep& m_step;

@@ -1,6 +1,7 @@
 #include "model/formats/gerber/placement_shift.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <tuple>
@@ -16,23 +17,23 @@ constexpr Nm kReach = 20'000;               ///< of a place to a pin, or to the 
 constexpr std::size_t kMostParts = 500;     ///< that are looked at
 constexpr std::size_t kMostShifts = 2'000;  ///< that are tried
 
-/// In 64 bits: shifts lead beyond the largest coordinate.
+/// In 64 bits: shifts lead beyond the largest coordinate, and files may count from beyond it.
 struct Shift {
     std::int64_t x = 0;
     std::int64_t y = 0;
 };
 
 struct Part {
-    Point place;
+    Shift place;
     Box box;                     ///< around the pins, grown
     std::vector<Point> targets;  ///< where programs place parts: the middle of the pins, pins
 };
 
-Shift between(Point from, Point to) {
-    return {std::int64_t{to.x} - from.x, std::int64_t{to.y} - from.y};
+Shift between(Shift from, Point to) {
+    return {to.x - from.x, to.y - from.y};
 }
 
-bool isAt(Shift shift, Point place, Point target) {
+bool isAt(Shift shift, Shift place, Point target) {
     const Shift own = between(place, target);
     return std::abs(own.x - shift.x) <= kReach && std::abs(own.y - shift.y) <= kReach;
 }
@@ -41,7 +42,7 @@ std::vector<Part> partsFrom(std::span<const PlacedPins> placed) {
     std::vector<Part> parts;
     const std::size_t step = placed.size() / kMostParts + 1;
     for (std::size_t i = 0; i < placed.size(); i += step) {
-        Part part{placed[i].place, {}, {}};
+        Part part{{std::llround(placed[i].place.x), std::llround(placed[i].place.y)}, {}, {}};
         for (const Point pin : placed[i].pins) {
             part.box.include(pin);
         }

@@ -10,7 +10,7 @@ namespace model::gerber {
 
 /// A part as a pick-and-place file and the images have it.
 struct PlacedPins {
-    Point place;              ///< in the file's coordinates
+    base::PointD place;       ///< in the file's coordinates, nm
     std::vector<Point> pins;  ///< on the board, at least one
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "model/base/units.h"
 #include "model/formats/gerber/text/words.h"
@@ -202,11 +203,13 @@ LayerSide sideOf(std::string_view cell) {
     return isTop ? LayerSide::Top : isBottom ? LayerSide::Bottom : LayerSide::None;
 }
 
-/// "12.3mm", "484.25mil" or a number in the file's unit.
-std::optional<Nm> lengthOf(std::string_view cell, double nmPerUnit) {
+/// "12.3mm", "484.25mil" or a number in the file's unit; in nm.
+std::optional<double> lengthOf(std::string_view cell, double nmPerUnit) {
+    constexpr double kFarthest = 1e13;  ///< whatever the unit, no place of a component
     std::string_view rest = cell;
     const std::optional<double> value = takeReal(rest);
-    return value ? toNm(*value * unitIn(rest).value_or(nmPerUnit)) : std::nullopt;
+    const double length = value.value_or(kFarthest) * unitIn(rest).value_or(nmPerUnit);
+    return value && std::abs(length) < kFarthest ? std::optional(length) : std::nullopt;
 }
 
 /// A row whose cells blanks separate, with one for each column. Values and packages may have blanks themselves: then
@@ -264,8 +267,8 @@ std::optional<double> unitOfAllegro(std::string_view line) {
 /// "R22  3190.0  3675.0  270  m 0402": designator, place, rotation, m if it is on the bottom, package.
 std::optional<PlacedPart> partOfAllegro(std::string_view line, double nmPerUnit) {
     const std::vector<std::string> row = cells(line, ' ');
-    const std::optional<Nm> x = row.size() > 3 ? lengthOf(row[1], nmPerUnit) : std::nullopt;
-    const std::optional<Nm> y = row.size() > 3 ? lengthOf(row[2], nmPerUnit) : std::nullopt;
+    const std::optional<double> x = row.size() > 3 ? lengthOf(row[1], nmPerUnit) : std::nullopt;
+    const std::optional<double> y = row.size() > 3 ? lengthOf(row[2], nmPerUnit) : std::nullopt;
     std::string_view rotation = row.size() > 3 ? std::string_view(row[3]) : std::string_view();
     const std::optional<double> degrees = takeReal(rotation);
     if (!x || !y || !degrees) {
@@ -330,15 +333,13 @@ private:
             const std::optional<std::size_t> at = m_head.columns[static_cast<std::size_t>(column)];
             return at && *at < row.size() ? std::string_view(row[*at]) : std::string_view();
         };
-        const std::optional<Nm> x = lengthOf(cell(Column::X), m_head.nmPerUnit);
-        const std::optional<Nm> y = lengthOf(cell(Column::Y), m_head.nmPerUnit);
+        const std::optional<double> x = lengthOf(cell(Column::X), m_head.nmPerUnit);
+        const std::optional<double> y = lengthOf(cell(Column::Y), m_head.nmPerUnit);
         if (!x || !y || cell(Column::Refdes).empty()) {
             m_diagnostics.report(Severity::Warning, m_path, number, "a row that places no component; it was left out");
             return;
         }
-        if (!unitIn(cell(Column::X))) {
-            sayUnit(number);
-        }
+        m_file.saysUnit = m_file.saysUnit && (m_head.hasUnit || m_unit || unitIn(cell(Column::X)));
         std::string_view rotation = cell(Column::Rotation);
         const double degrees = takeReal(rotation).value_or(0.0);
         const LayerSide side = sideOf(cell(Column::Side));
@@ -349,15 +350,6 @@ private:
                                 m_head.isKicad ? fromFlipAlongX(degrees, side) : degrees,
                                 side,
                                 number});
-    }
-
-    /// Once.
-    void sayUnit(std::uint32_t number) {
-        if (!m_head.hasUnit && !m_unit) {
-            m_unit = base::kNmPerMm;
-            m_diagnostics.report(Severity::Info, m_path, number,
-                                 "the table of places does not say its unit; taken as mm");
-        }
     }
 
     std::string_view m_path;

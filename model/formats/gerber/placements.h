@@ -15,7 +15,9 @@ struct PlacedPart {
     std::string refdes;
     std::string value;
     std::string package;
-    Point position;
+    /// In nm, not rounded, also beyond the largest coordinate: the origin, and where the file does not say it the unit,
+    /// are found out when it is laid on the board.
+    base::PointD position;
     /// Counter-clockwise, seen from the top. A part on the bottom lies at 0 as it would on the top, flipped along the y
     /// axis: x becomes -x.
     double rotationDeg = 0.0;
@@ -26,6 +28,7 @@ struct PlacedPart {
 struct PlacementFile {
     std::vector<PlacedPart> parts;
     bool isOnImages = false;  ///< counts from the origin of the images (X3), not from one of its own
+    bool saysUnit = true;     ///< otherwise places are as if in mm
 };
 
 /// PlacedPart::rotationDeg for a rotation that counts from the part flipped along the x axis, as KiCad and Gerber X3 do

@@ -2,9 +2,13 @@
 
 #include <QtTest>
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
 
 #include "model/formats/gerber/gerber_reader.h"
 #include "model/formats/gerber/placements.h"
+#include "model/geometry/outlines.h"
 #include "tests/unit/model/formats/gerber/gerber_testing.h"
 
 using namespace gerber_testing;
@@ -177,9 +181,10 @@ private slots:
         QVERIFY(diagnostics.entries().empty());
         QCOMPARE(file.parts.size(), std::size_t{2});
         QCOMPARE(file.parts[0].refdes, std::string("R1"));
-        QCOMPARE(file.parts[0].position, (model::Point{5'000'000, 2'000'000}));
+        QVERIFY(file.saysUnit);
+        QCOMPARE(model::rounded(file.parts[0].position), (model::Point{5'000'000, 2'000'000}));
         QCOMPARE(file.parts[0].rotationDeg, 90.0);
-        QCOMPARE(file.parts[1].position, (model::Point{3'000'000, 4'000'000}));
+        QCOMPARE(model::rounded(file.parts[1].position), (model::Point{3'000'000, 4'000'000}));
         QVERIFY(file.parts[1].side == model::LayerSide::Bottom);
         QVERIFY(!file.parts[0].value.empty() || !file.parts[0].package.empty());
     }
@@ -198,6 +203,47 @@ private slots:
         QVERIFY(isReported(**board, "does not say its unit (P UNITS); taken as 0.0001 inch"));
         QVERIFY(!isReported(**board, "nets follow from the copper"));
         QCOMPARE((*board)->components.size(), std::size_t{1});
+    }
+
+    /// Reports of Allegro and others give numbers alone. Taken as mm, most of these would lie beyond any board.
+    void unitsOfPlacesAreThoseThatLayThemOnTheirPins_data() {
+        QTest::addColumn<double>("nmPerUnit");
+        QTest::addColumn<double>("origin");
+        QTest::addColumn<QString>("unit");
+        QTest::newRow("mm") << 1e6 << 0.0 << "taken as mm";
+        QTest::newRow("mil") << 25.4e3 << 0.0 << "taken as mil";
+        QTest::newRow("inch") << 25.4e6 << 0.0 << "taken as inch";
+        QTest::newRow("mil, from another origin") << 25.4e3 << 9e8 << "taken as mil";
+    }
+    void unitsOfPlacesAreThoseThatLayThemOnTheirPins() {
+        QFETCH(double, nmPerUnit);
+        QFETCH(double, origin);
+        QFETCH(QString, unit);
+        std::string copper = "%ADD10C,0.5*%D10*";
+        std::string netlist = "P  UNITS CUST 1\n";
+        std::string table = "REFDES,COMP_VALUE,SYM_X,SYM_Y,SYM_ROTATE,SYM_MIRROR\n";
+        for (const int part : {1, 2, 3, 4}) {
+            const int middle = part * part * 5;  // mm, in x and y
+            for (const int pin : {1, 2}) {
+                const int x = middle * 1'000 - 1'500 + pin * 1'000;  // um
+                copper += "X" + std::to_string(x) + "000Y" + std::to_string(middle) + "000000D03*";
+                std::array<char, 81> record{};
+                (void)std::snprintf(record.data(), record.size(),
+                                    "327NET%d%d            R%d    -%d          A01X+%06dY+%06dX0500Y0000R000 S0\n",
+                                    part, pin, part, pin, x, middle * 1'000);
+                netlist += record.data();
+            }
+            const std::string place = std::to_string((middle * 1e6 + origin) / nmPerUnit);
+            table += "R" + std::to_string(part) + ",10K," + place + "," + place + ",90.000,NO\n";
+        }
+        const Job job(
+            {{"b.GTL", image(copper)}, {"b.GBL", image(kCopper)}, {"b.ipc", netlist + "999\n"}, {"placed.txt", table}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "he table of places does not say its unit; " + unit.toStdString()));
+        QCOMPARE((*board)->components.size(), std::size_t{4});
+        const model::Point at = (*board)->components[3].placement.origin;
+        QVERIFY(std::abs(at.x - 80'000'000) < 100 && std::abs(at.y - 80'000'000) < 100);
     }
 };
 

@@ -17,7 +17,7 @@ PlacedPins part(Point at, std::vector<Point> pins, Point origin = kOrigin) {
     for (Point& pin : pins) {
         pin = {at.x + pin.x, at.y + pin.y};
     }
-    return {{at.x - origin.x, at.y - origin.y}, pins};
+    return {base::toDouble({at.x - origin.x, at.y - origin.y}), pins};
 }
 
 /// Resistors that stand on their first pin, all alike, and capacitors that are placed by their middle.
@@ -61,8 +61,8 @@ private slots:
     }
 
     void shiftsBeyondTheLargestCoordinateAreNone() {
-        const std::vector<PlacedPins> parts = {{{-base::kMaxCoordinate, 0}, {{base::kMaxCoordinate, 0}}},
-                                               {{-base::kMaxCoordinate, 9}, {{base::kMaxCoordinate, 9}}}};
+        const std::vector<PlacedPins> parts = {{{-1.0 * base::kMaxCoordinate, 0.0}, {{base::kMaxCoordinate, 0}}},
+                                               {{-1.0 * base::kMaxCoordinate, 9.0}, {{base::kMaxCoordinate, 9}}}};
         QVERIFY(!placementShift(parts));
     }
 };
