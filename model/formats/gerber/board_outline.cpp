@@ -104,25 +104,48 @@ public:
     }
 
     std::optional<BoardOutline> run() {
-        std::optional<BoardOutline> best = ofRole();
-        best = best ? std::move(best) : ofDrawings();
+        findNamed();
+        const bool isCertain = m_named && m_named->isCertain;
+        std::optional<BoardOutline> best = isCertain ? std::nullopt : ofDrawings();
+        if (!best && m_named) {
+            report(*m_named->file, m_named->outline);
+            best = BoardOutline{std::move(m_named->outline.shape), m_named->file->path};
+        }
+        for (const Named& rest : best ? std::vector<Named>() : m_open) {
+            report(*rest.file, rest.outline);
+        }
         return best ? std::move(best) : ofFilms();
     }
 
 private:
-    std::optional<BoardOutline> ofRole() {
+    /// An outline of a file that is said to draw the board's.
+    struct Named {
+        Outline outline;
+        const ReadFile* file = nullptr;
+        bool isCertain = false;  ///< by more than its name, or as it encloses all pads
+    };
+
+    /// The first file that certainly draws the outline, else the first that may: "board_dimension" and "board_outline"
+    /// can be drawings of anything.
+    void findNamed() {
         for (const std::size_t row : m_board.files) {
             const ReadFile& file = m_files[row];
             if (!isDrawn(file) || file.role.kind != Kind::Profile) {
                 continue;
             }
-            Outline outline = outlineOf(file.image, m_copper.pads, true);
-            report(file, outline);
-            if (!outline.shape.isEmpty() && mayBe(outline.box)) {
-                return BoardOutline{std::move(outline.shape), file.path};
+            Named named{outlineOf(file.image, m_copper.pads, true), &file, file.role.source < RoleSource::Name};
+            if (named.outline.shape.isEmpty() || !mayBe(named.outline.box)) {
+                m_open.push_back(std::move(named));
+                continue;
+            }
+            named.isCertain = named.isCertain || isAround(named.outline.box.grownBy(kBeyondOutline), m_padBox);
+            if (named.isCertain || !m_named) {
+                m_named = std::move(named);
+            }
+            if (m_named->isCertain) {
+                return;
             }
         }
-        return std::nullopt;
     }
 
     std::optional<BoardOutline> ofDrawings() {
@@ -133,9 +156,10 @@ private:
             }
             Outline outline = withoutParts(outlineOf(file.image, m_copper.pads));
             if (!outline.shape.isEmpty() && fits(outline.box)) {
-                assume(file.path,
-                       "no file is named as the board's outline; taken from this one, whose loops enclose the copper "
-                       "closely");
+                assume(file.path, m_named ? "the file that is named as the board's outline does not enclose all pads; "
+                                            "the outline is taken from this one, whose loops enclose the copper closely"
+                                          : "no file is named as the board's outline; taken from this one, whose loops "
+                                            "enclose the copper closely");
                 return BoardOutline{std::move(outline.shape), file.path};
             }
         }
@@ -232,6 +256,8 @@ private:
     const CopperPlaces& m_copper;
     Diagnostics& m_diagnostics;
     Box m_padBox;
+    std::optional<Named> m_named;
+    std::vector<Named> m_open;  ///< said to draw the outline, but with no loop that may be one
 };
 
 }  // namespace

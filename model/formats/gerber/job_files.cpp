@@ -235,6 +235,31 @@ void takeOtherSide(std::vector<ReadFile>& files, FileRole::Kind kind) {
     }
 }
 
+/// Is a file, by its name, one of the board that another one belongs to?
+bool isOfSameBoard(const ReadFile& file, const ReadFile& other) {
+    return file.folder() == other.folder() && upperCase(file.name()).starts_with(boardOfName(other.name()));
+}
+
+/// "board_place_top" and "board_notes_top" are no copper where "board_copper_top" or "board.gtl" is beside them.
+void takeSidesForDrawings(std::vector<ReadFile>& files) {
+    const auto isCopper = [](const ReadFile& file) {
+        return file.isImage() && file.role.kind == FileRole::Kind::Copper;
+    };
+    for (ReadFile& file : files) {
+        const bool isNamed = isCopper(file) && file.role.isSideOnly && file.role.source == RoleSource::Name;
+        const bool isDrawing = isNamed && std::ranges::any_of(files, [&](const ReadFile& other) {
+                                   return isCopper(other) && !other.role.isSideOnly &&
+                                          other.role.side == file.role.side && isOfSameBoard(file, other);
+                               });
+        if (isDrawing) {
+            const LayerSide side = file.role.side;
+            file.role = FileRole{FileRole::Kind::Document};
+            file.role.side = side;
+            file.role.source = RoleSource::Name;
+        }
+    }
+}
+
 }  // namespace
 
 bool isNamedLikeGerber(std::string_view name) {
@@ -393,6 +418,7 @@ void assignRoles(std::vector<ReadFile>& files, const JobFileFacts& job) {
     for (const FileRole::Kind kind : {FileRole::Kind::SolderMask, FileRole::Kind::Legend, FileRole::Kind::Paste}) {
         takeOtherSide(files, kind);
     }
+    takeSidesForDrawings(files);
 }
 
 }  // namespace model::gerber

@@ -51,6 +51,7 @@ constexpr std::array kEndings = {
     Ending{"SPT", Kind::Paste, kTop},      Ending{"SPB", Kind::Paste, kBottom},
     Ending{"POSITOP", Kind::Legend, kTop}, Ending{"POSIBOT", Kind::Legend, kBottom},
     Ending{"AST", Kind::Document},         Ending{"ASB", Kind::Document},
+    Ending{"GM", Kind::Profile},
 };
 
 /// Words of names: all of them have to be there, none of the others. Upper case; the first row that fits counts, so
@@ -79,9 +80,14 @@ constexpr Words kWords[] = {
     {{"LEADSHAPE"}, Kind::Document},
     {{"COMPONENTMARKING"}, Kind::Document},
     {{"3DMODEL"}, Kind::Document},
+    {{"3D", "BODY"}, Kind::Document},  // Altium's mechanical layers
+    {{"COMPONENT", "CENTER"}, Kind::Document},
+    {{"PLACE", "BOUND"}, Kind::Document},  // Allegro's classes, also in designs that were moved to Altium
+    {{"NCLEGEND"}, Kind::Document},
     {{"PLACEMENT"}, Kind::Document},
     {{"DRILL", "DRAW"}, Kind::Document},
     {{"DRILL", "MAP"}, Kind::Document},
+    {{"DRILLMAP"}, Kind::Document},
     {{"DRILL", "GUIDE"}, Kind::Document},
     {{"DRL", "MAP"}, Kind::Document},
     {{"FAB"}, Kind::Document},
@@ -98,6 +104,7 @@ constexpr Words kWords[] = {
     {{"NON", "PLATED"}, Kind::Drill, kThrough, Plating::NonPlated},
     {{"UNPLATED"}, Kind::Drill, kThrough, Plating::NonPlated},
     {{"CONTOUR", "PLATED"}, Kind::Rout, kThrough, Plating::Plated},
+    {{"CONTOUR"}, Kind::Profile},  // Fritzing
     {{"ROUT"}, Kind::Rout, kThrough},
     {{"SLOTHOLE"}, Kind::Rout, kThrough},
     {{"PTH"}, Kind::Drill, kThrough, Plating::Plated},
@@ -121,6 +128,8 @@ constexpr Words kWords[] = {
     {{"SOLDP_"}, Kind::Paste},
     {{"PASTE"}, Kind::Paste},
     {{"STENCIL"}, Kind::Paste},
+    {{"TCREAM"}, Kind::Paste, kTop},  // Eagle's own name of the layer
+    {{"BCREAM"}, Kind::Paste, kBottom},
     {{"SOLDERMASK"}, Kind::SolderMask},
     {{"SOLDER", "MASK"}, Kind::SolderMask},
     {{"STOP"}, Kind::SolderMask},
@@ -206,10 +215,12 @@ bool hasAlone(std::string_view text, std::string_view word) {
     return false;
 }
 
-/// "ROUT", but not that of "ROUTER", which is what a board may be.
+/// "ROUT", but not that of "ROUTER", which is what a board may be; nor "CONTOUR" of "CONTOURS", which are not the
+/// board's.
 bool hasWord(std::string_view text, std::string_view word) {
+    const std::string_view other = word == "ROUT" ? "ROUTER" : word == "CONTOUR" ? "CONTOURS" : "";
     std::size_t at = text.find(word);
-    while (at != std::string_view::npos && word == "ROUT" && text.substr(at).starts_with("ROUTER")) {
+    while (at != std::string_view::npos && !other.empty() && text.substr(at).starts_with(other)) {
         at = text.find(word, at + 1);
     }
     return at != std::string_view::npos;
@@ -328,6 +339,10 @@ std::optional<FileRole> roleOfEnding(std::string_view ending) {
     return std::nullopt;
 }
 
+bool isSideWord(std::string_view word) {
+    return word == "TOP" || word == "BOTTOM" || word == "PRIMARY" || word == "SECONDARY";
+}
+
 FileRole namedCopper(LayerSide side) {
     FileRole role;
     role.source = RoleSource::Name;
@@ -369,6 +384,7 @@ std::optional<FileRole> roleOfWords(std::string_view text, bool areHoles) {
                 row.all[0] == "GND" || row.all[0] == "VCC" || row.all[0] == "PWR" || row.all[0] == "POWER";
             role.order = role.order > 0 || isNamed ? role.order : numberIn(text);
         }
+        role.isSideOnly = isSideWord(row.all[0]);
         if (role.kind == Kind::Copper && role.order == 0) {
             role.order = layerNumber(text);
             role.isCountedFromTop = role.order > 0;
@@ -377,7 +393,12 @@ std::optional<FileRole> roleOfWords(std::string_view text, bool areHoles) {
     }
     const auto side =
         std::ranges::find_if(kSideWords, [&](const SideWord& row) { return !areHoles && hasAlone(text, row.word); });
-    return side == kSideWords.end() ? std::nullopt : std::optional(namedCopper(side->side));
+    if (side == kSideWords.end()) {
+        return std::nullopt;
+    }
+    FileRole role = namedCopper(side->side);
+    role.isSideOnly = true;
+    return role;
 }
 
 /// PADS numbers its films: "art002.pho", "sm001021.pho", "smd0123.pho" are the layer, and then what is drawn on it.

@@ -144,6 +144,39 @@ private slots:
         QVERIFY(!isNegative("%TF.FilePolarity,Positive*%"));
     }
 
+    /// Layers that users add to their designs are often called by their side, as copper may be.
+    void namesWithASideOnlyAreDrawingsBesideNamedCopper() {
+        const auto copperOf = [](const Files& files) {
+            const Board board = Job(files).open();
+            return board.ok() ? std::ranges::count((*board)->layers, model::LayerType::Signal, &model::Layer::type) : 0;
+        };
+        const Files notes = {{"x_NOTES_TOP.gbr", image(kCopper)}, {"x_NOTES_BOTTOM.gbr", image(kCopper)}};
+        QCOMPARE(copperOf(notes), 2);
+        Files files = notes;
+        files["x_Copper_Top.gbr"] = image(kCopper);
+        files["x_Copper_Bottom.gbr"] = image(kCopper);
+        QCOMPARE(copperOf(files), 2);
+        files = notes;
+        files["x.GTL"] = image(kCopper);
+        files["x.GBL"] = image(kCopper);
+        QCOMPARE(copperOf(files), 2);
+    }
+
+    /// "b_dimension" is the outline of Eagle, and of others a drawing with dimensions.
+    void aNamedOutlineBesideThePadsYieldsToADrawingAroundThem() {
+        const std::string boxes =
+            "%ADD10C,0.1*%D10*X500000Y500000D02*X3000000D01*Y3000000D01*X500000D01*Y500000D01*"
+            "X500000Y5000000D02*X6000000D01*Y9500000D01*X500000D01*Y5000000D01*";
+        const Job job({{"b.GTL", image(kWideCopper)},
+                       {"b.GBL", image(kWideCopper)},
+                       {"x_DIMENSION.gbr", image(boxes)},
+                       {"x_Mechanical_1.gbr", image(kOutline)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+        QVERIFY(isReported(**board, "does not enclose all pads"));
+    }
+
     /// Films of negative planes have frames of drawings around them.
     void negativesDoNotTellHowLargeABoardIs() {
         const std::string plane =

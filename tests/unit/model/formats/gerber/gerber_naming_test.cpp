@@ -72,6 +72,15 @@ private slots:
         QTest::newRow("Eagle inner with its number") << "x.G15L" << Kind::Copper << Side::Inner << 15;
         QTest::newRow("EasyEDA document") << "Gerber_DocumentLayer.GDL" << Kind::Document << Side::None << 0;
         QTest::newRow("Altium placement") << "Component Placement Top.GBR" << Kind::Document << Side::Top << 0;
+        QTest::newRow("Altium profile") << "b.GM" << Kind::Profile << Side::None << 0;
+        QTest::newRow("Altium bodies") << "x_Top_3D_Body.gbr" << Kind::Document << Side::Top << 0;
+        QTest::newRow("Altium middles of parts")
+            << "x_Bottom_Component_Center.gbr" << Kind::Document << Side::Bottom << 0;
+        QTest::newRow("Altium drill map") << "x_Drillmap_1.gbr" << Kind::Document << Side::None << 0;
+        QTest::newRow("Allegro room of parts") << "x_PLACE_BOUND_TOP.gbr" << Kind::Document << Side::Top << 0;
+        QTest::newRow("Allegro legend of drills") << "x_NCLEGEND-1-6.gbr" << Kind::Document << Side::None << 0;
+        QTest::newRow("Eagle paste") << "b.bcream.ger" << Kind::Paste << Side::Bottom << 0;
+        QTest::newRow("Fritzing outline") << "x_contour.gbr" << Kind::Profile << Side::None << 0;
         QTest::newRow("DipTrace lengths") << "TopDimension.gbr" << Kind::Document << Side::Top << 0;
         QTest::newRow("PADS top") << "art001.pho" << Kind::Copper << Side::Top << 1;
         QTest::newRow("PADS copper, short") << "art0418.pho" << Kind::Copper << Side::Inner << 4;
