@@ -1,6 +1,7 @@
 #include "model/formats/gerber/board_maker.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -150,25 +151,33 @@ private:
         }
     }
 
+    /// Those that say what is plated first.
+    [[nodiscard]] std::vector<std::size_t> filesOfHoles() const {
+        std::vector<std::size_t> rows;
+        std::ranges::copy_if(m_board.files, std::back_inserter(rows),
+                             [&](std::size_t row) { return m_files[row].isImage() && isOfHoles(m_files[row]); });
+        std::ranges::stable_partition(rows,
+                                      [&](std::size_t row) { return m_files[row].role.plating != Plating::NotSaid; });
+        return rows;
+    }
+
     void readDrillsAgain() {
         fitDrills();
         std::vector<std::size_t> seen;
-        for (const std::size_t row : m_board.files) {
+        for (const std::size_t row : filesOfHoles()) {
             ReadFile& file = m_files[row];
-            if (!file.isImage() || !isOfHoles(file)) {
-                continue;
-            }
+            std::vector<const Image*> others;
             for (const std::size_t other : seen) {
-                const bool isOfItsOwn = file.role.source == RoleSource::Told || haveOtherSpans(m_files[other], file);
-                if (!isOfItsOwn && areSameHoles(m_files[other].image, file.image)) {
-                    file.diagnostics.report(Severity::Info, file.path, 0,
-                                            "another file drills the same holes; this one is shown as a document");
-                    file.role = FileRole{FileRole::Kind::Document};
-                    file.role.source = RoleSource::Content;
-                    break;
+                if (!haveOtherSpans(m_files[other], file)) {
+                    others.push_back(&m_files[other].image);
                 }
             }
-            if (file.role.kind != FileRole::Kind::Document) {
+            if (file.role.source != RoleSource::Told && areSameHoles(others, file.image)) {
+                file.diagnostics.report(Severity::Info, file.path, 0,
+                                        "another file drills the same holes; this one is shown as a document");
+                file.role = FileRole{FileRole::Kind::Document};
+                file.role.source = RoleSource::Content;
+            } else {
                 seen.push_back(row);
             }
         }

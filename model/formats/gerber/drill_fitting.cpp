@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "model/base/units.h"
@@ -21,6 +20,7 @@ constexpr double kMostlyOnPads = 0.7;  ///< holes of a format that is told: they
 constexpr double kNearlyAllOnPads = 0.9;    ///< the same of a format that is assumed
 constexpr std::size_t kFewestToMove = 5;    ///< holes that can tell where a file counts from
 constexpr std::size_t kFewestAssumed = 20;  ///< the same of a format that is assumed
+constexpr Nm kSameHole = 20'000;  ///< of places that two files round, and may count from origins that are rounded
 
 struct Fit {
     double onPads = 0.0;
@@ -66,13 +66,12 @@ bool isBetter(const Fit& fit, const Fit& than, const DrillHead& head) {
             fit.spread >= than.spread);
 }
 
-std::vector<std::tuple<Nm, Nm>> placesOf(const Image& image) {
-    std::vector<std::tuple<Nm, Nm>> places;
-    for (const formats::DrawnFeature& feature : image.features) {
-        places.emplace_back((feature.a.x + 5'000) / 10'000, (feature.a.y + 5'000) / 10'000);
-    }
-    std::ranges::sort(places);
-    return places;
+/// Of slots, whose ends files may write in either order.
+Point middleOf(const formats::DrawnFeature& feature) {
+    Box box;
+    box.include(feature.a);
+    box.include(feature.kind == formats::DrawnKind::Line ? feature.b : feature.a);
+    return box.middle();
 }
 
 /// Reads the file in all other ways; false if none is better than `best`.
@@ -209,16 +208,24 @@ void fitAsSibling(ReadFile& drills, const std::optional<CoordinateFormat>& sibli
         }
     }
     reportUnit(drills, false);
+    if (sibling && isFormatTold(head) && !isOtherUnit) {
+        return;  // mounting holes beside all copper, of a program whose other holes lie where they belong
+    }
     drills.diagnostics.report(Severity::Warning, drills.path, 0,
                               "most holes lie beside the copper, in whatever format their coordinates are read");
 }
 
-bool areSameHoles(const Image& first, const Image& second) {
-    const std::vector<std::tuple<Nm, Nm>> a = placesOf(first);
-    const std::vector<std::tuple<Nm, Nm>> b = placesOf(second);
-    std::vector<std::tuple<Nm, Nm>> both;
-    std::ranges::set_intersection(a, b, std::back_inserter(both));
-    return !b.empty() && both.size() * 10 >= b.size() * 9;
+bool areSameHoles(std::span<const Image* const> others, const Image& image) {
+    std::vector<IndexedPad> places;
+    for (const Image* other : others) {
+        for (const formats::DrawnFeature& feature : other->features) {
+            places.push_back({middleOf(feature), 0, 0});
+        }
+    }
+    const PadIndex index(std::move(places));
+    const auto same = std::ranges::count_if(
+        image.features, [&](const formats::DrawnFeature& feature) { return index.has(middleOf(feature), kSameHole); });
+    return !image.features.empty() && static_cast<std::size_t>(same) * 10 >= image.features.size() * 9;
 }
 
 }  // namespace model::gerber

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "model/formats/gerber/job_files.h"
 #include "model/formats/gerber/pad_index.h"
@@ -20,7 +21,7 @@ bool fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper);
 /// Reads a file of which that was false in the format of a file of the same job, if it does not say otherwise and more
 /// of it lies on the board then; or reports where it lies.
 void fitAsSibling(ReadFile& drills, const std::optional<CoordinateFormat>& sibling, const Box& copper);
-/// Does the second file drill the same holes as the first?
-[[nodiscard]] bool areSameHoles(const Image& first, const Image& second);
+/// Does a file drill the same holes as others together? Files round places, and the origin they count from.
+[[nodiscard]] bool areSameHoles(std::span<const Image* const> others, const Image& image);
 
 }  // namespace model::gerber

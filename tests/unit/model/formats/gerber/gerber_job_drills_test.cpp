@@ -261,6 +261,25 @@ private slots:
         QVERIFY(!isReported(**board, "no part of a Gerber job"));
     }
 
+    /// DipTrace writes its holes twice: exactly as images, of which one has those without plating, and rounded as
+    /// drills.
+    void holesOfTwoFormsAreDrilledOnce() {
+        const auto holes = [](const std::string& function, const std::string& flashes) {
+            return "%TF.FileFunction," + function + "*%\n%FSLAX46Y46*%\n%MOMM*%\n%ADD10C,0.8*%D10*" + flashes +
+                   "M02*\n";
+        };
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {"b_Plated.gbr", holes("Plated,1,2,PTH,Drill", "X2007700Y2007500D03*X8007700D03*Y8007500D03*")},
+                       {"b_NonPlated.gbr", holes("NonPlated,1,2,NPTH,Drill", "X5007700Y5007500D03*")},
+                       {"b_All.drl", "M48\nMETRIC\nT1C0.8\n%\nT1\nX2.0Y2.0\nX8.0Y2.0\nX8.0Y8.0\nX5.0Y5.0\nM30\n"}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "nother file drills the same holes"));
+        QCOMPARE(holesOf(**board, 800'000, model::HoleKind::NonPlated), 1U);
+        QCOMPARE(holesOf(**board, 800'000, model::HoleKind::Plated), 3U);
+    }
+
     /// Allegro writes routs without sizes of tools; its netlist has the holes.
     void aNetlistTellsTheSizesOfTools() {
         const std::string netlist =
