@@ -440,14 +440,28 @@ private:
     }
 
     Span spanOf(const LayerPair& pair, const std::string& path) {
-        const int first = copperWithEnding(pair.endings.front());
-        const int last = copperWithEnding(pair.endings.back());
+        const bool isNamed =
+            std::ranges::any_of(pair.endings, [&](const std::string& ending) { return copperWithEnding(ending) > 0; });
+        const int first = isNamed ? copperWithEnding(pair.endings.front()) : copperOfAltium(pair.endings.front());
+        const int last = isNamed ? copperWithEnding(pair.endings.back()) : copperOfAltium(pair.endings.back());
         if (first < 1 || last < 1) {
             diagnostics().report(Severity::Warning, path, 0,
                                  "the drills begin or end on a layer of which the job has no image; taken through all");
             return {};
         }
         return {std::min(first, last), std::max(first, last)};
+    }
+
+    /// Counted from the top, of the ending that Altium gives by itself, which it writes also where all files end in
+    /// ".gbr": GTL, G1, G2, GBL. 0 if there is no such layer.
+    [[nodiscard]] int copperOfAltium(const std::string& ending) const {
+        const std::optional<FileRole> role = roleOfName("x." + ending);
+        if (!role || role->kind != FileRole::Kind::Copper) {
+            return 0;
+        }
+        const int count = static_cast<int>(m_layers.copper.size());
+        const int inner = role->order > 0 && role->order < count - 1 ? role->order + 1 : 0;
+        return role->side == LayerSide::Top ? 1 : role->side == LayerSide::Bottom ? count : inner;
     }
 
     /// Counted from the top; 0 if no copper layer's file is named so.

@@ -261,6 +261,27 @@ private slots:
         QVERIFY(!isReported(**board, "no part of a Gerber job"));
     }
 
+    /// The endings that it writes are those that it gives by itself, also where all files end in ".gbr".
+    void layerPairsCountFilesThatAllEndAlike() {
+        const std::string pairs = "LayersSetName=Buried|DrillFile=b-buried.txt|DrillLayers=g1,g2\r\n";
+        const auto copper = [](int number) {
+            return "G04 Layer_Physical_Order=" + std::to_string(number) + "*\n" + image(kCopper);
+        };
+        const Job job({{"b_One.gbr", copper(1)},
+                       {"b_Two.gbr", copper(2)},
+                       {"b_Three.gbr", copper(3)},
+                       {"b_Four.gbr", copper(4)},
+                       {"b-Buried.TXT", kDrills},
+                       {"b.LDP", pairs}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(!isReported(**board, "of which the job has no image"));
+        const auto drills = std::ranges::find((*board)->layers, "b-Buried.TXT", &model::Layer::file);
+        QVERIFY(drills != (*board)->layers.end());
+        QCOMPARE((*board)->layer(drills->spanTop).file, std::string("b_Two.gbr"));
+        QCOMPARE((*board)->layer(drills->spanBottom).file, std::string("b_Three.gbr"));
+    }
+
     /// DipTrace writes its holes twice: exactly as images, of which one has those without plating, and rounded as
     /// drills.
     void holesOfTwoFormsAreDrilledOnce() {
