@@ -11,10 +11,13 @@ namespace model::formats {
 
 namespace {
 
-std::string summaryText(const InverseSummary& summary) {
-    return " is negative: shown is the board's outline minus its features; " +
-           std::to_string(summary.pieces - summary.withoutNet) + " of " + std::to_string(summary.pieces) +
-           " pieces have a net, that of the plated holes and pads in them" +
+/// Where a job names no nets, what nets the pieces have follows later, from the copper.
+std::string summaryText(const InverseSummary& summary, bool hasNets) {
+    return " is negative: shown is the board's outline minus its features" +
+           (hasNets
+                ? "; " + std::to_string(summary.pieces - summary.withoutNet) + " of " + std::to_string(summary.pieces) +
+                      " pieces have a net, that of the plated holes and pads in them"
+                : std::string()) +
            (summary.isExact ? "" : "; arcs are straight edges within 1 µm, as they could not be kept");
 }
 
@@ -33,8 +36,8 @@ Inverse inverseOf(const DocumentBuilder& builder, const NegativeLayer& layer) {
 }
 
 void report(Diagnostics& diagnostics, const NegativeLayer& layer, const std::string& name,
-            const InverseSummary& summary) {
-    diagnostics.report(Severity::Info, layer.file, layer.line, name + summaryText(summary));
+            const InverseSummary& summary, bool hasNets) {
+    diagnostics.report(Severity::Info, layer.file, layer.line, name + summaryText(summary, hasNets));
     if (summary.withSeveralNets > 0) {
         diagnostics.report(Severity::Warning, layer.file, layer.line,
                            name + ": in " + std::to_string(summary.withSeveralNets) +
@@ -60,7 +63,7 @@ bool addNegativeLayers(DocumentBuilder& builder, std::span<const NegativeLayer> 
         builder.beginLayer(layers[i].layer);
         if (outlineOf(builder, layers[i].layer).isValid()) {
             addInverse(builder, inverses[i]);
-            report(builder.diagnostics(), layers[i], name, inverses[i].summary);
+            report(builder.diagnostics(), layers[i], name, inverses[i].summary, !builder.soFar().nets.empty());
         } else {
             builder.diagnostics().report(Severity::Error, layers[i].file, layers[i].line,
                                          name + " is negative, but the board has no outline; it stays empty");
