@@ -180,6 +180,12 @@ bool isProfile(const Image& image) {
     return !image.features.empty() && std::ranges::all_of(image.features, isOfProfile);
 }
 
+/// An image that ends as Altium's drills do and has nothing but flashes: CAM programs write their drills so.
+bool isImageOfHoles(const ReadFile& file) {
+    return file.kind == ReadFile::Kind::Gerber && endingOf(file.name()) == "TXT" && file.image.flashes > 0 &&
+           file.image.flashes == file.image.features.size();
+}
+
 FileRole roleOf(const ReadFile& file, const JobFileFacts& job, std::size_t shared) {
     std::optional<FileRole> ofAttribute = roleOfFunction(file.image.fileAttribute(".FileFunction"));
     if (ofAttribute && ofAttribute->kind == FileRole::Kind::Drill && isProfile(file.image)) {
@@ -203,6 +209,11 @@ FileRole roleOf(const ReadFile& file, const JobFileFacts& job, std::size_t share
     }
     if (file.kind == ReadFile::Kind::Drills && role.kind != FileRole::Kind::Drill &&
         role.kind != FileRole::Kind::Rout) {
+        role = FileRole{FileRole::Kind::Drill};
+        role.side = LayerSide::Through;
+        role.source = RoleSource::Content;
+    }
+    if (!role.isKnown() && isImageOfHoles(file)) {
         role = FileRole{FileRole::Kind::Drill};
         role.side = LayerSide::Through;
         role.source = RoleSource::Content;

@@ -282,6 +282,19 @@ private slots:
         QCOMPARE((*board)->layer(drills->spanBottom).file, std::string("b_Three.gbr"));
     }
 
+    /// CAM programs write drills as images of flashes, which end as those of Altium do.
+    void imagesOfFlashesThatEndLikeDrillsAreHoles() {
+        const std::string flashes = "%ADD10C,0.8*%D10*X2000000Y2000000D03*X8000000D03*";
+        const auto holesIn = [](const std::string& name, const std::string& body) {
+            const Job job({{"b.gtl", image(kCopper)}, {"b.gbl", image(kCopper)}, {name, image(body)}});
+            const Board board = job.open();
+            return board.ok() ? holesOf(**board, 800'000, model::HoleKind::Plated) : 0U;
+        };
+        QCOMPARE(holesIn("b.txt", flashes), 2U);
+        QCOMPARE(holesIn("b.txt", flashes + "X0Y0D02*X1000000D01*"), 0U);
+        QCOMPARE(holesIn("b.ger", flashes), 0U);
+    }
+
     /// DipTrace writes its holes twice: exactly as images, of which one has those without plating, and rounded as
     /// drills.
     void holesOfTwoFormsAreDrilledOnce() {
