@@ -76,6 +76,24 @@ bool isDrillText(std::string_view head) {
     return looksLikeDrills(head);
 }
 
+/// Coordinates with operations, and tools that nothing defines.
+bool isOldGerber(std::string_view text) {
+    if (!isText(text) || text.find('%') != std::string_view::npos) {
+        return false;
+    }
+    Lines lines(text.substr(0, kHead));
+    int hits = 0;
+    int others = 0;
+    while (lines.next() && hits + others < 200) {
+        const std::string_view line = trimmed(lines.line());
+        const bool isHit =
+            line.ends_with('*') && line.find_first_not_of("XYIJDGMN0123456789+-*") == std::string_view::npos;
+        hits += isHit && line.find_first_of("XY") != std::string_view::npos ? 1 : 0;
+        others += isHit || line.empty() || line.starts_with("G04") ? 0 : 1;
+    }
+    return hits > 10 && others * 10 <= hits && hasGerberOperation(text.substr(0, kHead));
+}
+
 void parse(ReadFile& file) {
     const std::string_view text = file.bytes.view();
     switch (file.kind) {
@@ -90,6 +108,12 @@ void parse(ReadFile& file) {
         case ReadFile::Kind::Placements: file.placements = parsePlacements(text, file.path, file.diagnostics); break;
         case ReadFile::Kind::LayerPairs: file.layerPairs = parseLayerPairs(text); break;
         case ReadFile::Kind::Other:
+            if (isOldGerber(text)) {
+                file.diagnostics.report(Severity::Error, file.path, 0,
+                                        "the image is of the old form of Gerber (RS-274-D), whose format and apertures "
+                                        "are told elsewhere; it was not read");
+                break;
+            }
             file.diagnostics.report(Severity::Info, file.path, 0,
                                     "the file is no part of a Gerber job; it was not read");
     }
