@@ -12,6 +12,9 @@ namespace {
 
 using Hole = FlatBoard::Hole;
 
+/// Drill files in inches have four decimals: places and sizes in them are rounded to multiples of this.
+constexpr Nm kTenthOfMil = 2'540;
+
 bool isNear(Nm a, Nm b, Nm reach = kSamePlace) {
     return std::abs(std::int64_t{a} - b) <= reach;
 }
@@ -20,9 +23,24 @@ bool isRound(const Hole& hole) {
     return isNear(hole.width, hole.height);
 }
 
-/// Slots may be polygons with chords for their ends, up to a pixel off at either.
-bool isSameSize(const Hole& a, const Hole& b, Nm pixel) {
-    const Nm reach = isRound(a) && isRound(b) ? kSamePlace : 2 * pixel;
+/// By how much a job may have rounded its holes: nothing if any of their sizes is no multiple.
+Nm roundingOf(const FlatBoard& board) {
+    const bool isRounded = std::ranges::all_of(board.holes, [](const Hole& hole) {
+        const Nm rest = hole.width % kTenthOfMil;
+        return !isRound(hole) || std::min(rest, kTenthOfMil - rest) <= 1;
+    });
+    return isRounded ? kTenthOfMil / 2 : 0;
+}
+
+/// How far two numbers of holes may be apart, and the ends of slots, which may be polygons with chords, up to a pixel
+/// off at either.
+struct Reach {
+    Nm hole = kSamePlace;
+    Nm slot = kSamePlace;
+};
+
+bool isSameSize(const Hole& a, const Hole& b, Reach reaches) {
+    const Nm reach = isRound(a) && isRound(b) ? reaches.hole : reaches.slot;
     return isNear(a.width, b.width, reach) && isNear(a.height, b.height, reach);
 }
 
@@ -41,11 +59,11 @@ std::string spanText(const Hole& hole) {
 }
 
 /// What of two holes at one location differs; empty if nothing does.
-std::string difference(const Hole& a, const Hole& b, Nm pixel) {
+std::string difference(const Hole& a, const Hole& b, Reach reach) {
     const auto differs = [](const std::string& ours, const std::string& theirs) {
         return ours + " in A, " + theirs + " in B";
     };
-    if (!isSameSize(a, b, pixel)) {
+    if (!isSameSize(a, b, reach)) {
         return "a hole is " + differs(sizeText(a), sizeText(b));
     }
     if (a.isPlated != b.isPlated) {
@@ -62,7 +80,11 @@ std::string kindText(const Hole& hole) {
 class HoleComparer {
 public:
     HoleComparer(const FlatBoard& a, const FlatBoard& b, const AgreementRequest& request)
-        : m_a(a), m_b(b), m_request(request), m_matcher(b.holes.empty() ? std::vector<Point>() : locationsOf(b)) {}
+        : m_a(a),
+          m_b(b),
+          m_request(request),
+          m_reach{kSamePlace + roundingOf(a) + roundingOf(b), 2 * request.tolerance},
+          m_matcher(b.holes.empty() ? std::vector<Point>() : locationsOf(b)) {}
 
     Comparison run() {
         m_found.aspect = Aspect::Holes;
@@ -91,19 +113,19 @@ private:
     void add(const std::string& text, const Hole& at) { m_found.add({text, at.middle}, m_request.most); }
 
     [[nodiscard]] int unlike(const Hole& hole, const Hole& other) const {
-        return (isSameSize(hole, other, m_request.tolerance) ? 0 : 4) + (hole.isPlated == other.isPlated ? 0 : 2) +
+        return (isSameSize(hole, other, m_reach) ? 0 : 4) + (hole.isPlated == other.isPlated ? 0 : 2) +
                (isSameSpan(hole, other) ? 0 : 1);
     }
 
     bool compareAtItsPlace(const Hole& hole) {
         const auto found =
-            m_matcher.take(hole.middle, kSamePlace, [&](std::size_t row) { return unlike(hole, m_b.holes[row]); });
+            m_matcher.take(hole.middle, m_reach.hole, [&](std::size_t row) { return unlike(hole, m_b.holes[row]); });
         if (!found) {
             return false;
         }
         const Hole& other = m_b.holes[*found];
         m_found.measure(hole.middle, other.middle);
-        const std::string text = difference(hole, other, m_request.tolerance);
+        const std::string text = difference(hole, other, m_reach);
         if (!text.empty()) {
             add(text, hole);
         }
@@ -127,6 +149,7 @@ private:
     const FlatBoard& m_a;
     const FlatBoard& m_b;
     const AgreementRequest& m_request;
+    Reach m_reach;
     PointMatcher m_matcher;
     Comparison m_found;
 };

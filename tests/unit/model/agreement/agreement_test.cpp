@@ -156,6 +156,24 @@ private slots:
         QCOMPARE(find(near, Aspect::Holes)->farthest, std::optional(500.0));
     }
 
+    /// A drill file in inches has four decimals: 0.3 mm are 0.0118 inch there, which is 0.29972 mm.
+    void holesMayBeRoundedAsDrillFilesInInchesAre() {
+        DrawnJob other = board();
+        const auto resize = [&other](Nm size) {
+            other.steps[0].symbols[2].shape.width = other.steps[0].symbols[2].shape.height = size;
+        };
+        resize(304'800);  // 0.012 inch
+        other.steps[0].features[3][0].a.x += 1'200;
+        QCOMPARE(firstOf(compared(board(), other), Aspect::Holes),
+                 std::string("a hole is 0.300 mm in A, 0.305 mm in B"));
+        resize(299'720);
+        const Agreement rounded = compared(board(), other);
+        QVERIFY(rounded.isAgreed());
+        QCOMPARE(find(rounded, Aspect::Holes)->farthest, std::optional(1'200.0));
+        resize(299'800);  // no number that is rounded so
+        QCOMPARE(find(compared(board(), other), Aspect::Holes)->differing, std::size_t{1});
+    }
+
     void holesAreMovedWhereOneLikeThemIsNear() {
         DrawnJob other = board();
         other.steps[0].features[3][0].a.x += 10'000;
