@@ -51,7 +51,7 @@ constexpr std::array kEndings = {
     Ending{"SPT", Kind::Paste, kTop},      Ending{"SPB", Kind::Paste, kBottom},
     Ending{"POSITOP", Kind::Legend, kTop}, Ending{"POSIBOT", Kind::Legend, kBottom},
     Ending{"AST", Kind::Document},         Ending{"ASB", Kind::Document},
-    Ending{"GM", Kind::Profile},
+    Ending{"GM", Kind::Profile},           Ending{"MIL", Kind::Profile},
 };
 
 /// Words of names: all of them have to be there, none of the others. Upper case; the first row that fits counts, so
@@ -164,6 +164,7 @@ constexpr Words kWords[] = {
     {{"SECONDARY"}, Kind::Copper, kBottom},
     {{"TOP"}, Kind::Copper, kTop},
     {{"BOTTOM"}, Kind::Copper, kBottom},
+    {{"BOT"}, Kind::Copper, kBottom},
     {{"GND"}, Kind::Copper},
     {{"VCC"}, Kind::Copper},
     {{"PWR"}, Kind::Copper},
@@ -340,7 +341,7 @@ std::optional<FileRole> roleOfEnding(std::string_view ending) {
 }
 
 bool isSideWord(std::string_view word) {
-    return word == "TOP" || word == "BOTTOM" || word == "PRIMARY" || word == "SECONDARY";
+    return word == "TOP" || word == "BOTTOM" || word == "BOT" || word == "PRIMARY" || word == "SECONDARY";
 }
 
 FileRole namedCopper(LayerSide side) {
@@ -401,7 +402,8 @@ std::optional<FileRole> roleOfWords(std::string_view text, bool areHoles) {
     return role;
 }
 
-/// PADS numbers its films: "art002.pho", "sm001021.pho", "smd0123.pho" are the layer, and then what is drawn on it.
+/// PADS numbers its films: "art002.pho", "sm001021.pho", "smd0123.pho" are the layer, and then what is drawn on it. Its
+/// planes, "pgp002.pho", draw what is left out.
 std::optional<FileRole> roleOfPads(std::string_view stem) {
     const std::size_t letters = std::min(stem.find_first_of("0123456789"), stem.size());
     const std::string_view word = stem.substr(0, letters);
@@ -413,9 +415,10 @@ std::optional<FileRole> roleOfPads(std::string_view stem) {
     const int layer = parseInteger(digits.substr(0, digits.size() == 4 ? 2 : 3)).value_or(0);
     const LayerSide outer = layer == 1 ? kTop : kBottom;
     FileRole role = namedCopper(layer == 1 ? kTop : LayerSide::Inner);
-    if (word == "ART") {
+    if (word == "ART" || word == "PGP") {
         role.order = layer;
         role.isCountedFromTop = layer > 0;
+        role.isNegative = word == "PGP";
     } else if (word == "SM" || word == "SMD") {
         role.kind = word == "SM" ? Kind::SolderMask : Kind::Paste;
         role.side = outer;
@@ -428,12 +431,13 @@ std::optional<FileRole> roleOfPads(std::string_view stem) {
     return role;
 }
 
-/// Words that stand in names of layers without telling one; "IN2" is "IN" with a number.
+/// Words that stand in names of layers without telling one; "IN2" is "IN" with a number, but "B1" a revision.
 constexpr std::array<std::string_view, 15> kLayerWords = {
     "F", "B", "CUTS", "EDGE", "CU", "SCREEN", "SOLDER", "NC", "USER", "IN", "GERBER", "BOARD", "DRAWING", "PRM", "SEC"};
 
 bool isRoleWord(std::string_view word) {
-    const std::string_view letters = word.substr(0, word.find_last_not_of("0123456789") + 1);
+    const std::size_t count = word.find_last_not_of("0123456789") + 1;
+    const std::string_view letters = count > 1 ? word.substr(0, count) : word;
     return std::ranges::find(kLayerWords, letters) != kLayerWords.end() ||
            roleOfName(std::string(word) + ".X").has_value();
 }

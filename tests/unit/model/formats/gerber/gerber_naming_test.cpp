@@ -84,6 +84,10 @@ private slots:
         QTest::newRow("DipTrace lengths") << "TopDimension.gbr" << Kind::Document << Side::Top << 0;
         QTest::newRow("PADS top") << "art001.pho" << Kind::Copper << Side::Top << 1;
         QTest::newRow("PADS copper, short") << "art0418.pho" << Kind::Copper << Side::Inner << 4;
+        QTest::newRow("PADS plane") << "pgp002.pho" << Kind::Copper << Side::Inner << 2;
+        QTest::newRow("a short bottom") << "Bot.gbr" << Kind::Copper << Side::Bottom << 0;
+        QTest::newRow("mask on a short bottom") << "Bot_Mask.gbr" << Kind::SolderMask << Side::Bottom << 0;
+        QTest::newRow("Eagle milling") << "b.MIL" << Kind::Profile << Side::None << 0;
         QTest::newRow("PADS film of a mask") << "sm002028.pho" << Kind::SolderMask << Side::Bottom << 0;
         QTest::newRow("PADS film of paste") << "smd001023.pho" << Kind::Paste << Side::Top << 0;
         QTest::newRow("PADS film of silkscreen") << "ssb002029.pho" << Kind::Legend << Side::Bottom << 0;
@@ -115,6 +119,8 @@ private slots:
         QVERIFY(model::gerber::roleOfName("b-PTH.drl")->plating == model::Plating::Plated);
         QVERIFY(model::gerber::roleOfName("b.unplated-drill.cnc")->plating == model::Plating::NonPlated);
         QVERIFY(model::gerber::roleOfName("b.xln")->plating == model::Plating::NotSaid);
+        QVERIFY(model::gerber::roleOfName("pgp002.pho")->isNegative &&
+                !model::gerber::roleOfName("art002.pho")->isNegative);
         QVERIFY(!model::gerber::roleOfName("notes.abc").has_value());
         QVERIFY(!model::gerber::roleOfName("feedback.gbr").has_value());
     }
@@ -144,6 +150,8 @@ private slots:
                                << "FLASH-PADS";
         QTest::newRow("KiCad inner") << "watch.panel-In2_Cu.gbr"
                                      << "WATCH.PANEL";
+        QTest::newRow("KiCad, of a revision") << "Lime_Rev_B1-F_Cu.gbr"
+                                              << "LIME_REV_B1";
         QTest::newRow("Target") << "IoT1.2.StopTop"
                                 << "IOT1.2";
         QTest::newRow("Altium") << "LimeSDR_1v2.GTL"
