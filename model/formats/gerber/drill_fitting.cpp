@@ -184,11 +184,7 @@ bool fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper) {
                                       (isTold ? ", as the file says" : ""));
         return true;
     }
-    if (best.inside < 0.5) {
-        return false;
-    }
-    reportUnit(drills, false);
-    return true;
+    return false;
 }
 
 void fitAsSibling(ReadFile& drills, const std::optional<CoordinateFormat>& sibling, const Box& copper) {
@@ -199,7 +195,9 @@ void fitAsSibling(ReadFile& drills, const std::optional<CoordinateFormat>& sibli
     if (sibling && !isFormatTold(head) && !isOtherUnit && !areOtherZeros) {
         Image image = parseDrills(drills.bytes.view(), drills.path, *sibling);
         const bool isMore = image.features.size() >= drills.image.features.size();
-        if (isMore && fitOf(image, {}, copper).inside > fitOf(drills.image, {}, copper).inside) {
+        const double inside = fitOf(image, {}, copper).inside;
+        const bool isBetter = inside > fitOf(drills.image, {}, copper).inside || (inside >= 0.5 && !head.isInch);
+        if (isMore && isBetter) {
             drills.image = std::move(image);
             drills.format = *sibling;
             drills.diagnostics.report(Severity::Info, drills.path, 0,
@@ -208,8 +206,9 @@ void fitAsSibling(ReadFile& drills, const std::optional<CoordinateFormat>& sibli
         }
     }
     reportUnit(drills, false);
-    if (sibling && isFormatTold(head) && !isOtherUnit) {
-        return;  // mounting holes beside all copper, of a program whose other holes lie where they belong
+    const bool isOnBoard = fitOf(drills.image, {}, copper).inside >= 0.5;
+    if (isOnBoard || (sibling && isFormatTold(head) && !isOtherUnit)) {
+        return;  // or mounting holes beside all copper, of a program whose other holes lie where they belong
     }
     drills.diagnostics.report(Severity::Warning, drills.path, 0,
                               "most holes lie beside the copper, in whatever format their coordinates are read");

@@ -16,10 +16,11 @@ namespace model::gerber {
 /// the copper, or would not lie on it.
 bool moveHoles(ReadFile& drills, Point shift, const Box& copper);
 /// Reads a drill file again in another format where the one it states, or that was assumed, does not put its holes on
-/// the board and another does; what was done is reported. False if most holes lie beside the copper in any format.
+/// the board and another does; what was done is reported. False if most holes lie beside the copper in any format, or
+/// if nothing tells the format of a file that does not say its unit: on the board alone, tenths of lengths lie too.
 bool fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper);
 /// Reads a file of which that was false in the format of a file of the same job, if it does not say otherwise and more
-/// of it lies on the board then; or reports where it lies.
+/// of it lies on the board then, or as much of a file that does not say its unit; or reports where it lies.
 void fitAsSibling(ReadFile& drills, const std::optional<CoordinateFormat>& sibling, const Box& copper);
 /// Does a file drill the same holes as others together? Files round places, and the origin they count from.
 [[nodiscard]] bool areSameHoles(std::span<const Image* const> others, const Image& image);

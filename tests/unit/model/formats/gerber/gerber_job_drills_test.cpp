@@ -282,6 +282,23 @@ private slots:
         QCOMPARE((*board)->layer(drills->spanBottom).file, std::string("b_Three.gbr"));
     }
 
+    /// Allegro says the format of neither. A slot that meets no pads would lie on the board ten times smaller, too.
+    void routsThatSayNothingAreReadAsDrillsAre() {
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {"b.drl",
+                        ";   Holesize 1. = 31.5 Tolerance = +0/-0 PLATED MILS Quantity = 3\n%\nG90\n"
+                        "T01\nX00079Y00079\nX00315Y00079\nX00315Y00315\nM30\n"},
+                       {"b.rou", "%\nG90\nT01C0.03937\nG00X00118Y00197\nM15\nG01X00236Y00197\nM16\nM30\n"}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        const auto routs = std::ranges::find((*board)->layers, "b.rou", &model::Layer::file);
+        QVERIFY(routs != (*board)->layers.end());
+        const model::Box box = (*board)->boxOf(model::ElementId{routs->elements.first});
+        QCOMPARE(box.width() / 10'000, (236 - 118) * 25'400 / 10'000 + 100);
+        QVERIFY(isReported(**board, "ead as inch 2.3, trailing zeros kept, like another drill file of the job"));
+    }
+
     /// CAM programs write drills as images of flashes, which end as those of Altium do.
     void imagesOfFlashesThatEndLikeDrillsAreHoles() {
         const std::string flashes = "%ADD10C,0.8*%D10*X2000000Y2000000D03*X8000000D03*";
