@@ -161,8 +161,26 @@ private:
         return rows;
     }
 
+    /// Drills of another board, which were left beside those of this one.
+    void reportStrangers(const std::vector<std::size_t>& rows) {
+        const auto share = [&](std::size_t row) {
+            const FileRole& role = m_files[row].role;
+            const bool mayMeet = role.kind == FileRole::Kind::Drill && role.plating != Plating::NonPlated;
+            return mayMeet ? shareOnPads(m_files[row].image, m_filePads) : std::nullopt;
+        };
+        const bool isAnyOnPads = std::ranges::any_of(rows, [&](std::size_t row) { return share(row) > 0.8; });
+        for (const std::size_t row : rows) {
+            if (const std::optional<double> own = share(row); isAnyOnPads && own && *own < 0.1) {
+                m_files[row].diagnostics.report(Severity::Warning, m_files[row].path, 0,
+                                                "hardly a hole of the file meets a pad, as those of another one do; it "
+                                                "may be of another board");
+            }
+        }
+    }
+
     void readDrillsAgain() {
         fitDrills();
+        reportStrangers(filesOfHoles());
         std::vector<std::size_t> seen;
         for (const std::size_t row : filesOfHoles()) {
             ReadFile& file = m_files[row];

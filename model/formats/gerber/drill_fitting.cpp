@@ -214,6 +214,19 @@ void fitAsSibling(ReadFile& drills, const std::optional<CoordinateFormat>& sibli
                               "most holes lie beside the copper, in whatever format their coordinates are read");
 }
 
+std::optional<double> shareOnPads(const Image& image, const PadIndex& pads) {
+    std::size_t count = 0;
+    std::size_t onPads = 0;
+    for (const formats::DrawnFeature& feature : image.features) {
+        if (feature.plating != Plating::NonPlated) {
+            ++count;
+            onPads += pads.has(middleOf(feature), kReach) ? 1 : 0;
+        }
+    }
+    return count < kFewestAssumed ? std::nullopt
+                                  : std::optional(static_cast<double>(onPads) / static_cast<double>(count));
+}
+
 bool areSameHoles(std::span<const Image* const> others, const Image& image) {
     std::vector<IndexedPad> places;
     for (const Image* other : others) {

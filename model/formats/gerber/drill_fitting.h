@@ -22,6 +22,8 @@ bool fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper);
 /// Reads a file of which that was false in the format of a file of the same job, if it does not say otherwise and more
 /// of it lies on the board then, or as much of a file that does not say its unit; or reports where it lies.
 void fitAsSibling(ReadFile& drills, const std::optional<CoordinateFormat>& sibling, const Box& copper);
+/// How many holes that may be plated lie in the middle of pads, as a share; nothing if there are too few to tell.
+[[nodiscard]] std::optional<double> shareOnPads(const Image& image, const PadIndex& pads);
 /// Does a file drill the same holes as others together? Files round places, and the origin they count from.
 [[nodiscard]] bool areSameHoles(std::span<const Image* const> others, const Image& image);
 

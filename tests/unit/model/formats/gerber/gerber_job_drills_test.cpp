@@ -299,6 +299,29 @@ private slots:
         QVERIFY(isReported(**board, "ead as inch 2.3, trailing zeros kept, like another drill file of the job"));
     }
 
+    void drillsOfAnotherBoardAreReported() {
+        const auto holes = [](bool isOther) {
+            std::string text = "M48\nMETRIC\nT1C0.4\n%\nT1\n";
+            for (int i = 0; i < 20; ++i) {
+                text += "X" + std::to_string(i) + ".0Y" +
+                        (isOther ? std::to_string(2 + i * i % 7 % 3) + ".5\n" : std::to_string(2 + i % 3) + ".0\n");
+            }
+            return text + "M30\n";
+        };
+        std::string pads = "%ADD10C,0.8*%D10*";
+        for (int i = 0; i < 20; ++i) {
+            pads += "X" + std::to_string(i) + "000000Y" + std::to_string(2 + i % 3) + "000000D03*";
+        }
+        const Files files = {{"b.gtl", image(pads)}, {"b.gbl", image(pads)}, {"b.drl", holes(false)}};
+        Files two = files;
+        two["c.drl"] = holes(true);
+        const Board alone = Job(files).open();
+        const Board both = Job(two).open();
+        QVERIFY(alone.ok() && both.ok());
+        QVERIFY(!isReported(**alone, "may be of another board"));
+        QVERIFY(isReported(**both, "may be of another board"));
+    }
+
     /// CAM programs write drills as images of flashes, which end as those of Altium do.
     void imagesOfFlashesThatEndLikeDrillsAreHoles() {
         const std::string flashes = "%ADD10C,0.8*%D10*X2000000Y2000000D03*X8000000D03*";
