@@ -17,7 +17,7 @@ file(GLOB_RECURSE tests CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR} ${C
 foreach(test IN LISTS tests)
     file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/${test} uses_window REGEX "window_fixture\\.h" LIMIT_COUNT 1)
     cmake_path(GET test STEM name)
-    if(name STREQUAL hidpi_test)
+    if(name MATCHES "^(hidpi|small_screen)_test$")
         continue()  # below
     elseif(uses_window)
         copperscope_ui_test(${name} ${test})
@@ -34,3 +34,8 @@ set_tests_properties(hidpi_test PROPERTIES RESOURCE_LOCK display
 copperscope_add_test(hidpi_offscreen_test ui hidpi_test)
 set_tests_properties(hidpi_offscreen_test PROPERTIES
     ENVIRONMENT "${offscreen};COPPERSCOPE_VALIDATION=abort;QT_SCALE_FACTOR=2")
+
+# What opens on a screen of 800 by 600 pixels.
+copperscope_test(ui_small_screen_test ui/small_screen_test.cpp LABEL ui LINK copperscope_ui)
+set_tests_properties(ui_small_screen_test PROPERTIES
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen:configfile=${CMAKE_CURRENT_LIST_DIR}/small_screen.json")

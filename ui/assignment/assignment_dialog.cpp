@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/common/first_size.h"
 #include "ui/common/table_view.h"
 
 namespace ui {
@@ -45,7 +46,7 @@ AssignmentDialog::AssignmentDialog(const QString& job, const QString& map,
     layout->addWidget(m_table, 1);
     layout->addWidget(m_hint);
     layout->addWidget(buttons);
-    resize(960, 520);
+    resizeToScreen(*this, {960, 520});
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(restore, &QPushButton::clicked, this, [this] { show(m_found); });

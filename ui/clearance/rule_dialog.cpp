@@ -15,6 +15,7 @@
 
 #include "model/clearance/rule_file.h"
 #include "model/clearance/rule_presets.h"
+#include "ui/common/first_size.h"
 #include "ui/common/table_view.h"
 
 namespace ui {
@@ -65,7 +66,7 @@ RuleDialog::RuleDialog(const model::RuleTable& rules, std::vector<std::string> n
     all->addWidget(classesBox(), 2);
     all->addWidget(m_hint);
     all->addWidget(buttons);
-    resize(940, 600);
+    resizeToScreen(*this, {940, 600});
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(&m_rules, &RuleModel::refused, m_hint, &QLabel::setText);

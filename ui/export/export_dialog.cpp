@@ -17,6 +17,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "ui/common/first_size.h"
 #include "ui/export/export_layers.h"
 #include "ui/export/export_nets.h"
 #include "ui/export/export_path.h"
@@ -150,7 +151,7 @@ ExportDialog::ExportDialog(const ExportSource& source, Settings& settings, QWidg
     column->addWidget(answers());
     m_export->setDefault(true);  // once it is in the dialog, or Enter cancels
     m_format->setFocus();
-    resize(760, 520);
+    resizeToScreen(*this, {760, 520});
     restore();
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::onFormat);
     connect(m_path, &ExportPath::formatTyped, this, [this](const ExportFormat& format) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "model/formats/board_forms.h"
+#include "ui/common/first_size.h"
 #include "ui/common/paths.h"
 
 namespace ui {
@@ -54,7 +55,7 @@ FormChooser::FormChooser(const std::filesystem::path& path, std::vector<model::B
     layout->addWidget(question);
     layout->addWidget(m_list, 1);
     layout->addWidget(buttons);
-    resize(720, 320);
+    resizeToScreen(*this, {720, 320});
     m_list->setFocus();
 }
 

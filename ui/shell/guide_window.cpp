@@ -10,6 +10,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/common/first_size.h"
+
 namespace ui {
 
 namespace {
@@ -41,7 +43,8 @@ GuideWindow::GuideWindow(const QString& folder, QWidget* parent)
     layout->addWidget(m_page, 1);
     m_page->setObjectName(QStringLiteral("guidePage"));
     m_page->document()->setDocumentMargin(12);
-    resize(850, 720);  // the pictures are up to 760 pixels wide, beside them are margins and a scroll bar
+    resizeToScreen(*this,
+                   {850, 720});  // the pictures are up to 760 pixels wide, beside them are margins and a scroll bar
     showContents();
     m_page->setFocus();
 }

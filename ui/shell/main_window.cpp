@@ -18,11 +18,11 @@
 
 #include "model/formats/board_forms.h"
 #include "model/formats/registry.h"
+#include "ui/common/first_size.h"
 #include "ui/common/paths.h"
 #include "ui/shell/change_bar.h"
 #include "ui/shell/device_notice.h"
 #include "ui/shell/features.h"
-#include "ui/shell/first_size.h"
 #include "ui/shell/form_chooser.h"
 #include "ui/shell/guide_window.h"
 #include "ui/shell/help_dialogs.h"

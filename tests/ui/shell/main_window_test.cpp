@@ -22,9 +22,9 @@
 #include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/canvas/image_canvas.h"
+#include "ui/common/first_size.h"
 #include "ui/export/export_dialog.h"
 #include "ui/layers/layers_panel.h"
-#include "ui/shell/first_size.h"
 #include "ui/shell/message_bar.h"
 #include "ui/shell/status_line.h"
 
