@@ -256,7 +256,8 @@ private slots:
             for (const auto& [text, ground] :
                  {std::pair(QPalette::Text, QPalette::Base), std::pair(QPalette::Text, QPalette::AlternateBase),
                   std::pair(QPalette::WindowText, QPalette::Window), std::pair(QPalette::ButtonText, QPalette::Button),
-                  std::pair(QPalette::HighlightedText, QPalette::Highlight)}) {
+                  std::pair(QPalette::HighlightedText, QPalette::Highlight), std::pair(QPalette::Link, QPalette::Base),
+                  std::pair(QPalette::Link, QPalette::AlternateBase)}) {
                 const double contrast = contrastOf(palette.color(text), palette.color(ground));
                 QVERIFY2(contrast >= 4.5, qPrintable(QString::number(contrast)));  // WCAG 2 AA for text
             }

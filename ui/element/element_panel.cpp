@@ -121,6 +121,14 @@ void ElementPanel::follow(int row) {
     }
 }
 
+/// The colour of links is that of the theme.
+void ElementPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        update();
+    }
+}
+
 bool ElementPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_table && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();

@@ -33,6 +33,7 @@ signals:
     void followed(ui::ElementPanel::Link link);
 
 protected:
+    void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
