@@ -31,13 +31,48 @@ bool isSameWord(char inName, char inText) {
     return isSame(inName, inText) || (inName == '_' && inText == ' ');
 }
 
-/// How `name` fits a text that is in lower case.
+constexpr std::string_view kWildcards = "*?";
+
+bool hasWildcards(std::string_view text) {
+    return text.find_first_of(kWildcards) != std::string_view::npos;
+}
+
+/// Does all of `name` fit a pattern in lower case, where * is for any letters and ? for one?
+bool isLike(std::string_view name, std::string_view pattern, bool (*isAlike)(char, char)) {
+    std::size_t at = 0;
+    std::size_t in = 0;
+    std::size_t star = std::string_view::npos;  // the last one met: what it is for grows where the rest does not fit
+    std::size_t starAt = 0;
+    while (at < name.size()) {
+        if (in < pattern.size() && pattern[in] == '*') {
+            star = in++;
+            starAt = at;
+        } else if (in < pattern.size() && (pattern[in] == '?' || isAlike(name[at], pattern[in]))) {
+            ++at;
+            ++in;
+        } else if (star != std::string_view::npos) {
+            in = star + 1;
+            at = ++starAt;
+        } else {
+            return false;
+        }
+    }
+    return pattern.substr(in).find_first_not_of('*') == std::string_view::npos;
+}
+
+/// How `name` fits a text that is in lower case. Names that hold * or ? themselves, as some jobs write inverted
+/// signals, are found by them too.
 Fit fitOf(std::string_view name, std::string_view text, bool (*isAlike)(char, char) = isSame) {
     const auto at = std::ranges::search(name, text, isAlike).begin();
     if (at == name.end()) {
-        return Fit::None;
+        return hasWildcards(text) && isLike(name, text, isAlike) ? Fit::Holds : Fit::None;
     }
     return at != name.begin() ? Fit::Holds : name.size() == text.size() ? Fit::Whole : Fit::Begins;
+}
+
+bool isCalled(std::string_view name, std::string_view text) {
+    const Fit fit = fitOf(name, text);
+    return fit == Fit::Whole || (fit != Fit::None && hasWildcards(text));
 }
 
 struct Match {
@@ -103,14 +138,15 @@ public:
         const std::string_view part = std::string_view(m_text).substr(0, cut);
         const std::string_view pin = std::string_view(m_text).substr(cut + 1);
         for (const model::Component& component : board.components) {
-            if (fitOf(component.refdes, part) != Fit::Whole) {
+            if (!isCalled(component.refdes, part)) {
                 continue;
             }
             std::unordered_set<std::string> seen;  // a pin of several pads is found once
             for (std::uint32_t row = component.firstPin; row < component.firstPin + component.pinCount; ++row) {
                 const std::string name = model::pinName(board, model::PinId{std::size_t{row}});
                 const Fit fit = fitOf(name, pin);
-                if ((fit == Fit::Whole || fit == Fit::Begins) && (name.empty() || seen.insert(name).second)) {
+                const bool isIt = fit == Fit::Whole || fit == Fit::Begins || (fit == Fit::Holds && hasWildcards(pin));
+                if (isIt && (name.empty() || seen.insert(name).second)) {
                     m_matches.push_back({fit, board.text(board.pins[row].name), {FoundKind::Pin, row, m_step, {}}});
                 }
             }
@@ -173,13 +209,16 @@ bool isOnBoard(const model::Document& board, base::PointD nm) {
     return nm.x >= box.min.x && nm.x <= box.max.x && nm.y >= box.min.y && nm.y <= box.max.y;
 }
 
+QString counted(std::size_t count, const QString& one, const QString& many) {
+    return count == 1 ? one : many.arg(count);
+}
+
 QString ownersOf(const model::AttributeValue& attribute) {
-    const bool isOne = attribute.count == 1;
     return attribute.owner == model::AttributeValue::Owner::Components
-               ? (isOne ? BoardSearch::tr("Attribute of 1 component")
-                        : BoardSearch::tr("Attribute of %L1 components").arg(attribute.count))
-               : (isOne ? BoardSearch::tr("Attribute of 1 element")
-                        : BoardSearch::tr("Attribute of %L1 elements").arg(attribute.count));
+               ? counted(attribute.count, BoardSearch::tr("Attribute of 1 component"),
+                         BoardSearch::tr("Attribute of %L1 components"))
+               : counted(attribute.count, BoardSearch::tr("Attribute of 1 element"),
+                         BoardSearch::tr("Attribute of %L1 elements"));
 }
 
 /// What the job calls the text that elements draw.
@@ -290,9 +329,9 @@ QString BoardSearch::whatIs(const Found& found) const {
         case FoundKind::Layer: return BoardSearch::tr("Layer, %1").arg(layerTypeText(m_board->layers[found.row].type));
         case FoundKind::Component: {
             const model::Component& part = stepOf(found).components[found.row];
-            return BoardSearch::tr("Component, %1 pins, %2 side, %3")
-                .arg(QString::number(part.pinCount), QLatin1String(model::toString(part.side)),
-                     QString::fromStdString(part.part));
+            return BoardSearch::tr("Component, %1, %2 side, %3")
+                .arg(counted(part.pinCount, BoardSearch::tr("1 pin"), BoardSearch::tr("%L1 pins")),
+                     QLatin1String(model::toString(part.side)), QString::fromStdString(part.part));
         }
         case FoundKind::Pin: {
             const model::NetId net = stepOf(found).pins[found.row].net;
@@ -302,8 +341,8 @@ QString BoardSearch::whatIs(const Found& found) const {
             return pads > 1 ? BoardSearch::tr("%1, %2 pads").arg(pin).arg(pads) : pin;
         }
         case FoundKind::Net:
-            return BoardSearch::tr("Net, %L1 elements")
-                .arg(stepOf(found).elementsOf(model::NetId{std::size_t{found.row}}).size());
+            return counted(stepOf(found).elementsOf(model::NetId{std::size_t{found.row}}).size(),
+                           BoardSearch::tr("Net, 1 element"), BoardSearch::tr("Net, %L1 elements"));
         case FoundKind::Attribute: return ownersOf(attribute(found));
     }
     return {};

@@ -27,7 +27,7 @@ struct Found {
 /// Finds nets, components, pins, attributes, layers and locations by what people type: part of a name in any case,
 /// "U1.5" or "U1-5" for a pin, a value or a name for an attribute, "12.5, 30 mm" for a location; in the board and in
 /// all the steps placed on it. Names are looked through as they lie in the document; of attributes each value is listed
-/// once when the board is set.
+/// once when the board is set. With * for any letters and ? for one, the text is to fit all of a name.
 class BoardSearch {
     Q_DECLARE_TR_FUNCTIONS(ui::BoardSearch)
 public:

@@ -1,8 +1,12 @@
 #include "ui/search/search_feature.h"
 
+#include <algorithm>
+
+#include "ui/layers/layer_model.h"
 #include "ui/parts/part_picking.h"
 #include "ui/search/location_mark.h"
 #include "ui/search/search_box.h"
+#include "ui/workspace/hint.h"
 
 namespace ui {
 
@@ -55,21 +59,69 @@ void show(const Found& found, const BoardSearch& search, Workspace& workspace, P
     }
 }
 
+/// Of the selected elements, or of those of the highlighted nets; each once.
+std::vector<model::LayerId> layersOf(const SelectionModel& selection) {
+    std::vector<model::LayerId> layers;
+    const auto add = [&](std::uint32_t step, model::ElementId element) {
+        layers.push_back(selection.tree().steps[step]->elements.layer[element.row()]);
+    };
+    for (const model::BoardElement& at : selection.selected()) {
+        add(selection.tree().copies[at.copy].step, at.element);
+    }
+    if (layers.empty()) {
+        for (const model::BoardNet& net : selection.nets()) {
+            for (const model::ElementId element : selection.tree().steps[net.step]->elementsOf(net.net)) {
+                add(net.step, element);
+            }
+        }
+    }
+    std::ranges::sort(layers);
+    layers.erase(std::ranges::unique(layers).begin(), layers.end());
+    return layers;
+}
+
+/// What is found is outlined where it is drawn: a view that moves there and shows nothing needs a word.
+void sayIfHidden(const QString& title, const FeatureContext& context, Hint& hint) {
+    std::vector<model::LayerId> layers = layersOf(context.workspace.selection());
+    const std::vector<LayerAppearance> styles = context.layers.effectiveStyles();
+    if (layers.empty() || std::ranges::any_of(layers, [&](auto layer) { return styles[layer.row()].isVisible; })) {
+        return;
+    }
+    const model::Document& board = *context.workspace.board()->document;
+    // Bodies are named only of what has nothing else.
+    const auto bodies = std::ranges::partition(layers, [&](auto layer) { return !board.layer(layer).isSynthetic; });
+    if (bodies.size() < layers.size()) {
+        layers.erase(bodies.begin(), bodies.end());
+    }
+    QStringList names;
+    for (const model::LayerId layer : layers) {
+        names += QString::fromStdString(board.layer(layer).name);
+    }
+    hint.show(SearchBox::tr("%1 is on layers that are hidden: %2").arg(title, names.join(QStringLiteral(", "))));
+}
+
 }  // namespace
 
 void addSearch(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     auto* box = new SearchBox(context.actions, context.window);
     auto* mark = new LocationMark(context.views, workspace, &context.window);
-    context.escapes.emplace_back([mark] { return mark->clear(); });
+    auto* hint = new Hint(workspace, box);
+    QObject::connect(&workspace.selection(), &SelectionModel::selectionChanged, hint, &Hint::end);
+    QObject::connect(&workspace.selection(), &SelectionModel::netsChanged, hint, &Hint::end);
+    // Before what was there when the location was looked for.
+    context.escapes.insert(context.escapes.begin(), [mark] { return mark->clear(); });
     context.on(ActionId::Find, box, [box] { box->open({}); });
     context.on(ActionId::Commands, box, [box] { box->open(QStringLiteral(">")); });
-    QObject::connect(box, &SearchBox::chosen, &workspace, [&context, box, mark](const Found& found) {
+    QObject::connect(box, &SearchBox::chosen, &workspace, [&context, box, mark, hint](const Found& found) {
         mark->clear();
         if (found.kind == FoundKind::Location) {
             mark->set(found.location);
         }
         show(found, box->search(), context.workspace, context.parts);
+        if (found.kind != FoundKind::Location && found.kind != FoundKind::Layer) {
+            sayIfHidden(box->search().titleOf(found), context, *hint);
+        }
         context.views.active().takeKeyboard();  // not the line it was before, which would take the next key for text
     });
     QObject::connect(&workspace, &Workspace::boardRead, box,

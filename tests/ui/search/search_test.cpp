@@ -49,6 +49,55 @@ private slots:
         QVERIFY(!box().isVisible());
     }
 
+    void anAsteriskIsForAnyLettersAndAQuestionMarkForOne() {
+        for (const auto& [pattern, names] :
+             {std::pair("1pps_*", QStringList{"1PPS_IN", "1PPS_OUT"}), std::pair("*_OUT", QStringList{"1PPS_OUT"}),
+              std::pair("?p*s_in", QStringList{"1PPS_IN"}), std::pair("netc3_?", QStringList{"NetC3_1"})}) {
+            type(pattern);
+            QStringList found;
+            for (int row = 0; row < box().list().count(); ++row) {
+                if (const QString text = box().list().item(row)->text(); text.contains(" Net, ")) {
+                    found += text.section(' ', 0, 0);
+                }
+            }
+            QCOMPARE(found, names);
+            QTest::keyClick(&box().line(), Qt::Key_Escape);
+        }
+        type("u1.*");
+        QVERIFY(box().list().count() > 1);
+        QVERIFY2(box().list().item(0)->text().startsWith("U1."), qPrintable(box().list().item(0)->text()));
+        QTest::keyClick(&box().line(), Qt::Key_Escape);
+    }
+
+    void oneIsNoPlural() {
+        int ones = 0;
+        for (const char* all : {"j*", "n*"}) {
+            type(all);
+            for (int row = 0; row < box().list().count(); ++row) {
+                const QString text = box().list().item(row)->text();
+                QVERIFY2(!text.contains(" 1 pins") && !text.contains(" 1 elements"), qPrintable(text));
+                ones += text.contains(" 1 pin,") || text.contains(" 1 element") ? 1 : 0;
+            }
+            QTest::keyClick(&box().line(), Qt::Key_Escape);
+        }
+        QVERIFY(ones > 0);
+    }
+
+    void whatIsFoundOnHiddenLayersIsSaidToBe() {
+        QVERIFY(m_fixture->openAndWait(boardWithPartsBelowEachOther()));
+        window().layers().showOnly({"B.Cu"});
+        type("r1");
+        take();
+        QCOMPARE(window().statusBar()->currentMessage(), "R1 is on layers that are hidden: F.Cu");
+        type("b");
+        take();
+        QVERIFY2(!window().statusBar()->currentMessage().contains("hidden"),
+                 "its copper is on the layer that is shown");
+        type("a");
+        take();
+        QVERIFY(window().statusBar()->currentMessage().startsWith("A is on layers that are hidden: F.Cu"));
+    }
+
     void aComponentsPadsAreSelected() {
         type("u1");
         take();
@@ -136,6 +185,15 @@ private slots:
         m_fixture->key(Qt::Key_Escape);
         QVERIFY(!mark.location());
         QCOMPARE(window().selection().nets(), nets);  // the next Esc ends the highlight
+        window().workspace().setCurrentLayer(window().document()->findLayer("L02-INNER_LAYER"));
+        m_fixture->key(Qt::Key_H);
+        const auto visible = [&] { return window().layers().effectiveStyles()[0].isVisible; };
+        const bool wasVisible = visible();
+        markPlace();
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!mark.location());
+        QVERIFY2(visible() == wasVisible, "nor is the layer that is shown alone");
+        m_fixture->key(Qt::Key_H);
         markPlace();
         type("gnd");
         take();
