@@ -4,10 +4,34 @@
 
 #include "model/session/session.h"
 #include "ui/clearance/waive_dialog.h"
+#include "ui/common/display_units.h"
 #include "ui/common/paths.h"
 #include "ui/workspace/feature.h"
 
 namespace ui {
+
+namespace {
+
+QString sideText(const model::WaivedSide& side) {
+    QStringList texts;
+    for (const std::string& text : {side.net, side.pin, side.kind}) {
+        if (!text.empty()) {
+            texts += QString::fromStdString(text);
+        }
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
+/// As the list of locations says it, in the unit of the window.
+QString locationText(const model::Waiver& waiver, LengthUnit unit) {
+    const auto from = base::toDouble(waiver.from);
+    return RuleWaivers::tr("%1 on %2 at %3: %4, %5 and %6")
+        .arg(QLatin1String(model::nameOf(waiver.kind)), QString::fromStdString(waiver.layer),
+             positionText(from.x, from.y, unit), fixedLengthInBoth(waiver.distance, unit), sideText(waiver.sides[0]),
+             sideText(waiver.sides[1]));
+}
+
+}  // namespace
 
 RuleWaivers::RuleWaivers(Workspace& workspace, Settings& settings, QObject* parent)
     : QObject(parent),
@@ -29,7 +53,7 @@ void RuleWaivers::open(const LoadedBoard& board) {
 }
 
 void RuleWaivers::request(const model::Waiver& waiver, QWidget& parent) {
-    auto* dialog = new WaiveDialog(QString::fromStdString(model::placeOf(waiver)), m_settings.author(), &parent);
+    auto* dialog = new WaiveDialog(locationText(waiver, m_workspace.unit()), m_settings.author(), &parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, waiver] {
         model::Waiver said = waiver;

@@ -14,6 +14,7 @@ WaiveDialog::WaiveDialog(const QString& location, const QString& author, QWidget
     m_reason->setObjectName(QStringLiteral("reason"));
     m_author->setObjectName(QStringLiteral("author"));
     auto* where = new QLabel(location);
+    where->setObjectName(QStringLiteral("location"));
     where->setTextFormat(Qt::PlainText);
     where->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);

@@ -4,6 +4,7 @@
 #include <QContextMenuEvent>
 #include <QDialogButtonBox>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
@@ -45,6 +46,8 @@ private slots:
         QVERIFY(dialog != nullptr && dialog->isVisible());
         auto* ok = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
         QVERIFY(!ok->isEnabled());  // no reason yet
+        const QString spacing = at(0, ClearanceModel::Spacing);
+        QVERIFY2(dialog->findChild<QLabel*>("location")->text().contains(spacing), "it says what the list says");
         QTest::keyClicks(dialog->findChild<QLineEdit*>("reason"), "looked at");
         QTest::keyClicks(dialog->findChild<QLineEdit*>("author"), "Me");
         QTest::mouseClick(ok, Qt::LeftButton);
