@@ -28,10 +28,13 @@ constexpr std::optional<model::NetGrouping> kGroupings[] = {std::nullopt,
                                                             model::NetGrouping::Sheet};
 constexpr int kBySheet = 5;  // of these
 
+constexpr int kNameWidth = 17;  // in letters
+constexpr int kLeastNameWidth = 10;
+
 /// In letters.
 constexpr std::pair<NetModel::Column, int> kWidths[] = {
-    {NetModel::Name, 17},   {NetModel::Pins, 6},  {NetModel::Vias, 6},   {NetModel::Elements, 8},
-    {NetModel::Length, 12}, {NetModel::Area, 12}, {NetModel::Colour, 6}, {NetModel::Shown, 5},
+    {NetModel::Name, kNameWidth}, {NetModel::Pins, 6},  {NetModel::Vias, 6},   {NetModel::Elements, 8},
+    {NetModel::Length, 12},       {NetModel::Area, 12}, {NetModel::Colour, 6}, {NetModel::Shown, 5},
 };
 
 /// Of the context menu, for the selected rows.
@@ -99,7 +102,9 @@ void NetsPanel::setUpTable() {
     // Beside the name, where a narrow panel still shows it.
     QHeaderView& header = *m_table->horizontalHeader();
     header.moveSection(header.visualIndex(NetModel::Length), header.visualIndex(NetModel::Name) + 1);
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    header.setStretchLastSection(true);
+    connect(&header, &QHeaderView::sectionResized, this,
+            [this](int column) { m_isNameSet = m_isNameSet || (column == NetModel::Name && !m_isFitting); });
     m_table->installEventFilter(this);
     m_table->viewport()->installEventFilter(this);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &NetsPanel::takeFromTable);
@@ -150,6 +155,9 @@ void NetsPanel::layOutControls(const ActionSet& actions) {
 }
 
 bool NetsPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_table->viewport() && event->type() == QEvent::Resize) {
+        fitName();
+    }
     const bool isTaken =
         (watched == m_table && event->type() == QEvent::KeyPress && takeKey(static_cast<QKeyEvent*>(event)->key())) ||
         (watched == m_table->viewport() && event->type() == QEvent::MouseButtonPress &&
@@ -284,6 +292,21 @@ void NetsPanel::fitNumbers() {
         const int needed = fontMetrics().horizontalAdvance(m_model.widestNumber(column) + QStringLiteral("MM"));
         m_table->setColumnWidth(column, std::max(m_table->columnWidth(column), needed));
     }
+    fitName();
+}
+
+/// In a narrow panel the name leaves room for the length beside it, until the user sets its width.
+void NetsPanel::fitName() {
+    if (m_isNameSet) {
+        return;
+    }
+    int room = m_table->viewport()->width();
+    for (const NetModel::Column column : {NetModel::Shown, NetModel::Colour, NetModel::Length}) {
+        room -= m_table->columnWidth(column);
+    }
+    const int letter = fontMetrics().horizontalAdvance('0');
+    const QScopedValueRollback guard(m_isFitting, true);
+    m_table->setColumnWidth(NetModel::Name, std::clamp(room, kLeastNameWidth * letter, kNameWidth * letter));
 }
 
 void NetsPanel::applyFilter() {

@@ -62,6 +62,7 @@ private:
     void fold(int heading, bool isFolded);
     void groupBySheet();
     void fitNumbers();
+    void fitName();
     void onClicked(const QModelIndex& index);
     void toggleSelected();
     void applyFilter();
@@ -93,6 +94,8 @@ private:
     TableView* m_table;
     QTimer m_detailsDue;        ///< what is known of a net comes after the frame that shows it
     bool m_isSyncing = false;   ///< the table is being changed to show what is highlighted
+    bool m_isFitting = false;   ///< the width of the names
+    bool m_isNameSet = false;   ///< that width, by the user
     bool m_isToScroll = false;  ///< to the net of the selection, once the rows are arranged
     bool m_follows = true;
     bool m_showsChosen = false;

@@ -4,6 +4,7 @@
 #include <QColorDialog>
 #include <QComboBox>
 #include <QContextMenuEvent>
+#include <QHeaderView>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QScrollBar>
@@ -173,6 +174,22 @@ private slots:
         m_fixture->key(Qt::Key_N);
         QCOMPARE(window().selection().nets(), std::vector{gnd()});
         QVERIFY(window().statusBar()->currentMessage().isEmpty());
+    }
+
+    void aNarrowPanelShowsNamesAndLengthsBesideEachOther() {
+        openCopy();
+        window().showPanel("nets");
+        window().resizeDocks({window().findChild<QDockWidget*>("nets")}, {320}, Qt::Horizontal);
+        QTRY_VERIFY(std::abs(table().width() - 320) < 30);
+        const auto end = [&](NetModel::Column column) {
+            return table().horizontalHeader()->sectionViewportPosition(column) + table().columnWidth(column);
+        };
+        QTRY_VERIFY(end(NetModel::Length) <= table().viewport()->width());
+        QVERIFY(table().columnWidth(NetModel::Name) >= table().fontMetrics().horizontalAdvance("1PPS_OUT"));
+        table().horizontalHeader()->resizeSection(NetModel::Name, 250);
+        window().resizeDocks({window().findChild<QDockWidget*>("nets")}, {350}, Qt::Horizontal);
+        QTest::qWait(50);
+        QVERIFY2(table().columnWidth(NetModel::Name) == 250, "the user has set it");
     }
 
     void lengthsAreShownWhole() {
