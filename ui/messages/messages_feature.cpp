@@ -12,6 +12,7 @@
 #include "ui/messages/message_badge.h"
 #include "ui/messages/message_model.h"
 #include "ui/views/board_views.h"
+#include "ui/workspace/hint.h"
 
 namespace ui {
 
@@ -39,13 +40,14 @@ std::optional<render::Box3> locationOf(const model::Diagnostic& message, const m
     return render::Box3{{low, bottom}, {high, top}};
 }
 
-void show(const model::Diagnostic& message, Workspace& workspace, BoardViews& views) {
+void show(const model::Diagnostic& message, Workspace& workspace, BoardViews& views, Hint& hint) {
     const model::Document& document = *workspace.board()->document;
     const std::optional<render::Box3> location = locationOf(message, document);
     if (!location) {
-        workspace.report(MessageModel::tr("This message is not about one location on the board"));
+        hint.show(MessageModel::tr("This message is not about one location on the board"));
         return;
     }
+    hint.end();
     workspace.selection().select({});
     if (message.element.isValid()) {
         workspace.selection().select({{0, message.element}});
@@ -61,8 +63,10 @@ void show(const model::Diagnostic& message, Workspace& workspace, BoardViews& vi
 void addMessages(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     auto* messages = new MessageModel(&context.window);
-    QWidget* panel = makeMessagesPanel(
-        *messages, [&context](const model::Diagnostic& message) { show(message, context.workspace, context.views); });
+    auto* hint = new Hint(workspace, messages);
+    QWidget* panel = makeMessagesPanel(*messages, [&context, hint](const model::Diagnostic& message) {
+        show(message, context.workspace, context.views, *hint);
+    });
     context.addPanel({ActionId::ShowMessagesDock, "messages", MessageModel::tr("Messages"), Qt::BottomDockWidgetArea},
                      *panel);
     context.window.statusBar()->addPermanentWidget(

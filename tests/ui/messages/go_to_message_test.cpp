@@ -50,6 +50,8 @@ private slots:
         click(message);
         QCOMPARE(window().views().solid().controller().camera().view(), before);
         QVERIFY(window().statusBar()->currentMessage().contains("not about one location"));
+        click(firstThat([](const Diagnostic& entry) { return entry.element.isValid(); }));
+        QVERIFY2(window().statusBar()->currentMessage().isEmpty(), "that was the other message");
     }
 
     void aLongPathLeavesRoomForTheMessage() {
