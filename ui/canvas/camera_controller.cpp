@@ -12,6 +12,7 @@ namespace ui {
 
 namespace {
 
+constexpr double kWheelPixels = 60.0;  // a notch pans as far
 constexpr double kWheelNotch = 120.0;  // QWheelEvent: eighths of a degree, 15 degrees a notch
 constexpr double kArrowPixels = 40.0;  // an arrow key moves as much as a drag of this length
 
@@ -370,12 +371,27 @@ bool CameraController::release(const QMouseEvent& event) {
 }
 
 bool CameraController::wheel(const QWheelEvent& event) {
-    const double notches = event.angleDelta().y() / kWheelNotch;
+    const QPoint angle = event.angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / kWheelNotch;  // some systems swap them with Shift
     if (notches == 0.0) {
         return false;
     }
-    zoomAt(event.position(), std::pow(kZoomPerNotch, static_cast<float>(notches)));
+    switch (moveOf(event)) {
+        case WheelMove::Zoom: zoomAt(event.position(), std::pow(kZoomPerNotch, static_cast<float>(notches))); break;
+        case WheelMove::UpAndDown: panBy({0.0, notches * kWheelPixels}); break;
+        case WheelMove::Sideways: panBy({notches * kWheelPixels, 0.0}); break;
+    }
     return true;
+}
+
+WheelMove CameraController::moveOf(const QWheelEvent& event) const {
+    const bool isShifted = event.modifiers().testFlag(Qt::ShiftModifier);
+    const bool isControlled = event.modifiers().testFlag(Qt::ControlModifier);
+    const bool isTilted = event.angleDelta().y() == 0 && !isShifted && !isControlled;  // or two fingers sideways
+    return isTilted       ? WheelMove::Sideways
+           : isShifted    ? m_habits.shiftWheel
+           : isControlled ? m_habits.ctrlWheel
+                          : WheelMove::Zoom;
 }
 
 bool CameraController::key(const QKeyEvent& event) {

@@ -18,20 +18,25 @@ class QWheelEvent;
 
 namespace ui {
 
-/// What drags of the right button do otherwise than pan.
+/// What the wheel does while Shift or Ctrl is held.
+enum class WheelMove : std::uint8_t { UpAndDown, Sideways, Zoom };
+
+/// What drags of the right button do otherwise than pan, and what the wheel does otherwise than zoom.
 struct MouseHabits {
     bool rightDragZooms = false;        ///< in a plan: into a box, or out of it; with Shift it pans
     bool shiftRightDragOrbits = false;  ///< but in a plan, where it pans
+    WheelMove shiftWheel = WheelMove::UpAndDown;
+    WheelMove ctrlWheel = WheelMove::Sideways;
 };
 
 /// Turns mouse, wheel and arrow keys into camera moves; knows nothing of the kind of widget that receives them.
 /// Positions are logical pixels.
 ///
-/// Left drag orbits; middle drag, right drag or Shift with left drag pans; the wheel zooms to the cursor; arrows orbit
-/// and with Shift pan. A press that moves less than kClickPixels before its release is a click and leaves the camera
-/// alone; a click of the right button asks for a menu. The second press of a double click is no click. In a plan
-/// nothing orbits: left drag draws a box and arrows pan, and the board moves by whole pixels of the screen, so that its
-/// picture stays as it is.
+/// Left drag orbits; middle drag, right drag or Shift with left drag pans; the wheel zooms to the cursor, and with
+/// Shift or Ctrl pans; arrows orbit and with Shift pan. A press that moves less than kClickPixels before its release is
+/// a click and leaves the camera alone; a click of the right button asks for a menu. The second press of a double click
+/// is no click. In a plan nothing orbits: left drag draws a box and arrows pan, and the board moves by whole pixels of
+/// the screen, so that its picture stays as it is.
 class CameraController : public QObject {
     Q_OBJECT
 
@@ -141,6 +146,7 @@ private:
     bool move(const QMouseEvent& event);
     bool release(const QMouseEvent& event);
     bool wheel(const QWheelEvent& event);
+    [[nodiscard]] WheelMove moveOf(const QWheelEvent& event) const;
     bool key(const QKeyEvent& event);
     bool dispatch(QEvent& event);
     void orbitBy(QPointF pixels);

@@ -82,6 +82,13 @@ QString dragRows(const MouseHabits& habits) {
     return row(text("Middle drag, right drag, Shift + left drag"), pan);
 }
 
+QString wheelRow(const QString& modifier, WheelMove move) {
+    const QString what = move == WheelMove::Zoom       ? text("Zoom to the cursor")
+                         : move == WheelMove::Sideways ? text("Pan to the left and right")
+                                                       : text("Pan up and down");
+    return row(text("%1 + wheel").arg(modifier), what);
+}
+
 /// A dialog that may stay open beside the window; there is at most one of each name.
 void showDialog(QWidget& parent, const QString& name, const QString& title, QWidget& content) {
     delete parent.findChild<QDialog*>(name);
@@ -100,7 +107,9 @@ void showDialog(QWidget& parent, const QString& name, const QString& title, QWid
 }  // namespace
 
 QString keyListText(KeyPreset keys) {
-    QString gestures = dragRows(mouseHabitsOf(keys));
+    const MouseHabits habits = mouseHabitsOf(keys);
+    QString gestures =
+        dragRows(habits) + wheelRow(text("Shift"), habits.shiftWheel) + wheelRow(text("Ctrl"), habits.ctrlWheel);
     for (const Gesture& gesture : Gesture::kAll) {
         gestures += row(text(gesture.how), text(gesture.what));
     }

@@ -106,7 +106,14 @@ QString keysText(const QList<QKeySequence>& keys, const QString& between) {
 }
 
 MouseHabits mouseHabitsOf(KeyPreset preset) {
-    return {.rightDragZooms = preset == KeyPreset::KLayout, .shiftRightDragOrbits = preset == KeyPreset::Altium};
+    const bool isAltium = preset == KeyPreset::Altium;
+    const bool isKLayout = preset == KeyPreset::KLayout;
+    return {.rightDragZooms = isKLayout,
+            .shiftRightDragOrbits = isAltium,
+            .shiftWheel = isAltium || isKLayout ? WheelMove::Sideways : WheelMove::UpAndDown,
+            .ctrlWheel = isAltium    ? WheelMove::Zoom
+                         : isKLayout ? WheelMove::UpAndDown
+                                     : WheelMove::Sideways};
 }
 
 }  // namespace ui

@@ -39,9 +39,9 @@ void drag(CameraController& controller, QPointF from, QPointF to, Qt::MouseButto
     send(controller, QEvent::MouseButtonRelease, to, button, modifiers);
 }
 
-void wheel(CameraController& controller, QPointF position, int notches) {
-    QWheelEvent event(position, position, {}, {0, notches * 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
-                      false);
+void wheel(CameraController& controller, QPointF position, int notches,
+           Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWheelEvent event(position, position, {}, {0, notches * 120}, Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
     controller.handle(event);
 }
 
@@ -80,6 +80,27 @@ private slots:
         wheel(*m_controller, onScreen(*m_controller, kCorner), 40);
         const glm::vec3 eye = m_controller->camera().eye();
         QVERIFY2(glm::length(eye - kCorner) < 1.0F, qPrintable(QString::number(glm::length(eye - kCorner))));
+    }
+
+    void theWheelWithShiftOrCtrlPansAsTheHabitsSay() {
+        const auto movedBy = [&](Qt::KeyboardModifier modifier) {
+            m_controller->fit();
+            const QPointF before = onScreen(*m_controller, kCorner);
+            const float zoom = m_controller->mmPerPixel();
+            wheel(*m_controller, {400, 300}, 1, modifier);
+            const QPointF way = onScreen(*m_controller, kCorner) - before;
+            return m_controller->mmPerPixel() != zoom ? QStringLiteral("zoom")
+                   : std::abs(way.y()) < 1.0          ? QStringLiteral("%1 right").arg(std::lround(way.x()))
+                   : std::abs(way.x()) < 1.0          ? QStringLiteral("%1 down").arg(std::lround(way.y()))
+                                                      : QStringLiteral("askew");
+        };
+        m_controller->setPlan();
+        QCOMPARE(movedBy(Qt::ShiftModifier), "60 down");
+        QCOMPARE(movedBy(Qt::ControlModifier), "60 right");
+        QCOMPARE(movedBy(Qt::NoModifier), "zoom");
+        m_controller->setHabits({.shiftWheel = ui::WheelMove::Sideways, .ctrlWheel = ui::WheelMove::Zoom});
+        QCOMPARE(movedBy(Qt::ShiftModifier), "60 right");
+        QCOMPARE(movedBy(Qt::ControlModifier), "zoom");
     }
 
     void wheelTowardsTheBoardEnlarges() {
