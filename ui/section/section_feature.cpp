@@ -141,7 +141,17 @@ void SectionFeature::showPrompt(const QString& prompt) {
     }  // else the pointer has only left: the tool is still on, and says what it wants where the pointer comes to
 }
 
+/// Nothing in the view can be dragged, so the keys are said while there is a plane.
 void SectionFeature::connectPlane(FeatureContext& context) {
+    auto* hint = new Hint(m_workspace, this);
+    connect(&m_actions[ActionId::SectionPlane], &QAction::toggled, hint, [this, hint](bool isOn) {
+        const auto key = [this](ActionId id) { return m_actions[id].shortcut().toString(QKeySequence::NativeText); };
+        isOn
+            ? hint->show(tr("Section plane: \"%1\" moves it forward, \"%2\" back, \"%3\" rotates it, \"%4\" removes it")
+                             .arg(key(ActionId::MoveSectionPlaneOn), key(ActionId::MoveSectionPlaneBack),
+                                  key(ActionId::RotateSectionPlane), key(ActionId::SectionPlane)))
+            : hint->end();
+    });
     const auto on = [&](ActionId id, auto slot) { context.on(id, this, slot); };
     on(ActionId::SectionPlane, [this](bool isOn) {
         m_plane.setOn(isOn);

@@ -122,6 +122,14 @@ private slots:
         QVERIFY(window().views().solid().cut() == nullptr);
     }
 
+    void theKeysOfThePlaneAreSaidWhileThereIsOne() {
+        const auto said = [&] { return window().statusBar()->currentMessage(); };
+        window().actions()[ActionId::SectionPlane].trigger();
+        QVERIFY2(said().contains("\"Shift+X\" rotates it"), qPrintable(said()));
+        window().actions()[ActionId::SectionPlane].trigger();
+        QVERIFY(said().isEmpty());
+    }
+
     void besideTheBoardThePlaneGoesThroughItsMiddle() {
         const model::Box& board = m_index->board->board;
         const auto heightOf = [&](double part) {
