@@ -23,6 +23,13 @@ QString boreNumber(std::size_t row) {
     return QString::number(row + 1);
 }
 
+/// A to Z, then AA: holes have numbers.
+QString zoneLetters(std::size_t zone) {
+    constexpr std::size_t kLetters = 26;
+    const QString last = QChar(static_cast<char16_t>(u'A' + zone % kLetters));
+    return zone < kLetters ? last : zoneLetters(zone / kLetters - 1) + last;
+}
+
 }  // namespace
 
 StackupView::StackupView(QWidget* parent) : QWidget(parent) {
@@ -36,7 +43,7 @@ void StackupView::setStackup(std::shared_ptr<const model::Document> document) {
     const model::StackupDrawing least =
         m_document ? model::drawStackup(*m_document, {0.0, lineHeight(), false}) : model::StackupDrawing{};
     m_boreCount = least.bores.size();
-    setMinimumHeight(static_cast<int>(least.height + roomBeside()));
+    m_leastHeight = least.height;
     arrange();
 }
 
@@ -65,15 +72,40 @@ QSize StackupView::sizeHint() const {
     return {fontMetrics().averageCharWidth() * 80, minimumHeight()};
 }
 
-/// Above the layers a line for the numbers of the holes, below them a line for each and one to breathe.
+/// Above the layers a line for the numbers of the holes, below them a line for each and for each letter of a zone, and
+/// one to breathe.
 double StackupView::roomBeside() const {
-    return 2 * kMargin + lineHeight() * (static_cast<double>(m_boreCount) + 2.0);
+    return 2 * kMargin + lineHeight() * (static_cast<double>(m_boreCount + m_letteredZones) + 2.0);
 }
 
 void StackupView::arrange() {
+    m_letteredZones = 0;
+    draw();
+    if (hasNarrowZone()) {
+        m_letteredZones = m_drawing.columns.size();
+        draw();
+    }
+    setMinimumHeight(static_cast<int>(m_leastHeight + roomBeside()));
+    update();
+}
+
+void StackupView::draw() {
     m_drawing = m_document ? model::drawStackup(*m_document, {height() - roomBeside(), lineHeight(), m_isExaggerated})
                            : model::StackupDrawing{};
-    update();
+}
+
+/// Does the name of a zone have no room above it?
+bool StackupView::hasNarrowZone() const {
+    for (std::size_t zone = 0; zone < m_drawing.columns.size() && !m_drawing.bands.empty(); ++zone) {
+        if (fontMetrics().horizontalAdvance(zoneName(zone)) > zoneRect(0, zone).width()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+QString StackupView::zoneName(std::size_t zone) const {
+    return QString::fromStdString(m_drawing.columns[zone].part.name);
 }
 
 void StackupView::resizeEvent(QResizeEvent*) {
@@ -139,15 +171,26 @@ double StackupView::thicknessLeft() const {
     return width() - fontMetrics().horizontalAdvance(QStringLiteral(" 888.888 µm "));
 }
 
-/// In the line above the layers; a board without zones has none.
+/// In the line above the layers; a board without zones has none. Without room for them letters, and below the layers
+/// what each stands for.
 void StackupView::paintZoneNames(QPainter& painter) const {
     painter.setPen(palette().color(QPalette::Text));
     for (std::size_t zone = 0; zone < m_drawing.columns.size(); ++zone) {
-        const QRectF column = zoneRect(0, zone);
-        const QString name = QString::fromStdString(m_drawing.columns[zone].part.name);
-        painter.drawText(QRectF(column.left(), kMargin, column.width(), lineHeight()), Qt::AlignCenter,
-                         fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(column.width())));
+        painter.drawText(zoneHeading(zone), Qt::AlignCenter, m_letteredZones > 0 ? zoneLetters(zone) : zoneName(zone));
     }
+    for (std::size_t zone = 0; zone < m_letteredZones; ++zone) {
+        const QRectF line = captionLine(zone);
+        painter.drawText(line, Qt::AlignVCenter, zoneCaptionOf(zone, static_cast<int>(line.width())));
+    }
+}
+
+QRectF StackupView::zoneHeading(std::size_t zone) const {
+    const QRectF column = zoneRect(0, zone);
+    return {column.left(), kMargin, column.width(), lineHeight()};
+}
+
+QString StackupView::zoneCaptionOf(std::size_t zone, int room) const {
+    return fontMetrics().elidedText(zoneLetters(zone) + QStringLiteral("  ") + zoneName(zone), Qt::ElideMiddle, room);
 }
 
 void StackupView::paintBand(QPainter& painter, std::size_t row) const {
@@ -239,9 +282,14 @@ std::size_t StackupView::boreAt(QPointF at) const {
     return row;
 }
 
-QRectF StackupView::captionRect(std::size_t row) const {
+/// Below the layers those of the zones come first, then those of the holes.
+QRectF StackupView::captionLine(std::size_t row) const {
     const double top = kMargin + m_drawing.height + lineHeight() * (static_cast<double>(row) + 1.5);
     return {kMargin, top, width() - 2 * kMargin, lineHeight()};
+}
+
+QRectF StackupView::captionRect(std::size_t row) const {
+    return captionLine(m_letteredZones + row);
 }
 
 std::size_t StackupView::captionAt(QPointF at) const {
@@ -278,6 +326,11 @@ QString StackupView::tipAt(QPointF at) const {
     }
     if (const std::size_t bore = captionAt(at); bore < m_drawing.bores.size()) {
         return boreText(bore);
+    }
+    for (std::size_t zone = 0; zone < m_letteredZones; ++zone) {
+        if (zoneHeading(zone).contains(at)) {
+            return zoneName(zone);
+        }
     }
     const std::size_t row = rowAt(at);
     if (row >= m_drawing.bands.size()) {

@@ -38,6 +38,11 @@ public:
     /// name is cut, or left out once hardly a letter of it would be seen; how many holes there are stays.
     [[nodiscard]] QString captionOf(std::size_t row, int room) const;
     [[nodiscard]] QRectF captionRect(std::size_t row) const;
+    /// Where the name of a zone is, above it: its letter if the names of the zones have no room there, which as many
+    /// lines below the drawing then explain.
+    [[nodiscard]] QRectF zoneHeading(std::size_t zone) const;
+    [[nodiscard]] std::size_t letteredZones() const { return m_letteredZones; }
+    [[nodiscard]] QString zoneCaptionOf(std::size_t zone, int room) const;
     /// What is under the pointer there; empty for nothing.
     [[nodiscard]] QString tipAt(QPointF at) const;
     [[nodiscard]] QSize sizeHint() const override;
@@ -57,6 +62,10 @@ protected:
 
 private:
     void arrange();
+    void draw();
+    [[nodiscard]] bool hasNarrowZone() const;
+    [[nodiscard]] QString zoneName(std::size_t zone) const;
+    [[nodiscard]] QRectF captionLine(std::size_t row) const;
     void step(int by);
     [[nodiscard]] double roomBeside() const;
     [[nodiscard]] double lineHeight() const { return fontMetrics().height() + 1.0; }
@@ -81,6 +90,8 @@ private:
     std::vector<QColor> m_colours;
     model::StackupDrawing m_drawing;
     std::size_t m_boreCount = 0;
+    std::size_t m_letteredZones = 0;
+    double m_leastHeight = 0.0;  ///< of the layers, pixels
     model::LayerId m_isolated;
     int m_selected = -1;
     bool m_isExaggerated = true;

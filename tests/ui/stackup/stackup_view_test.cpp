@@ -152,6 +152,22 @@ private slots:
         QCOMPARE(panel().table().currentIndex().row(), static_cast<int>(top));
     }
 
+    void zonesWithoutRoomForTheirNamesHaveLetters() {
+        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/rigid_flex")));
+        ui::StackupView wide;
+        wide.resize(1600, 700);
+        wide.setStackup(window().workspace().board()->document);
+        QCOMPARE(wide.letteredZones(), std::size_t{0});
+        ui::StackupView narrow;
+        narrow.resize(160, 700);
+        narrow.setStackup(window().workspace().board()->document);
+        QCOMPARE(narrow.letteredZones(), std::size_t{3});
+        const QString flex = QString::fromStdString(narrow.drawing().columns[1].part.name);
+        QCOMPARE(narrow.zoneCaptionOf(1, 1'000), "B  " + flex);
+        QCOMPARE(narrow.tipAt(narrow.zoneHeading(1).center()), flex);
+        QVERIFY2(narrow.minimumHeight() > wide.minimumHeight(), "a line below the drawing for each");
+    }
+
     void findingsAreListedAndSelectTheirRows() {
         QVERIFY(panel().findings().isHidden());
         QVERIFY(
