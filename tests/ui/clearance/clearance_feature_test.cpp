@@ -9,6 +9,7 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QSlider>
 #include <QWheelEvent>
 #include <QtTest>
@@ -105,6 +106,28 @@ private slots:
         click();
         QCOMPARE(listed.rowCount(), locations.rowCount());
         QVERIFY2(label("summary").startsWith("FAIL: "), qPrintable(label("summary")));
+        model.replaceRules(before);
+    }
+
+    void theLocationThatIsShownIsSeenInTheList() {
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        ui::RuleModel& model = window().find<ui::RuleModel>();
+        const model::RuleTable before = model.rules();
+        for (const int row : {0, 1}) {  // copper to copper, and to holes
+            QVERIFY(model.setData(model.index(row, ui::RuleModel::Least), "8 mm", Qt::EditRole));
+        }
+        measure();
+        auto& rules = *panel().findChild<ui::TableView*>("rules");
+        rules.clearSelection();
+        panel().setCurrentRow(1);
+        const QModelIndex second = model.index(1, ui::RuleModel::Result);
+        rules.scrollTo(second);
+        QTest::mouseClick(rules.viewport(), Qt::LeftButton, {}, rules.visualRect(second).center());
+        ui::TableView& table = panel().table();
+        QCOMPARE(panel().currentRow(), window().find<ui::ClearanceModel>().firstOf(1));
+        QTRY_VERIFY(table.verticalScrollBar()->maximum() > 0);
+        QVERIFY(table.viewport()->rect().contains(table.visualRect(table.currentIndex()).center()));
+        rules.clearSelection();
         model.replaceRules(before);
     }
 
