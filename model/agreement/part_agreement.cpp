@@ -81,11 +81,15 @@ private:
     void noteParts() {
         std::vector<std::string> notes;
         if (m_withoutPins > 0) {
-            notes.push_back(std::to_string(m_withoutPins) + " parts without pins are in one job only");
+            notes.push_back(std::to_string(m_withoutPins) +
+                            (m_withoutPins == 1 ? " part without pins is" : " parts without pins are") +
+                            " in one job only");
         }
         if (m_otherwiseTurned > 0) {
             notes.push_back(std::to_string(m_otherwiseTurned) +
-                            " parts state another rotation, but all their pins lie at the same locations");
+                            (m_otherwiseTurned == 1
+                                 ? " part states another rotation, but all its pins lie at the same locations"
+                                 : " parts state another rotation, but all their pins lie at the same locations"));
         }
         if (m_unplaced > 0) {
             notes.push_back("where " + std::to_string(m_unplaced) +

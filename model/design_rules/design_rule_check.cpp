@@ -46,9 +46,9 @@ void note(RuleContext& context) {
             thin += coversNothing(document, element) ? 1 : 0;
         }
     }
-    const auto add = [&](std::size_t count, const char* what) {
+    const auto add = [&](std::size_t count, const char* one, const char* many) {
         if (count > 0) {
-            context.report().notes.push_back(std::to_string(count) + what);
+            context.report().notes.push_back(std::to_string(count) + (count == 1 ? one : many));
         }
     };
     for (std::string& text : patternsOfNothing(context.table(), context.choice())) {
@@ -57,10 +57,12 @@ void note(RuleContext& context) {
     if (std::ranges::any_of(context.table().rules, [](const Rule& rule) { return rule.isOn && rule.isSameNet; })) {
         context.report().notes.push_back("within a net, notches and slits of one area are not measured");
     }
-    add(document.nets.empty() ? 0 : islands,
+    add(document.nets.empty() ? 0 : islands, " copper element of no net, neither pad nor hole, is held against nets",
         " copper elements of no net, neither pads nor holes, are held against nets, not against each other");
-    add(thin, " copper elements have no width and leave no copper");
-    add(context.awayCount(), " pads lie wholly within NPTHs, which take them away");
+    add(thin, " copper element has no width and leaves no copper",
+        " copper elements have no width and leave no copper");
+    add(context.awayCount(), " pad lies wholly within an NPTH, which takes it away",
+        " pads lie wholly within NPTHs, which take them away");
 }
 
 void finish(RuleReport& report) {

@@ -180,9 +180,10 @@ void checkMaskToCopper(RuleContext& context, LayerId mask) {
         }
     }
     if (smaller > 0) {
-        context.report().notes.push_back(std::to_string(smaller) + " pads under " +
-                                         context.document().layer(mask).name +
-                                         " are larger than their opening (defined by solder mask)");
+        const bool isOne = smaller == 1;
+        context.report().notes.push_back(
+            std::to_string(smaller) + (isOne ? " pad under " : " pads under ") + context.document().layer(mask).name +
+            (isOne ? " is larger than its" : " are larger than their") + " opening (defined by solder mask)");
     }
 }
 

@@ -205,8 +205,8 @@ private:
                    "the netlist was made from the copper and numbers its nets (" + list + ", …); it names none");
         } else if (unknown > 0) {
             report(Severity::Warning, 0,
-                   std::to_string(unknown) + " nets of the netlist are not on the board: " + list +
-                       (unknown > kListed ? ", …" : ""));
+                   std::to_string(unknown) + (unknown == 1 ? " net of the netlist is" : " nets of the netlist are") +
+                       " not on the board: " + list + (unknown > kListed ? ", …" : ""));
         }
     }
 

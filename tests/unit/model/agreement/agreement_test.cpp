@@ -201,7 +201,7 @@ private slots:
         QCOMPARE(parts.differences[0].text, std::string("R1 is moved by 0.0500 mm"));
         QCOMPARE(parts.differences[1].text, std::string("R2 is turned by 0.00 degrees in A, by 90.00 in B"));
         QCOMPARE(parts.differing, std::size_t{2});
-        QVERIFY(parts.note.find("1 parts without pins") == 0);
+        QVERIFY(parts.note.find("1 part without pins is") == 0);
         QCOMPARE(parts.farthest, std::optional(50'000.0));
         QCOMPARE(find(agreement, Aspect::Pins)->farthest, std::optional(0.0));
         QVERIFY(!find(agreement, Aspect::Nets)->farthest);
@@ -259,7 +259,7 @@ private slots:
         other.steps[0].components[1].clockwiseDeg = 180.0;
         const Agreement agreement = compared(board(), other);
         QVERIFY(agreement.isAgreed());
-        QVERIFY(find(agreement, Aspect::Parts)->note.find("1 parts state another rotation") == 0);
+        QVERIFY(find(agreement, Aspect::Parts)->note.find("1 part states another rotation") == 0);
     }
 
     void slotsMayEndInChords() {

@@ -248,6 +248,16 @@ private slots:
         QVERIFY2(report.notes[0].starts_with("2 copper elements of no net"), report.notes[0].c_str());
     }
 
+    void oneElementIsNoPlural() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 200 * kUm, 0}, of(board.a));
+        board.builder.addLine({{9000 * kUm, 0}, {9500 * kUm, 0}, 50 * kUm, 0}, of({}));
+        const auto document = board.builder.finish();
+        QCOMPARE(check(*document, RuleKind::CopperToCopper, 50 * kUm).notes,
+                 std::vector<std::string>{"1 copper element of no net, neither pad nor hole, is held against nets"});
+    }
+
     void copiesThatMayComeTooCloseAreCounted() {
         for (const Nm apart : {Nm{900 * kUm}, Nm{1100 * kUm}}) {
             DocumentBuilder step;

@@ -359,7 +359,7 @@ private slots:
                                   << "numbers its nets (NET0, NET1, …)";
         QTest::newRow("named") << "curcadnet"
                                << "$0 A\n$1 NET1\n"
-                               << "1 nets of the netlist are not on the board: NET1";
+                               << "1 net of the netlist is not on the board: NET1";
         QTest::newRow("a reference") << "refnet"
                                      << "$0 NET0\n$1 NET1\n"
                                      << "2 nets of the netlist are not on the board";
