@@ -111,7 +111,7 @@ void parse(ReadFile& file) {
             if (isOldGerber(text)) {
                 file.diagnostics.report(Severity::Error, file.path, 0,
                                         "the image is of the old form of Gerber (RS-274-D), whose format and apertures "
-                                        "are told elsewhere; it was not read");
+                                        "are in another file; it was not read");
                 break;
             }
             file.diagnostics.report(Severity::Info, file.path, 0,

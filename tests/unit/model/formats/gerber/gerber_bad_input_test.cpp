@@ -63,7 +63,7 @@ const Fault kFaults[] = {
     {"an image without format and apertures", "b-Inner.gbr",
      "*\nX0Y0D02*\nD31*\nX5450Y9550D02*\nX19663Y9550D01*\nX19663Y12550*\nX22775*\nY19450*\nX5450*\nY17227*\nX6041*\n"
      "Y16952*\nX5765*\nY15220*\nX6041*\nM02*\n",
-     "the image is of the old form of Gerber (RS-274-D), whose format and apertures are told elsewhere", 0},
+     "the image is of the old form of Gerber (RS-274-D), whose format and apertures are in another file", 0},
     // ---- drills ----
     {"drills without a unit", "b.drl", "M48\nT1C0.03\n%\nT1\nX01Y01\nM30\n",
      "the drill file does not say its unit; taken as", 0},
