@@ -275,6 +275,14 @@ bool isOfSameBoard(const ReadFile& file, const ReadFile& other) {
     return file.folder() == other.folder() && upperCase(file.name()).starts_with(boardOfName(other.name()));
 }
 
+/// Does a file that is copper for sure leave no room for one that only a side in its name calls so? Where the top is
+/// number 1, the bottom has a number, too.
+bool takesPlaceOf(const ReadFile& other, LayerSide side) {
+    const FileRole& role = other.role;
+    const bool isOuter = role.side == LayerSide::Top || role.side == LayerSide::Bottom;
+    return !role.isSideOnly && (role.side == side || (isOuter && role.isCountedFromTop));
+}
+
 /// "board_place_top" and "board_notes_top" are no copper where "board_copper_top" or "board.gtl" is beside them.
 void takeSidesForDrawings(std::vector<ReadFile>& files) {
     const auto isCopper = [](const ReadFile& file) {
@@ -282,10 +290,10 @@ void takeSidesForDrawings(std::vector<ReadFile>& files) {
     };
     for (ReadFile& file : files) {
         const bool isNamed = isCopper(file) && file.role.isSideOnly && file.role.source == RoleSource::Name;
-        const bool isDrawing = isNamed && std::ranges::any_of(files, [&](const ReadFile& other) {
-                                   return isCopper(other) && !other.role.isSideOnly &&
-                                          other.role.side == file.role.side && isOfSameBoard(file, other);
-                               });
+        const bool isDrawing =
+            isNamed && std::ranges::any_of(files, [&](const ReadFile& other) {
+                return isCopper(other) && takesPlaceOf(other, file.role.side) && isOfSameBoard(file, other);
+            });
         if (isDrawing) {
             const LayerSide side = file.role.side;
             file.role = FileRole{FileRole::Kind::Document};

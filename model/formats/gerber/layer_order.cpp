@@ -98,13 +98,14 @@ private:
         m_areAlone = rows.size() == 1;
     }
 
-    /// What stands before the layer in a file's name, if others begin so: "PAST" of "PAST_TOP" is no board. Drills are
-    /// often called otherwise than the images.
+    /// What stands before the layer in a file's name, if more than two begin so: "PAST" of "PAST_TOP" and "PAST_BOT" is
+    /// no board. Drills are often called otherwise than the images.
     [[nodiscard]] std::string sharedName(const ReadFile& file) const {
         const std::string board = boardOfName(file.name());
         const bool isDrilled = file.role.kind == Kind::Drill || file.role.kind == Kind::Rout;
         const auto count = m_filesOfName.find(board);
-        const bool isShared = m_areAlone || isDrilled || (count != m_filesOfName.end() && count->second > 1);
+        const int others = count == m_filesOfName.end() ? 0 : count->second;
+        const bool isShared = m_areAlone || isDrilled || others > 2 || (others == 2 && m_filesOfName.size() == 1);
         return isShared ? board : std::string();
     }
 

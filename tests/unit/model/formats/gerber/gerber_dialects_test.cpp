@@ -98,10 +98,11 @@ private slots:
     void wordsOfOneFileAreNoBoard() {
         const Job job({{"TOP.gbr", image(kCopper, "Copper,L1,Top")},
                        {"PAST_TOP.gbr", image(kCopper, "Paste,Top")},
+                       {"PAST_BOT.gbr", image(kCopper, "Paste,Bot")},
                        {"SOLD_TOP.gbr", image(kCopper, "Soldermask,Top")}});
         const Board board = job.open();
         QVERIFY(board.ok());
-        for (const char* name : {"TOP", "PAST_TOP", "SOLD_TOP"}) {
+        for (const char* name : {"TOP", "PAST_TOP", "PAST_BOT", "SOLD_TOP"}) {
             QVERIFY2(std::ranges::find((*board)->layers, name, &model::Layer::name) != (*board)->layers.end(), name);
         }
     }
@@ -160,6 +161,11 @@ private slots:
         files["x.GTL"] = image(kCopper);
         files["x.GBL"] = image(kCopper);
         QCOMPARE(copperOf(files), 2);
+        const Files pads = {
+            {"art001.pho", image(kCopper)}, {"art002.pho", image(kCopper)}, {"chk_bot.pho", image(kCopper)}};
+        QCOMPARE(copperOf(pads), 2);
+        const Files names = {{"Top.gbr", image(kCopper)}, {"Ln1_Cu.gbr", image(kCopper)}, {"Bot.gbr", image(kCopper)}};
+        QCOMPARE(copperOf(names), 3);
     }
 
     /// "b_dimension" is the outline of Eagle, and of others a drawing with dimensions.
