@@ -344,7 +344,7 @@ ReadFile::Kind kindOf(std::string_view text, std::string_view name) {
         (head.find("%AD") != std::string_view::npos || head.find("G04") != std::string_view::npos)) {
         return Kind::Gerber;
     }
-    return looksLikePlacements(head) ? Kind::Placements : Kind::Other;
+    return looksLikePlacements(head) || looksLikeMounts(head, name) ? Kind::Placements : Kind::Other;
 }
 
 ReadFile readFile(std::string path, formats::Bytes bytes) {

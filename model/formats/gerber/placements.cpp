@@ -19,7 +19,7 @@ struct ColumnName {
     Column column;
 };
 
-/// As KiCad, Altium, Allegro, Eagle, PADS, EasyEDA, OrCAD and DesignSpark write them; middles before pin 1 and
+/// As KiCad, Altium, Allegro, Eagle, PADS, EasyEDA, OrCAD, gEDA and DesignSpark write them; middles before pin 1 and
 /// reference points.
 constexpr std::array kNames = {
     ColumnName{"REF", Column::Refdes},
@@ -61,6 +61,7 @@ constexpr std::array kNames = {
     ColumnName{"TB", Column::Side},
     ColumnName{"MIRROR", Column::Side},
     ColumnName{"BOARDSIDE", Column::Side},
+    ColumnName{"TOPBOTTOM", Column::Side},
 };
 
 struct Head {
@@ -264,6 +265,23 @@ std::optional<double> unitOfAllegro(std::string_view line) {
                                    : std::nullopt;
 }
 
+/// What gEDA writes below the names of the columns: "# X,Y in mils.  rotation in degrees." None of other lines.
+std::optional<double> unitOfGeda(std::string_view line) {
+    struct Unit {
+        std::string_view name;
+        double nm;
+    };
+    constexpr std::array kUnits = {Unit{"mils", base::kNmPerMil},        Unit{"mil", base::kNmPerMil},
+                                   Unit{"dmil", base::kNmPerMil / 10.0}, Unit{"cmil", base::kNmPerMil / 100.0},
+                                   Unit{"in", base::kNmPerInch},         Unit{"inches", base::kNmPerInch},
+                                   Unit{"mm", base::kNmPerMm},           Unit{"cm", base::kNmPerMm * 10.0},
+                                   Unit{"um", base::kNmPerMm / 1'000.0}};
+    constexpr std::string_view kBefore = "# X,Y in ";
+    const std::string_view rest = line.starts_with(kBefore) ? line.substr(kBefore.size()) : std::string_view();
+    const auto found = std::ranges::find(kUnits, rest.substr(0, rest.find_first_of(". ")), &Unit::name);
+    return found == kUnits.end() ? std::nullopt : std::optional(found->nm);
+}
+
 /// "R22  3190.0  3675.0  270  m 0402": designator, place, rotation, m if it is on the bottom, package.
 std::optional<PlacedPart> partOfAllegro(std::string_view line, double nmPerUnit) {
     const std::vector<std::string> row = cells(line, ' ');
@@ -301,6 +319,50 @@ PlacementFile placementsOfAllegro(Lines& lines, double nmPerUnit, std::string_vi
     return file;
 }
 
+/// Of Eagle's lists of parts to mount, which have no line with names: the side is the ending of the file.
+LayerSide sideOfMounts(std::string_view path) {
+    const std::string ending = upperCase(path.substr(path.rfind('.') + 1));
+    return ending == "MNT" ? LayerSide::Top : ending == "MNB" ? LayerSide::Bottom : LayerSide::None;
+}
+
+/// "C1 22.99 -1.65 270 100nF 0402": designator, place, rotation, value, package.
+std::optional<PlacedPart> partOfMounts(std::string_view line, LayerSide side) {
+    const std::vector<std::string> row = cells(line, ' ');
+    const std::optional<double> x = row.size() > 3 ? lengthOf(row[1], base::kNmPerMm) : std::nullopt;
+    const std::optional<double> y = row.size() > 3 ? lengthOf(row[2], base::kNmPerMm) : std::nullopt;
+    std::string_view rotation = row.size() > 3 ? std::string_view(row[3]) : std::string_view();
+    const std::optional<double> degrees = takeReal(rotation);
+    if (!x || !y || !degrees || !rotation.empty()) {
+        return std::nullopt;
+    }
+    PlacedPart part;
+    part.refdes = row[0];
+    part.value = row.size() > 5 ? row[4] : std::string();
+    part.package = row.size() > 4 ? row.back() : std::string();
+    part.position = {*x, *y};
+    part.rotationDeg = *degrees;
+    part.side = side;
+    return part;
+}
+
+PlacementFile placementsOfMounts(std::string_view text, std::string_view path, Diagnostics& diagnostics) {
+    PlacementFile file;
+    file.saysUnit = false;
+    Lines lines(text);
+    while (lines.next()) {
+        const std::string_view line = trimmed(lines.line());
+        std::optional<PlacedPart> part = partOfMounts(line, sideOfMounts(path));
+        if (part) {
+            part->line = lines.number();
+            file.parts.push_back(std::move(*part));
+        } else if (!line.empty()) {
+            diagnostics.report(Severity::Warning, path, lines.number(),
+                               "a row that places no component; it was left out");
+        }
+    }
+    return file;
+}
+
 /// A table with a row of names: what comes before them, and a component a row.
 class TableOfPlaces {
 public:
@@ -310,6 +372,9 @@ public:
         const bool isRule = line.find_first_not_of("-=") == std::string_view::npos;  // below the names, or empty
         if (!m_head.isGood()) {
             takeHead(line);
+        } else if (const std::optional<double> ofGeda = unitOfGeda(line); ofGeda && !m_head.hasUnit) {
+            m_head.nmPerUnit = *ofGeda;
+            m_head.hasUnit = true;
         } else if (!isRule && line.front() != '#') {
             takeRow(line, number);
         }
@@ -361,6 +426,12 @@ private:
 
 }  // namespace
 
+bool looksLikeMounts(std::string_view head, std::string_view name) {
+    Lines lines(head);
+    return sideOfMounts(name) != LayerSide::None && lines.next() &&
+           partOfMounts(trimmed(lines.line()), LayerSide::Top).has_value();
+}
+
 bool looksLikePlacements(std::string_view head) {
     if (unitOfAllegro(head.substr(0, head.find('\n')))) {
         return true;
@@ -375,6 +446,9 @@ bool looksLikePlacements(std::string_view head) {
 }
 
 PlacementFile parsePlacements(std::string_view text, std::string_view path, Diagnostics& diagnostics) {
+    if (looksLikeMounts(text, path)) {
+        return placementsOfMounts(text, path, diagnostics);
+    }
     TableOfPlaces table(path, diagnostics);
     Lines lines(text);
     while (lines.next()) {

@@ -38,8 +38,10 @@ struct PlacementFile {
 }
 
 [[nodiscard]] bool looksLikePlacements(std::string_view head);
-/// Comma, semicolon, tab or blank separated, with a line that names the columns, or Allegro's placement file without
-/// one. Rows that cannot be read are reported.
+/// Eagle's lists of parts to mount have no line that tells; their names end in MNT or MNB.
+[[nodiscard]] bool looksLikeMounts(std::string_view head, std::string_view name);
+/// Comma, semicolon, tab or blank separated, with a line that names the columns, or Allegro's placement file or Eagle's
+/// list without one. Rows that cannot be read are reported.
 [[nodiscard]] PlacementFile parsePlacements(std::string_view text, std::string_view path, Diagnostics& diagnostics);
 
 }  // namespace model::gerber

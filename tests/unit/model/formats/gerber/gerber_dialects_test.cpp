@@ -207,6 +207,10 @@ private slots:
         QTest::newRow("Allegro") << "UUNITS = MICRONS\n"
                                     "R1                   5000.0        2000.0       90    RES0402\n"
                                     "R2                   3000.0        4000.0        0  m RES0402\n";
+        QTest::newRow("gEDA") << "# PcbXY Version 1.0\n# RefDes, Description, Value, X, Y, rotation, top/bottom\n"
+                                 "# X,Y in mils.  rotation in degrees.\n# ----------\n"
+                                 "R1,\"0402\",\"10k\",196.85039,78.74016,90,top\n"
+                                 "R2,\"0402\",\"1k\",118.11024,157.48031,0,bottom\n";
         QTest::newRow("DesignSpark") << "Units:          thou (precision 0)\n\n"
                                         "Name      Component    Side     Centre X    Centre Y  Rotation\n"
                                         "--------------------------------------------------------------\n"
@@ -283,6 +287,25 @@ private slots:
         QCOMPARE((*board)->components.size(), std::size_t{4});
         const model::Point at = (*board)->components[3].placement.origin;
         QVERIFY(std::abs(at.x - 80'000'000) < 100 && std::abs(at.y - 80'000'000) < 100);
+    }
+
+    /// Eagle's lists name neither columns nor unit; their endings are the sides.
+    void partsToMountLieOnTheSideOfTheirList() {
+        const std::string pads = "%ADD10C,0.5*%D10*X5000000Y2000000D03*X3000000Y4000000D03*X8000000Y8000000D03*";
+        const Job job({{"b.GTL", image(pads)},
+                       {"b.GBL", image(pads)},
+                       {"b.mnt", "R1 5.00 2.00  90 10k R0402\nC3 8.00 8.00 0 100nF 16V C0603\n"},
+                       {"b.mnb", "R2 3.00 4.00 180  R0402\n"}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->components.size(), std::size_t{3});
+        const auto part = [&](const std::string& refdes) {
+            return *std::ranges::find((*board)->components, refdes, &model::Component::refdes);
+        };
+        QCOMPARE(part("R1").placement.origin, (model::Point{5'000'000, 2'000'000}));
+        QVERIFY(part("R1").side == model::LayerSide::Top && part("R2").side == model::LayerSide::Bottom);
+        QCOMPARE(part("R1").part, std::string("10k"));
+        QVERIFY(isReported(**board, "he table of places does not say its unit; taken as mm"));
     }
 };
 
