@@ -15,18 +15,17 @@ bool isCopper(const ReadFile& file) {
     return file.isImage() && file.role.kind == FileRole::Kind::Copper;
 }
 
-/// Do two files of a group claim one outer copper layer, or inner ones the same number?
-bool hasConflict(const std::vector<ReadFile>& files, const std::vector<std::size_t>& group) {
+/// How many files of a group claim an outer copper layer, or an inner one by its number, that another one has.
+std::size_t conflictsIn(const std::vector<ReadFile>& files, const std::vector<std::size_t>& group) {
+    std::size_t count = 0;
     std::set<std::tuple<LayerSide, int>> seen;
     for (const std::size_t row : group) {
         const FileRole& role = files[row].role;
         const bool isOuter = role.side == LayerSide::Top || role.side == LayerSide::Bottom;
-        if (isCopper(files[row]) && (isOuter || role.order > 0) &&
-            !seen.emplace(role.side, isOuter ? 0 : role.order).second) {
-            return true;
-        }
+        const bool isTold = isCopper(files[row]) && (isOuter || role.order > 0);
+        count += isTold && !seen.emplace(role.side, isOuter ? 0 : role.order).second ? 1 : 0;
     }
-    return false;
+    return count;
 }
 
 using Groups = std::map<std::string, std::vector<std::size_t>>;
@@ -43,8 +42,11 @@ Groups groupedBy(const std::vector<ReadFile>& files, Key key) {
 }
 
 std::size_t conflicts(const std::vector<ReadFile>& files, const Groups& groups) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(groups, [&](const auto& group) { return hasConflict(files, group.second); }));
+    std::size_t count = 0;
+    for (const auto& [key, group] : groups) {
+        count += conflictsIn(files, group);
+    }
+    return count;
 }
 
 std::string folderOf(const ReadFile& file) {

@@ -275,6 +275,24 @@ bool isOfSameBoard(const ReadFile& file, const ReadFile& other) {
     return file.folder() == other.folder() && upperCase(file.name()).starts_with(boardOfName(other.name()));
 }
 
+/// Endings count inner layers alone ("G2" is the third copper layer), attributes count all: where some files have
+/// attributes and others none, all count from the top.
+void countFromTop(std::vector<ReadFile>& files) {
+    const auto isInner = [](const ReadFile& file, bool isCounted) {
+        const FileRole& role = file.role;
+        return file.isImage() && role.kind == FileRole::Kind::Copper && role.side == LayerSide::Inner &&
+               role.order > 0 && role.isCountedFromTop == isCounted;
+    };
+    const bool isAnyCounted = std::ranges::any_of(
+        files, [&](const ReadFile& file) { return isInner(file, true) && file.role.source == RoleSource::Attribute; });
+    for (ReadFile& file : files) {
+        if (isAnyCounted && isInner(file, false)) {
+            ++file.role.order;
+            file.role.isCountedFromTop = true;
+        }
+    }
+}
+
 /// Does a file that is copper for sure leave no room for one that only a side in its name calls so? Where the top is
 /// number 1, the bottom has a number, too.
 bool takesPlaceOf(const ReadFile& other, LayerSide side) {
@@ -462,6 +480,7 @@ void assignRoles(std::vector<ReadFile>& files, const JobFileFacts& job) {
         takeOtherSide(files, kind);
     }
     takeSidesForDrawings(files);
+    countFromTop(files);
 }
 
 }  // namespace model::gerber

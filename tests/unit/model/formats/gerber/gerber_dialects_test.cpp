@@ -307,6 +307,21 @@ private slots:
         QCOMPARE(part("R1").part, std::string("10k"));
         QVERIFY(isReported(**board, "he table of places does not say its unit; taken as mm"));
     }
+
+    /// A folder within may hold what the images were made of.
+    void aFolderWithinIsAnotherBoardWhereItsLayersAreThereTwice() {
+        const Job job({{"b-L1-copper-top.gtl", image(kCopper)},
+                       {"b-L2-plane.g1", image(kCopper, "Copper,L2,Inr")},
+                       {"b-L3-copper.g2", image(kCopper)},
+                       {"b-L4-copper-bottom.gbl", image(kCopper)},
+                       {"parts/b-L2-clearances.gbr", image(kCopper)},
+                       {"parts/b-L2A-pads.gbr", image(kCopper)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE(std::ranges::count((*board)->layers, model::LayerType::Signal, &model::Layer::type), 4);
+        QVERIFY(!isReported(**board, "claims the same copper layer"));
+        QVERIFY(!isReported(**board, "but no file draws copper layer"));
+    }
 };
 
 QTEST_APPLESS_MAIN(GerberDialectsTest)
