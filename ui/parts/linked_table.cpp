@@ -1,5 +1,6 @@
 #include "ui/parts/linked_table.h"
 
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QScopedValueRollback>
 #include <algorithm>
@@ -12,6 +13,60 @@ namespace ui {
 LinkedTable::LinkedTable(TableModel& model, QWidget* parent) : TableView(model, parent), m_sorted(makeSortable()) {
     setTextElideMode(Qt::ElideMiddle);  // long names differ at their ends
     connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &LinkedTable::takeSelected);
+}
+
+void LinkedTable::giveRoom(const std::vector<int>& columns) {
+    m_spread = columns;
+    for (int column = 0; column < model()->columnCount(); ++column) {
+        m_leastWidths.push_back(columnWidth(column));
+    }
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int column, int before, int now) {
+        if (m_isSpreading) {
+            return;
+        }
+        if (before == 0 || now == 0) {  // shown or hidden
+            spread();
+        } else if (std::ranges::find(m_spread, column) != m_spread.end()) {
+            m_spread.clear();  // by hand
+        }
+    });
+    connect(model(), &QAbstractItemModel::modelReset, this, &LinkedTable::spread);
+}
+
+void LinkedTable::resizeEvent(QResizeEvent* event) {
+    TableView::resizeEvent(event);
+    spread();
+}
+
+void LinkedTable::spread() {
+    const QScopedValueRollback guard(m_isSpreading, true);
+    int room = m_spread.empty() ? 0 : roomBehind();
+    for (const int column : m_spread) {
+        if (!isColumnHidden(column)) {
+            const int least = m_leastWidths[static_cast<std::size_t>(column)];
+            const int more = std::clamp(sizeHintForColumn(column) - least, 0, std::max(room, 0));
+            setColumnWidth(column, least + more);
+            room -= more;
+        }
+    }
+}
+
+/// If the columns that take it had their least widths, and the last one, which always ends with the table, its own.
+int LinkedTable::roomBehind() const {
+    const QHeaderView& header = *horizontalHeader();
+    int room = viewport()->width();
+    bool isLast = true;
+    for (int place = header.count() - 1; place >= 0; --place) {
+        const int column = header.logicalIndex(place);
+        if (isColumnHidden(column)) {
+            continue;
+        }
+        const bool takes = std::ranges::find(m_spread, column) != m_spread.end();
+        const int least = m_leastWidths[static_cast<std::size_t>(column)];
+        room -= takes ? least : isLast ? std::max(least, header.sectionSizeHint(column)) : columnWidth(column);
+        isLast = false;
+    }
+    return room;
 }
 
 QLineEdit* LinkedTable::makeFilter(const QString& hint) {

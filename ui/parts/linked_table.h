@@ -18,6 +18,9 @@ public:
     [[nodiscard]] QLineEdit* makeFilter(const QString& hint);
     /// The same with the line of another table.
     void filterBy(const QLineEdit& line);
+    /// Where there is room behind the last column, these take it in this order, as far as their cells need it: names
+    /// are not cut while half of the table is empty. Until the user sets a width of theirs.
+    void giveRoom(const std::vector<int>& columns);
     /// Whether it scrolls to the first of the rows that are marked.
     void setFollows(bool isOn) { m_follows = isOn; }
     /// Selects these rows of the model, as far as the filter leaves them, and says nothing of it.
@@ -31,7 +34,12 @@ signals:
     /// The filter leaves other rows.
     void filtered();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void spread();
+    [[nodiscard]] int roomBehind() const;
     void watch(const QLineEdit& filter);
     void showMarked();
     void scrollToMarked();
@@ -39,6 +47,9 @@ private:
 
     SortedRows& m_sorted;
     std::vector<int> m_marked;
+    std::vector<int> m_spread;       ///< columns that take what room there is
+    std::vector<int> m_leastWidths;  ///< of all columns
+    bool m_isSpreading = false;
     bool m_follows = true;
     bool m_isMarking = false;
 };

@@ -39,8 +39,8 @@ PartsPanel::PartsPanel(PartModel& model, PartPicking& parts, QWidget* parent)
       m_groupTable(new LinkedTable(m_groups)),
       m_attribute(new QComboBox),
       m_count(new QLabel) {
-    setUp(*m_table, kWidths);
-    setUp(*m_groupTable, kGroupWidths);
+    setUp(*m_table, kWidths, {PartModel::Part, PartModel::Package, PartModel::Attributes});
+    setUp(*m_groupTable, kGroupWidths, {PartGroupModel::Part, PartGroupModel::Package, PartGroupModel::Value});
     layOut();
     connect(m_table, &LinkedTable::rowsSelected, this, &PartsPanel::takeParts);
     connect(m_groupTable, &LinkedTable::rowsSelected, this, &PartsPanel::takeGroups);
@@ -51,12 +51,13 @@ PartsPanel::PartsPanel(PartModel& model, PartPicking& parts, QWidget* parent)
     connect(&parts, &PartPicking::changed, this, &PartsPanel::markChosen);
 }
 
-void PartsPanel::setUp(LinkedTable& table, std::span<const std::pair<int, int>> widths) {
+void PartsPanel::setUp(LinkedTable& table, std::span<const std::pair<int, int>> widths, const std::vector<int>& names) {
     const int letter = fontMetrics().horizontalAdvance('0');
     for (const auto& [column, letters] : widths) {
         table.setColumnWidth(column, letter * letters);
     }
     table.keepNumbersWhole();
+    table.giveRoom(names);
     table.horizontalHeader()->setStretchLastSection(true);
     connect(&table, &LinkedTable::filtered, this, &PartsPanel::showCount);
     connect(&table, &QTableView::activated, this, [this, &table] {

@@ -34,7 +34,8 @@ signals:
     void exportRequested();
 
 private:
-    void setUp(LinkedTable& table, std::span<const std::pair<int, int>> widths);
+    /// `names`: columns that take what room there is.
+    void setUp(LinkedTable& table, std::span<const std::pair<int, int>> widths, const std::vector<int>& names);
     void layOut();
     void setGrouped(bool isOn);
     void showColumns();

@@ -48,6 +48,31 @@ private slots:
         QVERIFY(window().views().flat().controller().mmPerPixel() != before);
     }
 
+    void namesAreWholeWhereTheTableHasRoom() {
+        PartModel model;
+        ui::LinkedTable table(model);
+        constexpr int kNarrow = 40;
+        table.setColumnWidth(PartModel::Part, kNarrow);
+        table.giveRoom({PartModel::Part});
+        table.horizontalHeader()->setStretchLastSection(true);
+        model.setBoard(window().workspace().board()->document);
+        table.resize(3'000, 300);
+        table.show();
+        int widest = 0;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const QString name = model.index(row, PartModel::Part).data().toString();
+            widest = std::max(widest, table.fontMetrics().horizontalAdvance(name));
+        }
+        QVERIFY(widest > kNarrow);
+        QTRY_VERIFY(table.columnWidth(PartModel::Part) >= widest);
+        table.resize(400, 300);
+        QTRY_COMPARE(table.columnWidth(PartModel::Part), kNarrow);
+        table.horizontalHeader()->resizeSection(PartModel::Part, 77);
+        table.resize(3'000, 300);
+        QTest::qWait(50);
+        QVERIFY2(table.columnWidth(PartModel::Part) == 77, "set by hand");
+    }
+
     void severalRowsSelectSeveralComponents() {
         click(parts(), rowOf(parts(), "U1"));
         click(parts(), rowOf(parts(), "J6"), Qt::ControlModifier);
