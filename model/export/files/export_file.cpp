@@ -10,7 +10,6 @@
 #include "model/export/meshes/glb_export.h"
 #include "model/export/meshes/obj_export.h"
 #include "model/export/meshes/stl_export.h"
-#include "model/text/formatting.h"
 
 namespace model {
 
@@ -63,6 +62,20 @@ StepOptions stepOptionsOf(const Document& board, const ExportRequest& request) {
     return options;
 }
 
+/// "1,321 solids"
+std::string counted(std::uint64_t count, const char* one, const char* many) {
+    std::string digits = std::to_string(count);
+    for (std::size_t left = digits.size(); left > 3; left -= 3) {
+        digits.insert(left - 3, ",");
+    }
+    return digits + " " + (count == 1 ? one : many);
+}
+
+/// Nothing where a form has all written out, or nothing lies on the board twice.
+std::string copiesText(std::uint64_t copies) {
+    return copies == 0 ? "" : ", " + counted(copies, "placed copy", "placed copies");
+}
+
 template <bool isPacked>
 Result<ExportSummary> writeStep(const Document& board, const ExportRequest& request, const fs::path& path,
                                 Progress& progress) {
@@ -70,9 +83,7 @@ Result<ExportSummary> writeStep(const Document& board, const ExportRequest& requ
     StepOptions options = stepOptionsOf(board, request);
     options.isPacked = isPacked;
     ASSIGN_OR_RETURN(const SolidReport report, exportStep(plan, options, path, progress));
-    return ExportSummary{report.bytes,
-                         formatted("%llu solids, %llu placed copies", static_cast<unsigned long long>(report.solids),
-                                   static_cast<unsigned long long>(report.copies)),
+    return ExportSummary{report.bytes, counted(report.solids, "solid", "solids") + copiesText(report.copies),
                          describe(plan, report.missing)};
 }
 
@@ -90,11 +101,8 @@ Result<ExportSummary> writeMesh(const Document& board, const ExportRequest& requ
         options.isInstanced = request.isInstanced;
     }
     ASSIGN_OR_RETURN(const MeshReport report, Write(plan, options, path, progress));
-    return ExportSummary{
-        report.bytes,
-        formatted("%llu triangles, %llu placed copies", static_cast<unsigned long long>(report.triangles),
-                  static_cast<unsigned long long>(report.copies)),
-        describe(plan, report.missing)};
+    return ExportSummary{report.bytes, counted(report.triangles, "triangle", "triangles") + copiesText(report.copies),
+                         describe(plan, report.missing)};
 }
 
 DrawingOptions drawingOptions(const Document& board, const ExportRequest& request) {
@@ -114,9 +122,7 @@ DrawingOptions drawingOptions(const Document& board, const ExportRequest& reques
 /// The file takes its name last: what fails before leaves none.
 Result<ExportSummary> finish(const DrawingReport& report, FileWriter& file) {
     ExportSummary summary{
-        0,
-        formatted("%zu layers, %llu regions", report.layers.size(), static_cast<unsigned long long>(report.regions)),
-        {}};
+        0, counted(report.layers.size(), "layer", "layers") + ", " + counted(report.regions, "region", "regions"), {}};
     for (const NotDrawn& item : report.notDrawn) {
         summary.missing.push_back(
             {item.layer, item.file, item.line, std::string(item.reason), item.step == 0 ? item.element : ElementId{}});

@@ -12,6 +12,7 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QtTest>
@@ -180,7 +181,7 @@ private slots:
     }
 
     void drawingsAndSolidsAreWrittenAndTheirSizeSaid() {
-        for (const char* format : {"DXF", "STEP"}) {
+        for (const char* format : {"DXF", "STEP", "STL"}) {
             open();
             chooseFormat(rowOf(format));
             const QString file = path();
@@ -190,7 +191,10 @@ private slots:
             QVERIFY(waitUntilWritten());
             QVERIFY(!window().messageBar().isVisible());
             QVERIFY2(status().startsWith("Saved " + file + ": "), qPrintable(status()));
-            QVERIFY2(status().contains("B"), qPrintable(status()));
+            const QString what = status().mid(("Saved " + file + ": ").size());
+            QVERIFY2(what.contains("B"), qPrintable(what));
+            QVERIFY2(!what.contains(QRegularExpression("[0-9]{4}")), qPrintable(what));  // 1,234
+            QVERIFY2(!what.contains(" 0 placed"), qPrintable(what));                     // STL places none
             QVERIFY(QFileInfo(file).size() > 10000);
         }
     }
