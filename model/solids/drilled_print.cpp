@@ -1,6 +1,7 @@
 #include "model/solids/drilled_print.h"
 
 #include <algorithm>
+#include <array>
 
 #include "model/base/parallel.h"
 #include "model/board/holes.h"
@@ -8,6 +9,7 @@
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
 #include "model/geometry/box_index.h"
+#include "model/solids/far_holes.h"
 #include "model/solids/region_distance.h"
 #include "model/solids/solids.h"
 
@@ -65,14 +67,10 @@ public:
 
     [[nodiscard]] bool hasHoles() const { return !m_holes.isEmpty(); }
 
-    /// What open holes take of what an element covers, by their boxes.
-    [[nodiscard]] PolygonSet holesNear(const Box& box, const Discretisation& how) const {
-        PolygonSet holes;
-        for (const ElementId hole : m_holes.near(box)) {
-            if (isOpen(hole)) {
-                holes.append(discretise(m_document, hole, how));
-            }
-        }
+    /// Open holes whose boxes share a point with it.
+    [[nodiscard]] std::vector<ElementId> openNear(const Box& box) const {
+        std::vector<ElementId> holes = m_holes.near(box);
+        std::erase_if(holes, [this](ElementId hole) { return !isOpen(hole); });
         return holes;
     }
 
@@ -104,6 +102,60 @@ private:
     const Document& m_document;
     FoundElements m_holes;
     FoundElements m_openings;
+};
+
+/// What an element covers. Logos and frames are around many holes that they do not meet, and are not cut for those.
+class PrintRegion {
+public:
+    /// `region`: not empty; `mayOverlap`: its polygons, as tracks of one element do where they turn.
+    PrintRegion(PolygonSet region, bool mayOverlap)
+        : m_region(std::move(region)), m_edges(m_region), m_mayOverlap(mayOverlap) {}
+
+    [[nodiscard]] bool mayMeet(const Box& hole) const {
+        return m_edges.meets(hole) || covers(hole.min) || isWithin(hole);
+    }
+    [[nodiscard]] bool meets(const Document& document, ElementId hole, const Discretisation& how) const {
+        if (document.elements.kind[hole.row()] == ElementKind::Circle) {
+            return meetsDisc(document.circles[document.elements.geometry[hole.row()]]);
+        }
+        return meets(discretise(document, hole, how));
+    }
+    [[nodiscard]] PolygonSet without(const PolygonSet& holes) const {
+        const EdgeStrips opened(holes);
+        PolygonSet rest = m_region;
+        const FarHoles far(rest, [&](const Box& hole) {
+            constexpr Nm kFar = 5;  // booleans round to the grid
+            const Box around = hole.grownBy(kFar);
+            return !opened.meets(around) && !contains(holes, holes.polygons, around.min);
+        });
+        return far.putBack(subtract(rest, holes));
+    }
+
+private:
+    /// Most holes are round, and need no chords: what comes closer to their middle than their radius meets them. The
+    /// middle is a triangle of 1 nm.
+    [[nodiscard]] bool meetsDisc(const CircleGeometry& disc) const {
+        constexpr double kGraze = 5'000.0;  // nm; chords of the hole would take nothing
+        const Point at = disc.centre;
+        const std::array<Point, 3> corners{at, {at.x + 1, at.y}, {at.x, at.y + 1}};
+        PolygonSet middle;
+        middle.beginPolygon();
+        middle.addLoop(corners);
+        return m_edges.comesNear(middle, middle.polygons, boxOf(corners), disc.diameter / 2.0 - kGraze) || covers(at);
+    }
+    [[nodiscard]] bool meets(const PolygonSet& hole) const {
+        constexpr double kMeeting = 1.0;  // nm
+        return m_edges.comesNear(hole, hole.polygons, boxOf(hole.points), kMeeting) || covers(hole.points.front()) ||
+               contains(hole, hole.polygons, m_region.points.front());
+    }
+    [[nodiscard]] bool covers(Point p) const {
+        return m_mayOverlap ? contains(m_region, m_region.polygons, p) : m_edges.contains(p);
+    }
+    [[nodiscard]] bool isWithin(const Box& hole) const { return hole.holds(m_region.points.front()); }
+
+    PolygonSet m_region;
+    EdgeStrips m_edges;
+    bool m_mayOverlap;
 };
 
 /// What is printed on one face.
@@ -139,13 +191,24 @@ private:
     }
 
     void drill(ElementId element, std::vector<MilledElement>& drilled) const {
-        const PolygonSet holes = m_face.holesNear(m_document.boxOf(element), m_how);
-        if (holes.polygons.empty()) {
+        const std::vector<ElementId> near = m_face.openNear(m_document.boxOf(element));
+        if (near.empty()) {
             return;
         }
-        const PolygonSet whole = discretise(m_document, element, m_how);
-        if (!intersect(whole, holes).polygons.empty()) {
-            drilled.push_back({element, subtract(whole, holes)});
+        PolygonSet region = discretise(m_document, element, m_how);
+        if (region.polygons.empty()) {
+            return;  // a line without a width
+        }
+        const bool mayOverlap = m_document.elements.kind[element.row()] == ElementKind::Trail;
+        const PrintRegion print(std::move(region), mayOverlap);
+        PolygonSet holes;
+        for (const ElementId hole : near) {
+            if (print.mayMeet(m_document.boxOf(hole)) && print.meets(m_document, hole, m_how)) {
+                holes.append(discretise(m_document, hole, m_how));
+            }
+        }
+        if (!holes.polygons.empty()) {
+            drilled.push_back({element, print.without(holes)});
         }
     }
 

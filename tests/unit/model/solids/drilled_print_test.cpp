@@ -88,6 +88,25 @@ private slots:
         QCOMPARE(board.found().size(), 0U);
     }
 
+    /// A frame has holes of the board within, and a logo may cover one altogether.
+    void areasAreCutByWhatTheyMeetOnly() {
+        Board board;
+        board.on(Drill);
+        board.hole({0, 0}, kMm, false);
+        board.hole({7 * kMm, 0}, kMm, false);
+        auto& builder = board.on(Silk);
+        model::ShapeSketch frame = rectangle({-5 * kMm, -5 * kMm}, {5 * kMm, 5 * kMm});
+        frame.addCircle({0, 0}, 2 * kMm, true);
+        builder.addArea({builder.addShape(frame), {}}, {});
+        builder.addArea({builder.addShape(rectangle({6 * kMm, -kMm}, {8 * kMm, kMm})), {}}, {});
+        builder.addLine({{-kMm, 0}, {kMm, 0}, 0, 0}, {});  // without a width
+        const std::vector<MilledElement> found = board.found();
+        QCOMPARE(found.size(), 1U);
+        QCOMPARE(found[0].element, ElementId{3});
+        QVERIFY2(std::abs(areaMm2(found[0].rest) - (4 - std::numbers::pi / 4)) < 0.005,
+                 qPrintable(QString::number(areaMm2(found[0].rest))));
+    }
+
     /// Mask closes narrow vias, and is printed on, but where it is open.
     void maskCarriesPrintOverNarrowVias() {
         Board board;
