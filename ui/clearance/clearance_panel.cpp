@@ -171,8 +171,7 @@ void ClearancePanel::setCurrentRow(int row) {
     const QModelIndex at = m_rows->mapFromSource(m_locations.index(row, 0));
     if (at.isValid()) {
         m_table->setCurrentIndex(at);
-        m_table->goToRow(
-            at);  // also where it is the current one already: Qt makes it so as those before it are left out
+        m_table->goToRow(at);  // is there already where Qt made it the current row, as those before it were left out
     }
 }
 
