@@ -1,6 +1,6 @@
 # cmake -DWORK=<scratch folder> -P catches_violations.cmake
-# Plants one include or namespace after the other in a small tree that keeps to the rules, then a folder and a file that are too large and
-# a cycle: check_includes.cmake must name each forbidden one and accept each allowed one, else it proves nothing.
+# Plants one include or namespace after the other in a small tree that keeps to the rules, then a folder and a file that are too large, an
+# algorithm that not all compilers know and a cycle: check_includes.cmake must name each forbidden one and accept each allowed one, else it proves nothing.
 cmake_minimum_required(VERSION 3.25)
 
 set(cases
@@ -102,6 +102,10 @@ file(REMOVE_RECURSE ${WORK})
 string(REPEAT "\n" 601 lines)
 file(WRITE ${WORK}/model/board/a.cpp "${lines}")
 expect(bad "model/board/a.cpp has 601" "a file of 601 lines")
+file(WRITE ${WORK}/model/board/a.cpp "rows.erase(std::ranges::unique(rows).begin(), rows.end());\n")
+expect(bad "model/board/a.cpp" "an algorithm of ranges that clang 14 does not compile")
+file(WRITE ${WORK}/model/board/a.cpp "rows.erase(std::unique(rows.begin(), rows.end()), rows.end());\n")
+expect(good "model/board/a.cpp" "the same algorithm of std")
 file(WRITE ${WORK}/model/board/a.cpp "")
 file(WRITE ${WORK}/cycle.cmake "list(APPEND architecture_rows \"model/base | model | model/board |\" \"model/board | model | model/base |\")")
 expect(bad "model/board" "a cycle" -DMORE_RULES=${WORK}/cycle.cmake)

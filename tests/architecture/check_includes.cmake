@@ -1,6 +1,6 @@
 # cmake -DROOT=<source folder> -P check_includes.cmake
 # Reads all our sources and fails, naming each offender, when one goes against rules.cmake: an include, a library or a namespace that its
-# folder must not have, a cycle between folders, a folder or file that has grown too large.
+# folder must not have, an algorithm that not all compilers know, a cycle between folders, a folder or file that has grown too large.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/rules.cmake)
 
@@ -58,6 +58,15 @@ function(check_library_include file folder included)
     endforeach()
 endfunction()
 
+# Algorithms of ranges that give a subrange back: clang 14, which Debian 12 has and fuzzing is built with, does not compile them with its
+# libstdc++.
+function(check_subranges file folder)
+    file(STRINGS ${ROOT}/${file} lines REGEX "std::ranges::(stable_partition|partition|unique|remove|remove_if)\\(")
+    if(lines AND folder MATCHES "^(model|tri)")
+        violation("${file}: take the algorithm of std with begin() and end(), as clang 14 does not know it of ranges: ${lines}")
+    endif()
+endfunction()
+
 function(check_file file)
     longest_match(${file} folder ${rule_folders})
     if(NOT folder)
@@ -65,6 +74,7 @@ function(check_file file)
         return()
     endif()
     check_namespace(${file} ${folder})
+    check_subranges(${file} "${folder}")
     file(STRINGS ${ROOT}/${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]")
     foreach(line IN LISTS lines)
         if(line MATCHES "include[ \t]*\"([^\"]+)\"")

@@ -156,8 +156,8 @@ private:
         std::vector<std::size_t> rows;
         std::ranges::copy_if(m_board.files, std::back_inserter(rows),
                              [&](std::size_t row) { return m_files[row].isImage() && isOfHoles(m_files[row]); });
-        std::ranges::stable_partition(rows,
-                                      [&](std::size_t row) { return m_files[row].role.plating != Plating::NotSaid; });
+        std::stable_partition(rows.begin(), rows.end(),
+                              [&](std::size_t row) { return m_files[row].role.plating != Plating::NotSaid; });
         return rows;
     }
 

@@ -163,7 +163,7 @@ private slots:
         QVERIFY(model::boreText(*document, two, inUm).ends_with(" of 800 to 1200 um"));
     }
 
-    /// As tools draw the outline of the board on a rout layer.
+    /// A path without a width cuts nothing.
     void aLineWithoutAWidthIsNoHole() {
         for (const auto& [symbol, bores] : {std::pair("r0", std::size_t{0}), std::pair("r1000", std::size_t{1})}) {
             const odb_testing::Folder job;
@@ -171,7 +171,7 @@ private slots:
             job.write("matrix/matrix",
                       odb_testing::matrixOf({{"SIGNAL", "TOP"}, {"SIGNAL", "BOT"}, {"ROUT", "OUTLINE"}}));
             job.write("steps/board/layers/outline/features",
-                      std::string("UNITS=MM\n$0 ") + symbol + "\nL 0 0 100 0 0 P 0\nL 100 0 100 100 0 P 0\n");
+                      std::string("UNITS=MM\n$0 ") + symbol + "\nL 20 20 80 20 0 P 0\nL 80 20 80 80 0 P 0\n");
             QCOMPARE(model::drawStackup(*odb_testing::read(job.path()), {1000.0, 10.0, true}).bores.size(), bores);
         }
     }
