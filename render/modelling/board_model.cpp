@@ -292,7 +292,8 @@ void reportDrilledPrint(const Document& document, const Milling& milling, BoardM
             const model::ElementId first = found.firsts[row];
             out.diagnostics.report(model::Severity::Info, layer.file, document.elements.line[first.row()],
                                    "layer " + layer.name + ": " + std::to_string(found.counts[row]) +
-                                       " elements lie over open holes; 3D shows what print is left beside them",
+                                       (found.counts[row] == 1 ? " element lies" : " elements lie") +
+                                       " over open holes; 3D shows what print is left beside them",
                                    first);
         }
     }
@@ -315,10 +316,12 @@ void reportMilled(const Document& document, const Milling& milling, BoardModel& 
             firstDrawing = std::min(firstDrawing, row);
             drawings += (drawings.empty() ? "" : ", ") + layer.name;
         } else if (counts[row] > 0) {
-            out.diagnostics.report(model::Severity::Info, layer.file, document.elements.line[firsts[row].row()],
-                                   "layer " + layer.name + ": " + std::to_string(counts[row]) +
-                                       " elements reach beyond the board outline; 3D shows them as they are milled",
-                                   firsts[row]);
+            out.diagnostics.report(
+                model::Severity::Info, layer.file, document.elements.line[firsts[row].row()],
+                "layer " + layer.name + ": " + std::to_string(counts[row]) +
+                    (counts[row] == 1 ? " element reaches beyond the board outline; 3D shows it as it is milled"
+                                      : " elements reach beyond the board outline; 3D shows them as they are milled"),
+                firsts[row]);
         }
     }
     if (!drawings.empty()) {

@@ -206,7 +206,7 @@ private slots:
             messages.push_back(entry.text);
         }
         QCOMPARE(messages, (std::vector<std::string>{
-                               "Layer TOP: 1 elements reach beyond the board outline; 3D shows them as they are milled",
+                               "Layer TOP: 1 element reaches beyond the board outline; 3D shows it as it is milled",
                                "Drawings reach beyond the board outline, where 3D ends them: FAB, NOTES"}));
     }
 
@@ -231,7 +231,7 @@ private slots:
         const BoardModel model = build(*builder.finish());
         QCOMPARE(model.diagnostics.entries().size(), 1U);
         QCOMPARE(model.diagnostics.entries()[0].text,
-                 std::string("Layer SILK: 1 elements lie over open holes; 3D shows what print is left beside them"));
+                 std::string("Layer SILK: 1 element lies over open holes; 3D shows what print is left beside them"));
         QVERIFY(model.milled.empty());  // none of it is beyond the outline
         QCOMPARE(model.instances.size(), 1U);
         QCOMPARE(model.instances[0].onlyAs, shader::kOnlyAsFabricated);
