@@ -93,16 +93,21 @@ private:
         }
         if (m_unplaced > 0) {
             notes.push_back("where " + std::to_string(m_unplaced) +
-                            " parts lie is not said by both jobs: their sides and pins are compared");
+                            (m_unplaced == 1
+                                 ? " part lies is not said by both jobs: its side and pins are compared"
+                                 : " parts lie is not said by both jobs: their sides and pins are compared"));
         }
         if (m_withoutSide > 0) {
             notes.push_back("the side of " + std::to_string(m_withoutSide) +
-                            " parts with pins through the board is not said by both jobs: it is not compared");
+                            (m_withoutSide == 1 ? " part" : " parts") +
+                            " with pins through the board is not said by both jobs: it is not compared");
         }
         m_found.parts.note = joined(notes, "; ");
         if (m_nameless > 0) {
-            m_found.pins.note = std::to_string(m_nameless) +
-                                " pads without a number, which only one job takes for pins, are not compared";
+            m_found.pins.note =
+                std::to_string(m_nameless) +
+                (m_nameless == 1 ? " pad without a number, which only one job takes for a pin, is not compared"
+                                 : " pads without a number, which only one job takes for pins, are not compared");
         }
     }
 

@@ -220,7 +220,7 @@ private slots:
         part.isPlaced = false;
         const Agreement agreement = compared(board(), other);
         QVERIFY(agreement.isAgreed());
-        QVERIFY(find(agreement, Aspect::Parts)->note.find("where 1 parts lie is not said by both jobs") == 0);
+        QVERIFY(find(agreement, Aspect::Parts)->note.find("where 1 part lies is not said by both jobs: its side and pins") == 0);
         part.pins[0].position.x += 50'000;
         QCOMPARE(firstOf(compared(board(), other), Aspect::Pins), std::string("R1.1 is moved by 0.0500 mm"));
         part.side = model::LayerSide::Bottom;
@@ -236,7 +236,7 @@ private slots:
         part.side = model::LayerSide::Bottom;
         const Agreement agreement = compared(board(), other);
         QCOMPARE(firstOf(agreement, Aspect::Parts), std::string());
-        QVERIFY(find(agreement, Aspect::Parts)->note.find("the side of 1 parts") != std::string::npos);
+        QVERIFY(find(agreement, Aspect::Parts)->note.find("the side of 1 part with pins") != std::string::npos);
         part.mount = model::MountType::Surface;
         QVERIFY(!firstOf(compared(board(), other), Aspect::Parts).empty());
     }
@@ -248,7 +248,7 @@ private slots:
         for (const Agreement& agreement : {compared(board(), other), compared(other, board())}) {
             QCOMPARE(firstOf(agreement, Aspect::Pins), std::string());
             QCOMPARE(find(agreement, Aspect::Pins)->note,
-                     std::string("1 pads without a number, which only one job takes for pins, are not compared"));
+                     std::string("1 pad without a number, which only one job takes for a pin, is not compared"));
         }
         part.pins.back().name = "3";
         QCOMPARE(firstOf(compared(board(), other), Aspect::Pins), std::string("only B has R1.3"));
