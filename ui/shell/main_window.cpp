@@ -332,7 +332,7 @@ void MainWindow::connectCommands() {
 
 void MainWindow::escape() {
     if (!m_workspace.cancelWork() && !m_keyboard->returnToView() &&
-        std::ranges::none_of(m_features.escapes, [](const auto& end) { return end(); })) {
+        std::ranges::none_of(m_features.escapes, [](const auto& end) { return end(); }) && !m_messageBar->end()) {
         m_workspace.selection().clearStep();
     }
 }
@@ -358,6 +358,8 @@ void MainWindow::connectHelp() {
 void MainWindow::connectStatus() {
     connect(&m_workspace, &Workspace::reported, m_statusLine, &StatusLine::say);
     connect(&m_workspace, &Workspace::errorReported, m_messageBar, &MessageBar::showError);
+    connect(&m_workspace, &Workspace::errorReported, this,
+            [this] { m_actions[ActionId::ClearSelection].setEnabled(true); });
     connect(&m_workspace.history(), &QUndoStack::indexChanged, this, [this](int index) {
         if (index > 0) {  // 0: emptied, with another board
             m_messageBar->endEarlierError();
@@ -387,6 +389,9 @@ void MainWindow::onOpened(const LoadedBoard& board) {
 void MainWindow::enableActions() {
     m_actions.enable(m_workspace.board() != nullptr);
     m_actions[ActionId::CancelLoading].setEnabled(m_workspace.isWorking());
+    if (m_workspace.isWorking() || !m_messageBar->isHidden()) {
+        m_actions[ActionId::ClearSelection].setEnabled(true);  // there is something to end, also without a board
+    }
     if (m_workspace.board() != nullptr) {
         m_statusLine->showSteps(m_workspace.board()->document->job);  // also undoes a choice that was not loaded
     }

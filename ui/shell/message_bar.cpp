@@ -40,4 +40,10 @@ void MessageBar::endEarlierError() {
     }
 }
 
+bool MessageBar::end() {
+    const bool wasShown = !isHidden();
+    hide();
+    return wasShown;
+}
+
 }  // namespace ui

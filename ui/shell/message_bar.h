@@ -18,6 +18,8 @@ public:
     void showError(const QString& text);
     /// Something succeeded: an error from before it is over, one that came with it is not.
     void endEarlierError();
+    /// Closes it; false where nothing was shown.
+    bool end();
 
 private:
     QLabel* m_label;

@@ -324,6 +324,21 @@ private slots:
         QVERIFY(!window().messageBar().isVisible());
     }
 
+    void escapeClosesTheErrorBeforeItClearsTheSelection() {
+        QVERIFY(!m_fixture->openAndWait("/no/such/board.tgz"));
+        QVERIFY(window().messageBar().isVisible());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY2(!window().messageBar().isVisible(), "also without a board");
+        QVERIFY(m_fixture->openAndWait(kSample));
+        window().selection().select({{0, model::ElementId{0}}});
+        QVERIFY(!m_fixture->openAndWait("/no/such/board.tgz"));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!window().messageBar().isVisible());
+        QCOMPARE(window().selection().selected().size(), std::size_t{1});
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(window().selection().selected().empty());
+    }
+
     void nextSuccessTakesTheErrorAway() {
         QVERIFY(!m_fixture->openAndWait("/no/such/board.tgz"));
         QVERIFY(window().document() == nullptr);
