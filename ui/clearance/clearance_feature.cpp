@@ -276,6 +276,7 @@ void ClearanceFeature::checkAnew() {
     if (const auto& checked = answerOf(ClearancePanel::What::Rules)) {
         const int row = m_locations.isOfRules() ? m_panel->currentRow() : -1;
         m_current = row < 0 ? std::nullopt : std::optional(m_locations.location(row));
+        m_place = m_panel->place();
         ClearanceRequest again = checked->request;
         again.waivers = m_waivers.list();
         run(std::move(again));
@@ -307,11 +308,22 @@ void ClearanceFeature::take() {
         return;  // it is listed when it is asked for again
     }
     list();
-    if (m_current) {
-        m_panel->setCurrentRow(m_locations.rowOf(*m_current));
-    }
+    restoreCurrent();
     const QStringList told = QStringList{m_locations.summary()} + textsOf(answer()->result.notes);
     m_workspace.report((m_wanted.isOfRules ? tr("Rules: %1") : tr("Clearances: %1")).arg(told.join("; ")));
+}
+
+void ClearanceFeature::restoreCurrent() {
+    if (!m_current) {
+        return;
+    }
+    const int row = m_locations.rowOf(*m_current);
+    const bool isMoved = row >= 0 && m_locations.location(row).waiver.has_value() != m_current->waiver.has_value();
+    if (isMoved) {
+        m_panel->returnTo(m_place);
+    } else {
+        m_panel->setCurrentRow(row);
+    }
 }
 
 void ClearanceFeature::list() {

@@ -87,6 +87,8 @@ private:
     void setRules(const model::RuleFile& rules);
     /// Other rules, but from the same file.
     [[nodiscard]] model::RuleFile withTable(const model::RuleTable& table) const;
+    /// The row from before a check; where it was waived and so moved, the one that took its place.
+    void restoreCurrent();
     /// Puts on the history that the rules are others than before.
     void remember(const model::RuleTable& before);
     [[nodiscard]] model::LayerId mappedLayer() const;
@@ -111,6 +113,7 @@ private:
     ClearancePanel* m_panel;
     std::array<std::optional<ClearanceAnswer>, 3> m_answers;  ///< the last ones, by ClearancePanel::What
     std::optional<ClearanceModel::Location> m_current;        ///< to be the current row again after a check
+    ClearancePanel::Place m_place;                            ///< where it was
 };
 
 }  // namespace ui

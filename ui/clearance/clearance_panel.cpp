@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QScrollBar>
 #include <QSlider>
 #include <QSplitter>
 #include <QToolButton>
@@ -172,6 +173,19 @@ void ClearancePanel::setCurrentRow(int row) {
     if (at.isValid()) {
         m_table->setCurrentIndex(at);
         m_table->goToRow(at);  // is there already where Qt made it the current row, as those before it were left out
+    }
+}
+
+ClearancePanel::Place ClearancePanel::place() const {
+    return {m_table->currentIndex().row(), m_table->verticalScrollBar()->value()};
+}
+
+void ClearancePanel::returnTo(const Place& place) {
+    const QModelIndex index = m_rows->index(std::min(place.row, m_rows->rowCount() - 1), 0);
+    if (index.isValid()) {
+        m_table->setCurrentIndex(index);
+        m_table->verticalScrollBar()->setValue(place.scrolled);
+        m_table->goToRow(index);  // the list may be shorter than it was
     }
 }
 

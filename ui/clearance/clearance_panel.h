@@ -50,6 +50,14 @@ public:
     [[nodiscard]] int currentRow() const;
     /// Shows that row of the model, if it is listed.
     void setCurrentRow(int row);
+    /// Where in the list the user is: a row as it is sorted, and how far down it is scrolled.
+    struct Place {
+        int row = -1;
+        int scrolled = 0;
+    };
+    [[nodiscard]] Place place() const;
+    /// Whatever is there now; the last row, if the list is shorter.
+    void returnTo(const Place& place);
 
 signals:
     /// Something else is looked for: what is listed answers another question.

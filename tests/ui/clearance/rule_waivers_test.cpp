@@ -41,6 +41,7 @@ private slots:
         const int before = failing();
         QVERIFY(before > 1);
         const ClearanceModel::Location worst = locations().location(0);
+        const ClearanceModel::Location second = locations().location(1);
         chooseInMenu(0, "waive");
         auto* dialog = window().findChild<ui::WaiveDialog*>();
         QVERIFY(dialog != nullptr && dialog->isVisible());
@@ -55,6 +56,7 @@ private slots:
         QCOMPARE(waivedRows(), 1);
         const int row = locations().rowOf(worst);
         QVERIFY(row >= failing() && locations().location(row).waiver);
+        QCOMPARE(panel().currentRow(), locations().rowOf(second));  // the list stays where it was
         QVERIFY(at(row, ClearanceModel::Waived).startsWith("looked at (Me, 20"));
         QVERIFY2(summary().contains("1 waived"), qPrintable(summary()));
         QVERIFY(rules.index(0, ui::RuleModel::Result).data().toString().endsWith("1 waived"));
