@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QToolButton>
 #include <algorithm>
 #include <iterator>
@@ -193,6 +194,10 @@ void LayersPanel::goToOuterCopper(bool isTop) {
 bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_table->viewport() && event->type() == QEvent::Resize) {
         showTypesIfThereIsRoom();
+    } else if (watched == m_table->viewport() && event->type() == QEvent::MouseButtonPress) {
+        // Another current layer would be the one that is shown alone; who opens a menu has chosen nothing yet.
+        const bool isMenu = static_cast<QMouseEvent*>(event)->button() == Qt::RightButton;
+        return (isMenu && m_model.soloLayer().isValid()) || QWidget::eventFilter(watched, event);
     } else if (watched == m_table && event->type() == QEvent::KeyPress) {
         return handleKey(static_cast<QKeyEvent*>(event)->key()) || QWidget::eventFilter(watched, event);
     }

@@ -125,6 +125,20 @@ private slots:
         }
     }
 
+    void aRightClickLeavesTheLayerThatIsShownAlone() {
+        const model::LayerId alone = clickOn("TOP", ui::LayerModel::Solo);
+        ui::TableView& table = window().layersPanel().table();
+        const auto& rows = static_cast<ui::GroupedLayers&>(*table.model());
+        const QModelIndex other = rows.mapFromSource(window().layers().index(
+            static_cast<int>(window().document()->findLayer("BOTTOM").row()), ui::LayerModel::Name));
+        table.scrollTo(other);
+        QTest::mouseClick(table.viewport(), Qt::RightButton, {}, table.visualRect(other).center());
+        QCOMPARE(window().layers().soloLayer(), alone);
+        QCOMPARE(window().workspace().currentLayer(), alone);
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(other).center());
+        QVERIFY(window().layers().soloLayer() != alone);
+    }
+
     void layersThatDrawNothingAreGreyAndPassedOver() {
         const model::LayerId core = window().document()->findLayer("CORE1");
         window().layersPanel().select(core);  // unfolds its group
