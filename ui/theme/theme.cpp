@@ -43,7 +43,8 @@ constexpr Tone kTones[] = {
 constexpr QPalette::ColorRole kTextRoles[] = {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
                                               QPalette::HighlightedText};
 
-/// Fusion, whose empty check boxes vanish on a dark ground, with frames in the colour of the text.
+/// Fusion, whose empty check boxes and grooves of sliders vanish on a dark ground, with frames in the colour of the
+/// text.
 class FramedBoxes : public QProxyStyle {
 public:
     FramedBoxes() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
@@ -52,14 +53,38 @@ public:
                        const QWidget* widget) const override {
         QProxyStyle::drawPrimitive(element, option, painter, widget);
         if (element == PE_IndicatorCheckBox) {
-            QColor tone = option->palette.color(QPalette::Text);
-            tone.setAlpha(110);
-            painter->save();
-            painter->setPen(tone);
-            painter->setBrush(Qt::NoBrush);
-            painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
-            painter->restore();
+            frame(option->rect, *option, *painter);
         }
+    }
+
+    void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                            const QWidget* widget) const override {
+        const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
+        if (control != CC_Slider || slider == nullptr) {
+            QProxyStyle::drawComplexControl(control, option, painter, widget);
+            return;
+        }
+        // The handle lies on the frame of its groove.
+        QStyleOptionSlider part = *slider;
+        part.subControls = slider->subControls & ~SC_SliderHandle;
+        QProxyStyle::drawComplexControl(control, &part, painter, widget);
+        if (slider->subControls.testFlag(SC_SliderGroove)) {
+            // Fusion leaves a pixel around it.
+            frame(subControlRect(control, slider, SC_SliderGroove, widget).adjusted(1, 1, -1, -1), *option, *painter);
+        }
+        part.subControls = slider->subControls & SC_SliderHandle;
+        QProxyStyle::drawComplexControl(control, &part, painter, widget);
+    }
+
+private:
+    static void frame(const QRect& rect, const QStyleOption& option, QPainter& painter) {
+        QColor tone = option.palette.color(QPalette::Text);
+        tone.setAlpha(110);
+        painter.save();
+        painter.setPen(tone);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect.adjusted(0, 0, -1, -1));
+        painter.restore();
     }
 };
 

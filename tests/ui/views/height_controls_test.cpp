@@ -8,6 +8,7 @@
 #include "tests/locations.h"
 #include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/theme/theme.h"
 
 using ui::ActionId;
 
@@ -54,6 +55,20 @@ private slots:
         QCOMPARE(controls().text(), QString("Copper ×10 · Dielectric ×1"));
         m_fixture->key(Qt::Key_C);
         QVERIFY(controls().text().isEmpty());
+    }
+
+    void theGrooveIsSeenOnADarkGround() {
+        ui::applyTheme(ui::Theme::Dark);
+        QSlider own(Qt::Horizontal);
+        own.resize(slider("spread").size());
+        const QImage drawn = own.grab().toImage();
+        const int ground = qGray(QGuiApplication::palette().color(QPalette::Window).rgb());
+        int brightest = 0;
+        for (int y = 0; y < drawn.height(); ++y) {
+            brightest = std::max(brightest, qGray(drawn.pixel(3 * drawn.width() / 4, y)));  // the handle is at the left
+        }
+        ui::applyTheme(ui::Theme::System);
+        QVERIFY2(brightest > ground + 50, qPrintable(QString::number(brightest)));
     }
 
     void whatIsSelectedStaysInSight() {
