@@ -29,6 +29,8 @@ StackupPanel::StackupPanel(StackupModel& model, const ActionSet& actions, QWidge
       m_table(new TableView(model)),
       m_findingTable(new TableView(m_findings)),
       m_halves(new QSplitter),
+      m_commands(toolBar({&actions[ActionId::ExaggerateCopper], &actions[ActionId::ExportStackup]})),
+      m_controls(new QBoxLayout(QBoxLayout::LeftToRight)),
       m_total(new QLabel),
       m_summary(new ElidedLabel) {
     m_table->setEditTriggers(m_table->editTriggers() | QAbstractItemView::AnyKeyPressed);
@@ -40,7 +42,7 @@ StackupPanel::StackupPanel(StackupModel& model, const ActionSet& actions, QWidge
     connect(&model, &QAbstractItemModel::dataChanged, this, &StackupPanel::refresh);
     connectRows();
 
-    m_halves->addWidget(drawingHalf(actions));
+    m_halves->addWidget(drawingHalf());
     m_halves->addWidget(tableHalf());
     m_halves->setStretchFactor(0, 1);
     m_halves->setStretchFactor(1, 1);
@@ -93,16 +95,17 @@ void StackupPanel::selectLayer(model::LayerId layer) {
     }
 }
 
-QWidget* StackupPanel::drawingHalf(const ActionSet& actions) {
+QWidget* StackupPanel::drawingHalf() {
     auto* scroll = new QScrollArea;
     scroll->setWidget(m_view);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    auto* row = new QHBoxLayout;
-    row->addWidget(toolBar({&actions[ActionId::ExaggerateCopper], &actions[ActionId::ExportStackup]}), 1);
+    m_controls->addWidget(m_commands, 1);
     m_total->setObjectName(QStringLiteral("stackupTotal"));
-    row->addWidget(m_total);
-    return panelOf(row, scroll, 0);
+    m_total->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);  // the height is for the drawing
+    m_commands->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_controls->addWidget(m_total);
+    return panelOf(m_controls, scroll, 0);
 }
 
 QWidget* StackupPanel::tableHalf() {
@@ -135,7 +138,18 @@ QWidget* StackupPanel::tables() {
 
 void StackupPanel::resizeEvent(QResizeEvent* event) {
     m_halves->setOrientation(width() > 2 * height() ? Qt::Horizontal : Qt::Vertical);
+    arrangeControls();
     QWidget::resizeEvent(event);
+}
+
+void StackupPanel::arrangeControls() {
+    const int room = m_halves->orientation() == Qt::Horizontal ? width() / 2 : width();
+    // The other commands fold into a menu.
+    const QWidget& first = *m_commands->widgetForAction(m_commands->actions().front());
+    const QWidget& more = *m_commands->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+    const int least = first.sizeHint().width() + more.sizeHint().width() + m_total->sizeHint().width();
+    const bool isNarrow = room < least + 3 * fontMetrics().averageCharWidth();
+    m_controls->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void StackupPanel::refresh() {
@@ -160,6 +174,7 @@ void StackupPanel::updateTotal() {
     m_total->setText(parts.empty()       ? QString()
                      : parts.size() == 1 ? tr("Cu to Cu %1").arg(heightText(parts[0].copperToCopper, m_model.unit()))
                                          : tr("%1 zones").arg(parts.size()));
+    arrangeControls();
 }
 
 void StackupPanel::updateSummary() {

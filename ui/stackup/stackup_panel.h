@@ -5,8 +5,10 @@
 #include "ui/stackup/finding_model.h"
 #include "ui/stackup/stackup_model.h"
 
+class QBoxLayout;
 class QLabel;
 class QSplitter;
+class QToolBar;
 
 namespace ui {
 
@@ -41,13 +43,15 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    [[nodiscard]] QWidget* drawingHalf(const ActionSet& actions);
+    [[nodiscard]] QWidget* drawingHalf();
     [[nodiscard]] QWidget* tableHalf();
     [[nodiscard]] QWidget* tables();
     void connectRows();
     void selectRows(const std::vector<std::size_t>& rows);
     void refresh();
     void updateTotal();
+    /// Commands and total side by side, or below each other in a panel that would cut the commands.
+    void arrangeControls();
     void updateSummary();
 
     StackupModel& m_model;
@@ -56,8 +60,10 @@ private:
     TableView* m_table;
     TableView* m_findingTable;
     QSplitter* m_halves;
-    QLabel* m_total;    ///< copper to copper, or how many zones there are
-    QLabel* m_summary;  ///< what the table cannot say: why it is empty, or how much of it is assumed
+    QToolBar* m_commands;
+    QBoxLayout* m_controls;  ///< of the drawing: the commands and the total
+    QLabel* m_total;         ///< copper to copper, or how many zones there are
+    QLabel* m_summary;       ///< what the table cannot say: why it is empty, or how much of it is assumed
 };
 
 }  // namespace ui

@@ -15,7 +15,9 @@ namespace {
 constexpr double kLabelGap = 6.0;  // between names and thicknesses
 constexpr double kMargin = 8.0;
 constexpr double kBoreWidth = 10.0;
-constexpr double kLeader = 28.0;  // between a layer and its label
+constexpr double kLeader = 28.0;  // the longest between a layer and its label
+constexpr double kShortestLeader = 16.0;
+constexpr int kNameLetters = 9;  // names have room for so many, unless the drawing would be too narrow
 constexpr QColor kSubstrate(0xb8, 0xa0, 0x60);
 constexpr QColor kPlating(0xc8, 0x79, 0x3a);
 
@@ -115,7 +117,7 @@ void StackupView::resizeEvent(QResizeEvent*) {
 QRectF StackupView::bandRect(std::size_t row) const {
     const model::StackupBand& band = m_drawing.bands[row];
     const double top = kMargin + lineHeight();
-    return {kMargin, top + band.top, labelLeft() - kLeader - kMargin, band.bottom - band.top};
+    return {kMargin, top + band.top, labelLeft() - leader() - kMargin, band.bottom - band.top};
 }
 
 QRectF StackupView::zoneRect(std::size_t row, std::size_t zone) const {
@@ -127,7 +129,7 @@ QRectF StackupView::zoneRect(std::size_t row, std::size_t zone) const {
 
 QRectF StackupView::boreRect(std::size_t row) const {
     const model::StackupBarrel& bore = m_drawing.bores[row];
-    const double width = labelLeft() - kLeader - kMargin;
+    const double width = labelLeft() - leader() - kMargin;
     const double wide = std::min(kBoreWidth, bore.breadth * width / 2);  // the layers are seen between the holes
     return {kMargin + bore.x * width - wide / 2, kMargin + lineHeight() + bore.top, wide, bore.bottom - bore.top};
 }
@@ -164,7 +166,23 @@ NameCut StackupView::nameCut() const {
             names << QString::fromStdString(m_document->stackup.rows[row].name);
         }
     }
-    return NameCut::forAll(names, fontMetrics(), static_cast<int>(thicknessLeft() - kLabelGap - labelLeft()));
+    return NameCut::forAll(names, fontMetrics(), static_cast<int>(nameRoom()));
+}
+
+double StackupView::labelLeft() const {
+    const bool hasZones = m_drawing.columns.size() > 1;
+    const double most = width() * (hasZones ? 0.52 : 0.42);
+    const double least = width() * (hasZones ? 0.42 : 0.3);
+    const double names = fontMetrics().averageCharWidth() * kNameLetters;
+    return std::clamp(thicknessLeft() - kLabelGap - names, least, most);
+}
+
+double StackupView::nameRoom() const {
+    return thicknessLeft() - kLabelGap - labelLeft();
+}
+
+double StackupView::leader() const {
+    return std::clamp(width() * 0.08, kShortestLeader, kLeader);
 }
 
 double StackupView::thicknessLeft() const {

@@ -42,6 +42,8 @@ public:
     /// lines below the drawing then explain.
     [[nodiscard]] QRectF zoneHeading(std::size_t zone) const;
     [[nodiscard]] std::size_t letteredZones() const { return m_letteredZones; }
+    /// How wide the names of the layers may be.
+    [[nodiscard]] double nameRoom() const;
     [[nodiscard]] QString zoneCaptionOf(std::size_t zone, int room) const;
     /// What is under the pointer there; empty for nothing.
     [[nodiscard]] QString tipAt(QPointF at) const;
@@ -71,7 +73,10 @@ private:
     [[nodiscard]] double lineHeight() const { return fontMetrics().height() + 1.0; }
     [[nodiscard]] double thicknessLeft() const;
     [[nodiscard]] NameCut nameCut() const;
-    [[nodiscard]] double labelLeft() const { return width() * (m_drawing.columns.size() > 1 ? 0.52 : 0.42); }
+    /// The drawing has its share of the width, and less of it where names would be cut to a few letters.
+    [[nodiscard]] double labelLeft() const;
+    /// Between a layer and its label.
+    [[nodiscard]] double leader() const;
     /// The layer at a position, a hole before the layers it passes; none beside them or where the job has no layer.
     [[nodiscard]] model::LayerId layerAt(QPointF at) const;
     [[nodiscard]] QString zonesOf(std::size_t row) const;

@@ -4,7 +4,9 @@
 #include "ui/stackup/stackup_view.h"
 
 #include <QDialog>
+#include <QLabel>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QtTest>
 
 #include "tests/locations.h"
@@ -166,6 +168,26 @@ private slots:
         QCOMPARE(narrow.zoneCaptionOf(1, 1'000), "B  " + flex);
         QCOMPARE(narrow.tipAt(narrow.zoneHeading(1).center()), flex);
         QVERIFY2(narrow.minimumHeight() > wide.minimumHeight(), "a line below the drawing for each");
+    }
+
+    /// As in a column beside the views.
+    void aNarrowPanelHasRoomForNamesAndCommands() {
+        ui::StackupView narrow;
+        narrow.resize(200, 700);
+        narrow.setStackup(window().workspace().board()->document);
+        QVERIFY(narrow.nameRoom() >= narrow.fontMetrics().averageCharWidth() * 8);
+        QVERIFY2(narrow.bandRect(0).width() > 24, "the layers are still seen");
+        ui::StackupModel model;
+        ui::StackupPanel column(model, window().actions());
+        column.resize(200, 700);
+        column.show();
+        model.setDocument(window().workspace().board()->document);
+        auto* commands = column.findChild<QToolBar*>();
+        QVERIFY(!column.findChild<QLabel*>("stackupTotal")->text().isEmpty());
+        const QWidget* exaggerate = commands->widgetForAction(&window().actions()[ActionId::ExaggerateCopper]);
+        QTRY_VERIFY(exaggerate->isVisible() && exaggerate->width() >= exaggerate->sizeHint().width());
+        QVERIFY2(column.findChild<QLabel*>("stackupTotal")->height() < 2 * column.fontMetrics().height(),
+                 "the drawing has the height");
     }
 
     void findingsAreListedAndSelectTheirRows() {
