@@ -1,7 +1,10 @@
 #include "model/geometry/boolean.h"
 
+#include <algorithm>
 #include <new>
 #include <polyclipping/clipper.hpp>
+
+#include "model/geometry/clear_loops.h"
 
 namespace model {
 
@@ -55,6 +58,8 @@ public:
     void add(const Paths& paths, ClipperLib::PolyType operand) {
         m_hasEdges = m_clipper.AddPaths(paths, operand, true) || m_hasEdges;
     }
+    /// Keeps corners on straight lines that come up, not those of what was added before.
+    void keepCornersOnLines() { m_clipper.PreserveCollinear(true); }
     /// `Result` is Paths or a PolyTree.
     template <class Result>
     void execute(ClipperLib::ClipType type, Result& result) {
@@ -69,12 +74,70 @@ private:
     bool m_hasEdges = false;
 };
 
-/// Loops that do not overlap, sorted into polygons.
-PolygonSet sorted(const Paths& paths) {
+LoopSet toLoops(const Paths& paths) {
+    LoopSet loops;
+    for (const Path& path : paths) {
+        const std::vector<Point> loop = toLoop(path);
+        loops.points.insert(loops.points.end(), loop.begin(), loop.end());
+        loops.loopStart.push_back(static_cast<std::uint32_t>(loops.points.size()));
+    }
+    return loops;
+}
+
+/// To split loops where they touch themselves, polyclipping compares every two corners of each: is that more than to
+/// look whether they do at all?
+bool areSplitSlowly(const Paths& paths) {
+    constexpr double kComparedPerCorner = 2000.0;
+    double corners = 0.0;
+    double compared = 0.0;
+    for (const Path& path : paths) {
+        const auto count = static_cast<double>(path.size());
+        corners += count;
+        compared += count * count;
+    }
+    return compared > kComparedPerCorner * corners;
+}
+
+bool passesPointTwice(const ClipperLib::PolyTree& tree) {
+    for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
+        std::vector<Point> loop = toLoop(node->Contour);
+        std::ranges::sort(loop);
+        if (std::ranges::adjacent_find(loop) != loop.end()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// What sortSplit() makes of them, to the last point and in the same order, but in time n log n; false, and the tree is
+/// of no use, if that cannot be told beforehand. To be strictly simple, polyclipping does four things more: it puts
+/// corners where sides lie within a nanometre of each other on a level line, and where a top touches a level side
+/// (neither happens to clear loops), it keeps corners on straight lines (so do we), and it splits loops that pass a
+/// point twice (we look for any).
+bool sortClear(const Paths& paths, ClipperLib::PolyTree& tree) {
+    if (!areSplitSlowly(paths) || !areClear(toLoops(paths))) {
+        return false;
+    }
+    Clip clip;
+    clip.add(paths, ClipperLib::ptSubject);
+    clip.keepCornersOnLines();
+    clip.execute(ClipperLib::ctUnion, tree);
+    return !passesPointTwice(tree);
+}
+
+/// Splits loops where they touch themselves.
+void sortSplit(const Paths& paths, ClipperLib::PolyTree& tree) {
     Clip clip(ClipperLib::ioStrictlySimple);
     clip.add(paths, ClipperLib::ptSubject);
-    ClipperLib::PolyTree tree;
     clip.execute(ClipperLib::ctUnion, tree);
+}
+
+/// Loops that do not overlap, sorted into polygons.
+PolygonSet sorted(const Paths& paths) {
+    ClipperLib::PolyTree tree;
+    if (!sortClear(paths, tree)) {
+        sortSplit(paths, tree);
+    }
     PolygonSet result;
     collect(tree, result);
     return result;
@@ -109,13 +172,7 @@ LoopSet unitedLoops(const LoopSet& set) {
     clip.add(paths, ClipperLib::ptSubject);
     Paths united;
     clip.execute(ClipperLib::ctUnion, united);
-    LoopSet result;
-    for (const Path& path : united) {
-        const std::vector<Point> loop = toLoop(path);
-        result.points.insert(result.points.end(), loop.begin(), loop.end());
-        result.loopStart.push_back(static_cast<std::uint32_t>(result.points.size()));
-    }
-    return result;
+    return toLoops(united);
 }
 
 PolygonSet subtract(const PolygonSet& from, const PolygonSet& what) {

@@ -1,7 +1,10 @@
 #include "model/geometry/boolean.h"
 
 #include <QtTest>
+#include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <polyclipping/clipper.hpp>
 #include <random>
 
 using model::Point;
@@ -27,6 +30,74 @@ PolygonSet bar(int x, int y, int width, int height) {
 
 long long area(const PolygonSet& set) {
     return static_cast<long long>(model::twiceArea(set) / 2);
+}
+
+ClipperLib::Paths pathsOf(const PolygonSet& set) {
+    ClipperLib::Paths paths(set.loopCount());
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        for (const Point& p : set.loop(i)) {
+            paths[i].emplace_back(p.x, p.y);
+        }
+    }
+    return paths;
+}
+
+/// The loops of polyclipping's strictly simple result: each outline, its holes, and what lies in these.
+ClipperLib::Paths strictlyIntersected(const PolygonSet& a, const PolygonSet& b) {
+    ClipperLib::Clipper first;
+    first.AddPaths(pathsOf(a), ClipperLib::ptSubject, true);
+    first.AddPaths(pathsOf(b), ClipperLib::ptClip, true);
+    ClipperLib::Paths loops;
+    first.Execute(ClipperLib::ctIntersection, loops, ClipperLib::pftPositive, ClipperLib::pftPositive);
+    ClipperLib::Clipper second(ClipperLib::ioStrictlySimple);
+    second.AddPaths(loops, ClipperLib::ptSubject, true);
+    ClipperLib::PolyTree tree;
+    second.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftPositive, ClipperLib::pftPositive);
+    ClipperLib::Paths result;
+    const std::function<void(const ClipperLib::PolyNode&)> collect = [&](const ClipperLib::PolyNode& parent) {
+        for (const ClipperLib::PolyNode* outline : parent.Childs) {
+            result.push_back(outline->Contour);
+            for (const ClipperLib::PolyNode* hole : outline->Childs) {
+                result.push_back(hole->Contour);
+            }
+            for (const ClipperLib::PolyNode* hole : outline->Childs) {
+                collect(*hole);
+            }
+        }
+    };
+    collect(tree);
+    return result;
+}
+
+/// A pour as many programs write it: one contour, with teeth on its right side, that runs in to round openings along
+/// slanted slits. Where `touches`, an opening reaches the left side of the pour.
+PolygonSet pourWithSlits(std::mt19937& random, bool touches) {
+    const auto below = [&](int limit) { return static_cast<int>(random() % static_cast<unsigned>(limit)); };
+    std::vector<Point> contour{{0, 0}, {50'000'000, 0}};
+    constexpr int kTeeth = 2500;
+    for (int i = 0; i < kTeeth; ++i) {
+        contour.push_back({50'000'000 + below(400'000), 5'000 + i * 24'000});
+        contour.push_back({49'000'000 - below(400'000), 16'000 + i * 24'000});
+    }
+    contour.push_back({50'000'000, kTeeth * 24'000});
+    contour.push_back({0, kTeeth * 24'000});
+    constexpr int kOpenings = 40;
+    for (int i = kOpenings; i > 0; --i) {
+        const int radius = 300'000 + below(300'000);
+        const Point middle{touches && i == 7 ? radius : 2'000'000 + below(30'000'000), i * 1'400'000};
+        const Point mouth{0, middle.y - below(50'000)};
+        contour.push_back(mouth);
+        for (int k = 0; k <= 48; ++k) {  // clockwise from the left
+            const double angle = M_PI - k * M_PI / 24;
+            contour.push_back({middle.x + static_cast<int>(std::lround(radius * std::cos(angle))),
+                               middle.y + static_cast<int>(std::lround(radius * std::sin(angle)))});
+        }
+        contour.push_back(mouth);
+    }
+    PolygonSet pour;
+    pour.beginPolygon();
+    pour.addLoop(contour);
+    return pour;
 }
 
 }  // namespace
@@ -131,6 +202,23 @@ private slots:
         PolygonSet both = a;
         both.append(b);
         QCOMPARE(area(model::unite(both)), area(model::subtract(a, b)) + area(b));
+    }
+
+    /// Long loops that keep clear of each other go another way, which is faster (areClear()).
+    void longLoopsAreThoseOfAStrictResult() {
+        std::mt19937 random(3);
+        for (int i = 0; i < 8; ++i) {
+            const PolygonSet pour = pourWithSlits(random, i % 4 == 3);
+            PolygonSet board;
+            board.beginPolygon();
+            const Point corners[] = {
+                {-1, 300'007}, {49'500'000, 200'000 + i}, {49'700'003, 59'000'000}, {-1, 58'999'000}};
+            board.addLoop(corners);
+            const PolygonSet cut = model::intersect(pour, board);
+            QVERIFY(cut.loopCount() >= 40);
+            QVERIFY(cut.loop(0).size() > 4900 || cut.polygons.size() > 1);
+            QVERIFY(pathsOf(cut) == strictlyIntersected(pour, board));
+        }
     }
 
     void nothingMinusSomethingIsNothing() {
