@@ -63,7 +63,7 @@ public:
         }
         std::ranges::transform(loops.points, std::back_inserter(m_levels), &Point::y);
         std::ranges::sort(m_levels);
-        m_levels.erase(std::ranges::unique(m_levels).begin(), m_levels.end());
+        m_levels.erase(std::unique(m_levels.begin(), m_levels.end()), m_levels.end());
     }
 
     [[nodiscard]] bool areClear() const { return !m_hasSpike && areNeighboursApart() && areOthersApart(); }
