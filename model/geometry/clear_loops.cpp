@@ -137,10 +137,14 @@ private:
     [[nodiscard]] bool stayApart(const Side& a, const Side& b, std::ptrdiff_t level, int step) const {
         const auto end = static_cast<std::ptrdiff_t>(m_levels.size());
         for (int i = 0; i < kMostFollowed; ++i, level += step) {
-            if (level < 0 || level >= end || !a.touches(m_levels[level]) || !b.touches(m_levels[level])) {
+            if (level < 0 || level >= end) {
                 return true;
             }
-            const double gap = std::abs(gapBetween(a, b, m_levels[level]));
+            const Nm at = m_levels[static_cast<std::size_t>(level)];
+            if (!a.touches(at) || !b.touches(at)) {
+                return true;
+            }
+            const double gap = std::abs(gapBetween(a, b, at));
             if (gap == 0.0 || gap > 2 * kRounding) {
                 return gap != 0.0;
             }
