@@ -43,7 +43,12 @@ bool isBoardCopper(const Layer& layer) {
 class RoutedPieces {
 public:
     explicit RoutedPieces(const Document& board)
-        : m_board(board), m_outline(areaOutlines(board.shapes, board.profile)), m_half(areaOf(m_outline) / 2.0) {}
+        : m_board(board),
+          m_outline(board.profile.isValid() ? areaOutlines(board.shapes, board.profile) : std::vector<EdgeLoops>()),
+          m_half(areaOf(m_outline) / 2.0) {}
+
+    /// Of the board; empty where it has none.
+    [[nodiscard]] const std::vector<EdgeLoops>& outline() const { return m_outline; }
 
     /// What an element of the document cuts loose; empty: nothing.
     [[nodiscard]] std::vector<EdgeLoops> cutLooseBy(const Document& routed, ElementId path) const {
@@ -185,9 +190,8 @@ public:
 
     /// Does it begin and turn on the outline only? Programs make chords of arcs in either of both.
     [[nodiscard]] bool holdsCornersOf(const std::vector<Edge>& path) const {
-        return !path.empty() && std::ranges::all_of(path, [this](const Edge& edge) {
-            return isNear(edge.a, kRounding) && isNear(edge.b, kRounding);
-        });
+        return std::ranges::all_of(
+            path, [this](const Edge& edge) { return isNear(edge.a, kRounding) && isNear(edge.b, kRounding); });
     }
     /// Does all of it lie on the outline, or so far beside it that the pen reaches up to it from beyond? At corners it
     /// is farther off by half.
@@ -205,7 +209,7 @@ private:
     template <class Check>
     [[nodiscard]] bool everyPointOf(const std::vector<Edge>& path, const Check& check) const {
         constexpr int kParts = 4;  // of each edge; a line that joins two locations of the outline leaves it in between
-        return !path.empty() && !m_edges.empty() && std::ranges::all_of(path, [&](const Edge& edge) {
+        return !m_edges.empty() && std::ranges::all_of(path, [&](const Edge& edge) {
             const double length = lengthOf(edge);
             bool isGood = check(edge.a) && check(edge.b);
             for (int i = 1; i < kParts && isGood && length > 0.0; ++i) {
@@ -233,8 +237,12 @@ private:
 /// What a path on a layer of routed slots is, if it is no slot.
 enum class Contour : std::uint8_t { None, Compensated, AlongOutline, WithoutWidth };
 
-Contour contourOf(const Document& board, const OutlineFollower& outline, const Document& routed, ElementId element) {
+Contour contourOf(const RoutedPieces& pieces, const OutlineFollower& outline, const Document& routed,
+                  ElementId element) {
     const std::vector<Edge> path = middleLineOf(routed, element);
+    if (path.empty()) {
+        return Contour::None;
+    }
     if (isCompensated(routed, element) && outline.holdsCornersOf(path)) {
         return Contour::Compensated;
     }
@@ -245,8 +253,8 @@ Contour contourOf(const Document& board, const OutlineFollower& outline, const D
     if (outline.isFollowedBy(path, static_cast<double>(pen))) {
         return Contour::AlongOutline;
     }
-    const bool isAround = pen == 0 && (outline.isPassedBy(path) || RoutedPieces(board).isAroundBoard(routed, element));
-    return isAround && !path.empty() ? Contour::WithoutWidth : Contour::None;
+    const bool isAround = pen == 0 && (outline.isPassedBy(path) || pieces.isAroundBoard(routed, element));
+    return isAround ? Contour::WithoutWidth : Contour::None;
 }
 
 const char* textOf(Contour contour) {
@@ -331,22 +339,20 @@ void takeOutRouted(DocumentBuilder& builder, std::span<const RoutedLayer> waitin
 
 void addRouted(DocumentBuilder& builder, const RoutedLayer& layer) {
     const Document& routed = layer.routed->soFar();
-    const Document& board = builder.soFar();
-    const std::vector<EdgeLoops> outline =
-        board.profile.isValid() ? areaOutlines(board.shapes, board.profile) : std::vector<EdgeLoops>();
-    const OutlineFollower follower(outline);
+    const RoutedPieces pieces(builder.soFar());
+    const OutlineFollower follower(pieces.outline());
     ElementPile others(routed);
     ElementPile beside(routed);
     for (std::size_t i = 0; i < routed.elements.size(); ++i) {
         const ElementId element{i};
-        const Contour contour = contourOf(board, follower, routed, element);
+        const Contour contour = contourOf(pieces, follower, routed, element);
         if (contour != Contour::None) {
             builder.diagnostics().report(Severity::Info, layer.file, routed.elements.line[i], textOf(contour));
         }
         const bool isBeside = contour != Contour::None && penOf(routed, element) > 0;
         (isBeside ? beside : others).add(element, contour == Contour::None);
     }
-    beside.takeAway(sketchOf(outline));
+    beside.takeAway(sketchOf(pieces.outline()));
     builder.beginLayer(layer.layer);
     others.addTo(builder, layer.file);
     beside.addTo(builder, layer.file);

@@ -114,6 +114,24 @@ private slots:
         QVERIFY(findDiagnostic(without->diagnostics, "with compensation") == nullptr);
     }
 
+    /// Neither a profile nor copper that one could be made up around.
+    void withoutAnOutlineNoPathIsItsContour() {
+        const Folder folder;
+        writeSmallJob(folder, "UNITS=MM\n");
+        std::filesystem::remove(folder.path() / "steps/board/profile");
+        folder.write("matrix/matrix", matrixOf({{"SIGNAL", "TOP"}, {"ROUT", "ROUT"}}));
+        folder.write("steps/board/layers/rout/features",
+                     "UNITS=MM\n$0 r0\n$1 r200\nL 0 0 10 0 0 P 0\nL 10 0 20 0 1 P 0\n");
+        const auto board = read(folder.path());
+        QVERIFY(!board->profile.isValid());
+        QVERIFY(findDiagnostic(board->diagnostics, "a routed path") == nullptr);
+        const model::Range elements = board->layer(board->findLayer("ROUT")).elements;
+        QCOMPARE(elements.count, 2U);
+        for (std::uint32_t i = 0; i < elements.count; ++i) {
+            QVERIFY(isHole(*board, model::ElementId{elements.first + i}));
+        }
+    }
+
     /// The board as programs draw it for the router: with a pen on the outline or beside it, or without a width.
     void contoursOfTheBoardAreNoHoles_data() {
         QTest::addColumn<QString>("routed");
