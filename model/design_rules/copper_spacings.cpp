@@ -49,8 +49,8 @@ bool areOfOneRecord(const Document& document, ElementId a, ElementId b) {
     return line != 0 && line == document.elements.line[b.row()] && fileOf(a) == fileOf(b);
 }
 
-/// Is a hole drilled in the middle of this pad, or as one with it? Of an NPTH with a ring of copper the ring is no
-/// other copper that has to keep away.
+/// Is an NPTH drilled in the middle of this pad, or as one with it? Its ring of copper is no other copper that has to
+/// keep away.
 bool isInItsPad(const RuleContext& context, ElementId hole, ElementId copper) {
     const Document& document = context.document();
     const Box pad = document.boxOf(copper);
@@ -390,8 +390,8 @@ void checkToHoles(RuleContext& context, LayerId layer) {
         const ElementId hole = holes.elementOf(b);
         const bool isPlated = isPlatedHole(context.document().elements.flags[hole.row()]);
         return rule(a, b) && context.isBetween(copper.elementOf(a), hole) &&
-               !isInItsPad(context, hole, copper.elementOf(a)) &&
-               (!isPlated || context.owners().of(copper.elementOf(a)) != context.owners().of(hole));
+               (isPlated ? context.owners().of(copper.elementOf(a)) != context.owners().of(hole)
+                         : !isInItsPad(context, hole, copper.elementOf(a)));
     };
     for (const FigurePair& pair : closestPairs(copper, holes, request, context.progress())) {
         context.add(*rule(pair.a, pair.b), layer, copper.elementOf(pair.a), holes.elementOf(pair.b), pair.spacing);

@@ -183,6 +183,17 @@ private slots:
         QCOMPARE(report.findings[1].a, model::ElementId{2});
     }
 
+    /// In the middle of a pad too: nothing of it is a ring of the hole's own.
+    void aPlatedHoleIsNoneOfAnotherNetsPad() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 2 * kMm, 0}, of(board.a, model::kPad));
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, kMm, kMm}, of(board.b, kWall));
+        const auto document = board.builder.finish();
+        QVERIFY(!check(*document, RuleKind::CopperToHole, 200 * kUm).isPassed());
+    }
+
     /// A pad of KiCad with an offset: its copper and its hole are of one line of the file.
     void aHoleMayLieOffTheMiddleOfItsPad() {
         for (const bool isOneRecord : {true, false}) {
