@@ -30,7 +30,11 @@ void LinkedTable::giveRoom(const std::vector<int>& columns) {
             m_spread.clear();  // by hand
         }
     });
-    connect(model(), &QAbstractItemModel::modelReset, this, &LinkedTable::spread);
+    connect(model(), &QAbstractItemModel::dataChanged, this, [this] { m_neededWidths.clear(); });
+    connect(model(), &QAbstractItemModel::modelReset, this, [this] {
+        m_neededWidths.clear();
+        spread();
+    });
 }
 
 void LinkedTable::resizeEvent(QResizeEvent* event) {
@@ -38,13 +42,30 @@ void LinkedTable::resizeEvent(QResizeEvent* event) {
     spread();
 }
 
+void LinkedTable::showEvent(QShowEvent* event) {
+    TableView::showEvent(event);
+    spread();
+}
+
+/// Measuring cells takes a while: of a table that is hidden not before it is seen, and once for all its widths.
+int LinkedTable::neededWidth(int column) {
+    const auto [found, isNew] = m_neededWidths.try_emplace(column);
+    if (isNew) {
+        found->second = sizeHintForColumn(column);
+    }
+    return found->second;
+}
+
 void LinkedTable::spread() {
+    if (!isVisible() || m_spread.empty()) {
+        return;
+    }
     const QScopedValueRollback guard(m_isSpreading, true);
-    int room = m_spread.empty() ? 0 : roomBehind();
+    int room = roomBehind();
     for (const int column : m_spread) {
         if (!isColumnHidden(column)) {
             const int least = m_leastWidths[static_cast<std::size_t>(column)];
-            const int more = std::clamp(sizeHintForColumn(column) - least, 0, std::max(room, 0));
+            const int more = std::clamp(neededWidth(column) - least, 0, std::max(room, 0));
             setColumnWidth(column, least + more);
             room -= more;
         }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+
 #include "ui/common/table_view.h"
 
 class QLineEdit;
@@ -36,9 +38,11 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void spread();
+    [[nodiscard]] int neededWidth(int column);
     [[nodiscard]] int roomBehind() const;
     void watch(const QLineEdit& filter);
     void showMarked();
@@ -47,8 +51,9 @@ private:
 
     SortedRows& m_sorted;
     std::vector<int> m_marked;
-    std::vector<int> m_spread;       ///< columns that take what room there is
-    std::vector<int> m_leastWidths;  ///< of all columns
+    std::vector<int> m_spread;          ///< columns that take what room there is
+    std::vector<int> m_leastWidths;     ///< of all columns
+    std::map<int, int> m_neededWidths;  ///< of columns that were measured, for their cells
     bool m_isSpreading = false;
     bool m_follows = true;
     bool m_isMarking = false;
