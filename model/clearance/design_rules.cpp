@@ -193,27 +193,4 @@ RuleTable defaultRules() {
              {RuleKind::Creepage, 600 * kUm, {}, kOff, {}, {}, "", false, 1000 * kUm}}};
 }
 
-bool fitsWildcard(std::string_view name, std::string_view pattern) {
-    // The last star seen takes more and more of the name until what follows it fits.
-    std::size_t at = 0;
-    std::size_t p = 0;
-    std::size_t star = std::string_view::npos;
-    std::size_t afterStar = 0;
-    while (at < name.size()) {
-        if (p < pattern.size() && (pattern[p] == '?' || (pattern[p] != '*' && pattern[p] == name[at]))) {
-            ++at;
-            ++p;
-        } else if (p < pattern.size() && pattern[p] == '*') {
-            star = p++;
-            afterStar = at;
-        } else if (star != std::string_view::npos) {
-            p = star + 1;
-            at = ++afterStar;
-        } else {
-            return false;
-        }
-    }
-    return pattern.find_first_not_of('*', p) == std::string_view::npos;
-}
-
 }  // namespace model

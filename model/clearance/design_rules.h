@@ -115,7 +115,4 @@ inline constexpr Nm kMostLeast = 100'000'000;  ///< nothing on a board is asked 
 /// that many boards break for good reasons are off.
 [[nodiscard]] RuleTable defaultRules();
 
-/// Does a name fit a pattern with * and ?; letters count as they are.
-[[nodiscard]] bool fitsWildcard(std::string_view name, std::string_view pattern);
-
 }  // namespace model

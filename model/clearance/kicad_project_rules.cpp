@@ -22,6 +22,7 @@
 #include "model/text/s_expression.h"
 #include "model/text/utf8.h"
 #include "model/text/whole_file.h"
+#include "model/text/wildcard.h"
 
 namespace model {
 

@@ -5,6 +5,7 @@
 #include "model/board/holes.h"
 #include "model/board/layers.h"
 #include "model/text/formatting.h"
+#include "model/text/wildcard.h"
 
 namespace model {
 

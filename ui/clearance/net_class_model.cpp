@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/text/wildcard.h"
 #include "ui/common/texts.h"
 
 namespace ui {

@@ -9,6 +9,7 @@
 
 #include "model/index/pin_names.h"
 #include "model/nets/net_statistics.h"
+#include "model/text/wildcard.h"
 #include "ui/common/net_name.h"
 #include "ui/layers/layer_model.h"
 
@@ -37,35 +38,12 @@ bool hasWildcards(std::string_view text) {
     return text.find_first_of(kWildcards) != std::string_view::npos;
 }
 
-/// Does all of `name` fit a pattern in lower case, where * is for any letters and ? for one?
-bool isLike(std::string_view name, std::string_view pattern, bool (*isAlike)(char, char)) {
-    std::size_t at = 0;
-    std::size_t in = 0;
-    std::size_t star = std::string_view::npos;  // the last one met: what it is for grows where the rest does not fit
-    std::size_t starAt = 0;
-    while (at < name.size()) {
-        if (in < pattern.size() && pattern[in] == '*') {
-            star = in++;
-            starAt = at;
-        } else if (in < pattern.size() && (pattern[in] == '?' || isAlike(name[at], pattern[in]))) {
-            ++at;
-            ++in;
-        } else if (star != std::string_view::npos) {
-            in = star + 1;
-            at = ++starAt;
-        } else {
-            return false;
-        }
-    }
-    return pattern.substr(in).find_first_not_of('*') == std::string_view::npos;
-}
-
 /// How `name` fits a text that is in lower case. Names that hold * or ? themselves, as some jobs write inverted
 /// signals, are found by them too.
 Fit fitOf(std::string_view name, std::string_view text, bool (*isAlike)(char, char) = isSame) {
     const auto at = std::ranges::search(name, text, isAlike).begin();
     if (at == name.end()) {
-        return hasWildcards(text) && isLike(name, text, isAlike) ? Fit::Holds : Fit::None;
+        return hasWildcards(text) && model::fitsWildcard(name, text, isAlike) ? Fit::Holds : Fit::None;
     }
     return at != name.begin() ? Fit::Holds : name.size() == text.size() ? Fit::Whole : Fit::Begins;
 }

@@ -95,13 +95,6 @@ private slots:
         QVERIFY(!table);
         QVERIFY2(table.error().text.find(word.toStdString()) != std::string::npos, table.error().text.c_str());
     }
-
-    void wildcards() {
-        const auto fits = model::fitsWildcard;
-        QVERIFY(fits("VCC3V3", "VCC*") && fits("VCC", "VCC*") && fits("a.b.c", "*.c") && fits("abcbc", "a*bc"));
-        QVERIFY(fits("D0", "D?") && fits("", "*") && fits("", "") && fits("ab", "**b*"));
-        QVERIFY(!fits("D10", "D?") && !fits("VC", "VCC*") && !fits("x", "") && !fits("abcb", "a*bc"));
-    }
 };
 
 QTEST_GUILESS_MAIN(RulesFileTest)
