@@ -1,6 +1,5 @@
 #include "model/design_rules/floating_copper.h"
 
-#include "model/design_rules/text_strokes.h"
 #include "model/nets/connectivity.h"
 
 namespace model {
@@ -16,7 +15,7 @@ base::Status checkFloatingCopper(RuleContext& context) {
     for (std::uint32_t piece = 0; piece < copper.pieceCount(); ++piece) {
         isHeld[copper.island(piece)] = isHeld[copper.island(piece)] || context.isLand(copper.element(piece));
     }
-    const std::vector<bool> isText = textStrokesOf(document);
+    const std::vector<bool>& isText = context.textStrokes();
     std::size_t texts = 0;
     for (std::uint32_t piece = 0; piece < copper.pieceCount(); ++piece) {
         const ElementId element = copper.element(piece);

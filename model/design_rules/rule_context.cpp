@@ -4,6 +4,7 @@
 
 #include "model/clearance/copper_objects.h"
 #include "model/design_rules/drilled_away.h"
+#include "model/design_rules/text_strokes.h"
 
 namespace model {
 
@@ -50,6 +51,13 @@ std::string RuleContext::whyBeyond(std::size_t rule) const {
 
 bool RuleContext::isWanted(RuleKind kind, LayerId layer) const {
     return m_choice.isOn(kind, layer) && whyBeyond(kind).empty();
+}
+
+const std::vector<bool>& RuleContext::textStrokes() {
+    if (m_textStrokes.empty()) {
+        m_textStrokes = textStrokesOf(m_document);
+    }
+    return m_textStrokes;
 }
 
 bool RuleContext::isBetween(ElementId a, ElementId b) const {

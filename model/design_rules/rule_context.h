@@ -51,6 +51,8 @@ public:
     [[nodiscard]] bool isLand(ElementId element) const {
         return (m_document.elements.flags[element.row()] & (kPad | kHole)) != 0;
     }
+    /// By element: is it a stroke of a text? Found out when it is first asked for.
+    [[nodiscard]] const std::vector<bool>& textStrokes();
     /// Does an NPTH take the element away?
     [[nodiscard]] bool isAway(ElementId element) const { return m_isAway[element.row()]; }
     [[nodiscard]] std::size_t awayCount() const;
@@ -74,6 +76,7 @@ private:
     std::vector<bool> m_isAway;           ///< elements that NPTHs take away
     std::vector<HoleClass> m_holes;       ///< by element
     std::vector<CopperObject> m_objects;  ///< by element
+    std::vector<bool> m_textStrokes;      ///< by element, once it was asked for
     base::Progress& m_progress;
     RuleReport m_report;
 };

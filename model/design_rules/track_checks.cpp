@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "model/design_rules/bridged.h"
-#include "model/design_rules/text_strokes.h"
 #include "model/figures/distance.h"
 
 namespace model {
@@ -252,18 +251,12 @@ public:
 private:
     [[nodiscard]] bool isDrawing(ElementId element) {
         const Document& document = m_context.document();
-        if (!document.nets.empty() && !m_context.netOf(element).isValid()) {
-            return true;
-        }
-        if (m_isText.empty()) {
-            m_isText = textStrokesOf(document);
-        }
-        return m_isText[element.row()];
+        const bool isOfNoNet = !document.nets.empty() && !m_context.netOf(element).isValid();
+        return isOfNoNet || m_context.textStrokes()[element.row()];
     }
 
     RuleContext& m_context;
     LayerId m_layer;
-    std::vector<bool> m_isText;  ///< by element, once it was asked for
     std::size_t m_drawings = 0;
 };
 
