@@ -23,13 +23,13 @@ bool isRound(const Hole& hole) {
     return isNear(hole.width, hole.height);
 }
 
-/// By how much a job may have rounded its holes: nothing if any of their sizes is no multiple.
+/// By how much a job may have rounded its holes: nothing if any of their sizes is no multiple, or none tells.
 Nm roundingOf(const FlatBoard& board) {
     const bool isRounded = std::ranges::all_of(board.holes, [](const Hole& hole) {
         const Nm rest = hole.width % kTenthOfMil;
         return !isRound(hole) || std::min(rest, kTenthOfMil - rest) <= 1;
     });
-    return isRounded ? kTenthOfMil / 2 : 0;
+    return isRounded && std::ranges::any_of(board.holes, isRound) ? kTenthOfMil / 2 : 0;
 }
 
 /// How far two numbers of holes may be apart, and the ends of slots, which may be polygons with chords, up to a pixel
