@@ -28,6 +28,12 @@ struct Edge {
     [[nodiscard]] bool endsThere() const { return !isOfCurve || isCurveEnd; }
 };
 
+/// Of an edge that is followed from its end to its start: arcs turn the other way.
+[[nodiscard]] constexpr EdgeKind reversed(EdgeKind kind) {
+    return kind == EdgeKind::ArcClockwise          ? EdgeKind::ArcCounterClockwise
+           : kind == EdgeKind::ArcCounterClockwise ? EdgeKind::ArcClockwise
+                                                   : kind;
+}
 /// The edge from a path node to the next point; not for curves, which are many (curve_edges.h).
 [[nodiscard]] Edge edgeOf(const PathNode& from, Point to);
 /// Where a placed point was before: undoes Placement::apply.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <iterator>
 #include <limits>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "model/geometry/edges.h"
+#include "model/geometry/vectors.h"
 
 namespace model::formats {
 
@@ -22,7 +22,7 @@ constexpr double kClearer = 1.5;            ///< another end is at least so many
 constexpr double kMostOpen = 0.5;           ///< of what is drawn
 
 double distance(Point a, Point b) {
-    return std::hypot(double(a.x) - b.x, double(a.y) - b.y);
+    return model::distance(base::toDouble(a), base::toDouble(b));
 }
 
 double widthOf(const OutlineGap& gap) {
@@ -46,19 +46,17 @@ struct Chain {
     [[nodiscard]] Point at(bool isEnd) const { return isEnd ? end : nodes.front().point; }
 
     void reverse() {
-        std::vector<PathNode> reversed;
+        std::vector<PathNode> back;
         Point start = end;
         for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-            PathNode back = *node;
-            back.point = start;
-            back.edge = node->edge == EdgeKind::ArcClockwise          ? EdgeKind::ArcCounterClockwise
-                        : node->edge == EdgeKind::ArcCounterClockwise ? EdgeKind::ArcClockwise
-                                                                      : node->edge;
+            PathNode edge = *node;
+            edge.point = start;
+            edge.edge = reversed(node->edge);
             start = node->point;
-            reversed.push_back(back);
+            back.push_back(edge);
         }
         end = nodes.front().point;
-        nodes = std::move(reversed);
+        nodes = std::move(back);
     }
 
     /// Puts another chain behind the end, which must be where that begins or is bridged to it.

@@ -168,9 +168,12 @@ private:
             const bool mayMeet = role.kind == FileRole::Kind::Drill && role.plating != Plating::NonPlated;
             return mayMeet ? shareOnPads(m_files[row].image, m_filePads) : std::nullopt;
         };
-        const bool isAnyOnPads = std::ranges::any_of(rows, [&](std::size_t row) { return share(row) > 0.8; });
-        for (const std::size_t row : rows) {
-            if (const std::optional<double> own = share(row); isAnyOnPads && own && *own < 0.1) {
+        std::vector<std::optional<double>> shares;
+        std::ranges::transform(rows, std::back_inserter(shares), share);
+        const bool isAnyOnPads = std::ranges::any_of(shares, [](const std::optional<double>& of) { return of > 0.8; });
+        for (std::size_t i = 0; i < rows.size() && isAnyOnPads; ++i) {
+            if (shares[i] && *shares[i] < 0.1) {
+                const std::size_t row = rows[i];
                 m_files[row].diagnostics.report(Severity::Warning, m_files[row].path, 0,
                                                 "hardly a hole of the file meets a pad, as those of another one do; it "
                                                 "may be of another board");
@@ -180,9 +183,10 @@ private:
 
     void readDrillsAgain() {
         fitDrills();
-        reportStrangers(filesOfHoles());
+        const std::vector<std::size_t> rows = filesOfHoles();
+        reportStrangers(rows);
         std::vector<std::size_t> seen;
-        for (const std::size_t row : filesOfHoles()) {
+        for (const std::size_t row : rows) {
             ReadFile& file = m_files[row];
             std::vector<const Image*> others;
             for (const std::size_t other : seen) {

@@ -230,8 +230,8 @@ private:
     }
 
     void report(const ReadFile& file, const Outline& outline) {
-        if (!outline.gaps.empty()) {
-            m_diagnostics.report(Severity::Warning, file.path, 0, outline.gaps);
+        for (const std::string& gaps : outline.gaps) {
+            m_diagnostics.report(Severity::Warning, file.path, 0, gaps);
         }
         if (outline.openTracks > 0) {
             m_diagnostics.report(Severity::Warning, file.path, 0,

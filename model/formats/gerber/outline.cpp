@@ -35,9 +35,7 @@ using Loop = std::vector<PathNode>;
 PathNode reversedNode(const Track& track) {
     PathNode node = track.from;
     node.point = track.to;
-    node.edge = node.edge == EdgeKind::ArcClockwise          ? EdgeKind::ArcCounterClockwise
-                : node.edge == EdgeKind::ArcCounterClockwise ? EdgeKind::ArcClockwise
-                                                             : EdgeKind::Line;
+    node.edge = reversed(node.edge);
     return node;
 }
 
@@ -320,7 +318,7 @@ void bridge(const std::vector<formats::OutlineTrack>& open, std::span<const Poin
             Outline& outline) {
     for (formats::BridgedLoop& loop : formats::bridgedLoops(open, static_cast<double>(std::ranges::max(kReaches)))) {
         if (shareHeld(std::span(&loop.nodes, 1), copper) > kMost) {
-            outline.gaps = formats::gapsText(loop);
+            outline.gaps.push_back(formats::gapsText(loop));
             outline.openTracks -= loop.trackCount;
             loops.push_back(std::move(loop.nodes));
         }

@@ -2,18 +2,19 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "model/formats/gerber/image/image.h"
 
 namespace model::gerber {
 
 struct Outline {
-    ShapeSketch shape;           ///< islands and cut-outs; empty if nothing closes
-    Box box;                     ///< around it
-    std::size_t openTracks = 0;  ///< tracks that are part of no closed loop
-    bool isDrawing = false;      ///< loops inside were taken for a drawing, not for cut-outs
-    Nm widestJoint = 0;          ///< between ends that were taken as one
-    std::string gaps;            ///< what was closed that the file leaves open (formats::gapsText); empty: nothing
+    ShapeSketch shape;              ///< islands and cut-outs; empty if nothing closes
+    Box box;                        ///< around it
+    std::size_t openTracks = 0;     ///< tracks that are part of no closed loop
+    bool isDrawing = false;         ///< loops inside were taken for a drawing, not for cut-outs
+    Nm widestJoint = 0;             ///< between ends that were taken as one
+    std::vector<std::string> gaps;  ///< what was closed that the file leaves open, by loop (formats::gapsText)
 };
 
 /// The board's outline from the middle lines of what a file draws, chained end to end in whatever order and direction

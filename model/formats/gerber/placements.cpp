@@ -282,32 +282,44 @@ std::optional<double> unitOfGeda(std::string_view line) {
     return found == kUnits.end() ? std::nullopt : std::optional(found->nm);
 }
 
-/// "R22  3190.0  3675.0  270  m 0402": designator, place, rotation, m if it is on the bottom, package.
-std::optional<PlacedPart> partOfAllegro(std::string_view line, double nmPerUnit) {
-    const std::vector<std::string> row = cells(line, ' ');
-    const std::optional<double> x = row.size() > 3 ? lengthOf(row[1], nmPerUnit) : std::nullopt;
-    const std::optional<double> y = row.size() > 3 ? lengthOf(row[2], nmPerUnit) : std::nullopt;
-    std::string_view rotation = row.size() > 3 ? std::string_view(row[3]) : std::string_view();
+/// What lists without names begin their rows with: designator, place, rotation. None of other rows.
+std::optional<PlacedPart> beginningOf(const std::vector<std::string>& row, double nmPerUnit) {
+    if (row.size() < 4) {
+        return std::nullopt;
+    }
+    const std::optional<double> x = lengthOf(row[1], nmPerUnit);
+    const std::optional<double> y = lengthOf(row[2], nmPerUnit);
+    std::string_view rotation = row[3];
     const std::optional<double> degrees = takeReal(rotation);
     if (!x || !y || !degrees) {
         return std::nullopt;
     }
-    const bool isOnBottom = row.size() > 4 && row[4] == "m";
-    const std::size_t package = isOnBottom ? 5 : 4;
     PlacedPart part;
     part.refdes = row[0];
-    part.package = package < row.size() ? row[package] : std::string();
     part.position = {*x, *y};
     part.rotationDeg = *degrees;
-    part.side = isOnBottom ? LayerSide::Bottom : LayerSide::Top;
     return part;
 }
 
-PlacementFile placementsOfAllegro(Lines& lines, double nmPerUnit, std::string_view path, Diagnostics& diagnostics) {
-    PlacementFile file;
+/// "R22  3190.0  3675.0  270  m 0402": designator, place, rotation, m if it is on the bottom, package.
+std::optional<PlacedPart> partOfAllegro(std::string_view line, double nmPerUnit) {
+    const std::vector<std::string> row = cells(line, ' ');
+    std::optional<PlacedPart> part = beginningOf(row, nmPerUnit);
+    if (part) {
+        const bool isOnBottom = row.size() > 4 && row[4] == "m";
+        const std::size_t package = isOnBottom ? 5 : 4;
+        part->package = package < row.size() ? row[package] : std::string();
+        part->side = isOnBottom ? LayerSide::Bottom : LayerSide::Top;
+    }
+    return part;
+}
+
+/// A list without a line with names: a component a row, as `partOf` reads it.
+template <class PartOf>
+void takeRows(Lines& lines, PartOf partOf, std::string_view path, PlacementFile& file, Diagnostics& diagnostics) {
     while (lines.next()) {
         const std::string_view line = trimmed(lines.line());
-        std::optional<PlacedPart> part = partOfAllegro(line, nmPerUnit);
+        std::optional<PlacedPart> part = partOf(line);
         if (part) {
             part->line = lines.number();
             file.parts.push_back(std::move(*part));
@@ -316,6 +328,12 @@ PlacementFile placementsOfAllegro(Lines& lines, double nmPerUnit, std::string_vi
                                "a row that places no component; it was left out");
         }
     }
+}
+
+PlacementFile placementsOfAllegro(Lines& lines, double nmPerUnit, std::string_view path, Diagnostics& diagnostics) {
+    PlacementFile file;
+    takeRows(
+        lines, [&](std::string_view line) { return partOfAllegro(line, nmPerUnit); }, path, file, diagnostics);
     return file;
 }
 
@@ -328,38 +346,23 @@ LayerSide sideOfMounts(std::string_view path) {
 /// "C1 22.99 -1.65 270 100nF 0402": designator, place, rotation, value, package.
 std::optional<PlacedPart> partOfMounts(std::string_view line, LayerSide side) {
     const std::vector<std::string> row = cells(line, ' ');
-    const std::optional<double> x = row.size() > 3 ? lengthOf(row[1], base::kNmPerMm) : std::nullopt;
-    const std::optional<double> y = row.size() > 3 ? lengthOf(row[2], base::kNmPerMm) : std::nullopt;
-    std::string_view rotation = row.size() > 3 ? std::string_view(row[3]) : std::string_view();
-    const std::optional<double> degrees = takeReal(rotation);
-    if (!x || !y || !degrees || !rotation.empty()) {
-        return std::nullopt;
+    const bool isWhole = row.size() > 3 && parseReal(row[3]);  // nothing behind the rotation
+    std::optional<PlacedPart> part = isWhole ? beginningOf(row, base::kNmPerMm) : std::nullopt;
+    if (part) {
+        part->value = row.size() > 5 ? row[4] : std::string();
+        part->package = row.size() > 4 ? row.back() : std::string();
+        part->side = side;
     }
-    PlacedPart part;
-    part.refdes = row[0];
-    part.value = row.size() > 5 ? row[4] : std::string();
-    part.package = row.size() > 4 ? row.back() : std::string();
-    part.position = {*x, *y};
-    part.rotationDeg = *degrees;
-    part.side = side;
     return part;
 }
 
 PlacementFile placementsOfMounts(std::string_view text, std::string_view path, Diagnostics& diagnostics) {
     PlacementFile file;
     file.saysUnit = false;
+    const LayerSide side = sideOfMounts(path);
     Lines lines(text);
-    while (lines.next()) {
-        const std::string_view line = trimmed(lines.line());
-        std::optional<PlacedPart> part = partOfMounts(line, sideOfMounts(path));
-        if (part) {
-            part->line = lines.number();
-            file.parts.push_back(std::move(*part));
-        } else if (!line.empty()) {
-            diagnostics.report(Severity::Warning, path, lines.number(),
-                               "a row that places no component; it was left out");
-        }
-    }
+    takeRows(
+        lines, [side](std::string_view line) { return partOfMounts(line, side); }, path, file, diagnostics);
     return file;
 }
 

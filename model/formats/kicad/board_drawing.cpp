@@ -281,11 +281,10 @@ private:
 
     void setProfile() {
         Chains chains = chained(m_outline, kOutlineJoint);
-        if (!holdsPads(nested(chains.loops))) {
-            bridgeGaps(chains);
-        }
+        const bool isBoard = holdsPads(nested(chains.loops));
+        const std::size_t open = chains.open.size() - (isBoard ? 0 : bridgeGaps(chains));
         m_canvas.step().profile = nested(chains.loops);
-        if (!chains.open.empty()) {
+        if (open > 0) {
             m_canvas.report(Severity::Warning, 0,
                             "lines on Edge.Cuts that close no outline were left out of the board's outline");
         }
@@ -309,21 +308,23 @@ private:
         return shape.contourCount() > 0 && 2 * held >= pads;
     }
 
-    /// Adds the loops that hold most pads once their gaps are closed.
-    void bridgeGaps(Chains& chains) {
+    /// Adds the loops that hold most pads once their gaps are closed; gives back how many open edges are in them.
+    std::size_t bridgeGaps(Chains& chains) {
         std::vector<formats::OutlineTrack> open;
         for (const std::size_t row : chains.open) {
             if (m_outline[row].from.edge != EdgeKind::Curve) {
                 open.push_back({m_outline[row].from, m_outline[row].to});
             }
         }
+        std::size_t count = 0;
         for (formats::BridgedLoop& loop : formats::bridgedLoops(open, kOutlineJoint)) {
             if (holdsPads(nested(std::span(&loop.nodes, 1)))) {
                 m_canvas.report(Severity::Warning, 0, formats::gapsText(loop));
                 chains.loops.push_back(std::move(loop.nodes));
-                chains.open.resize(chains.open.size() - loop.trackCount);  // how many, not which
+                count += loop.trackCount;
             }
         }
+        return count;
     }
 
     void setClasses() {

@@ -1,12 +1,11 @@
 #include "model/formats/ipc2581/shapes/paths.h"
 
+#include "model/geometry/edges.h"
+
 namespace model::ipc2581 {
 
 EdgeKind mirrored(EdgeKind edge, bool isMirrored) {
-    if (!isMirrored || !isArc(edge)) {
-        return edge;
-    }
-    return edge == EdgeKind::ArcClockwise ? EdgeKind::ArcCounterClockwise : EdgeKind::ArcClockwise;
+    return isMirrored ? reversed(edge) : edge;
 }
 
 LaidEdge laidEdge(const Path& path, std::size_t to, const Turn& turn) {

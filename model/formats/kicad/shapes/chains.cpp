@@ -9,6 +9,7 @@
 
 #include "model/base/disjoint_sets.h"
 #include "model/geometry/discretise.h"
+#include "model/geometry/edges.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
 
@@ -211,10 +212,7 @@ private:
         for (std::size_t i = begin; i < path.size(); ++i) {
             PathNode node = m_edges[path[i]].from;
             const bool isReversed = m_ends[path[i]].a != joints[i];
-            if (isReversed && isArc(node.edge)) {
-                node.edge =
-                    node.edge == EdgeKind::ArcClockwise ? EdgeKind::ArcCounterClockwise : EdgeKind::ArcClockwise;
-            }
+            node.edge = isReversed ? reversed(node.edge) : node.edge;
             node.point = m_joints.point(joints[i]);
             loop.push_back(node);
         }

@@ -22,10 +22,7 @@ auto keyOf(const ChainEdge& edge) {
 ChainEdge reversed(const ChainEdge& edge) {
     ChainEdge back{edge.from, edge.from.point};
     back.from.point = edge.to;
-    if (isArc(edge.from.edge)) {
-        back.from.edge =
-            edge.from.edge == EdgeKind::ArcClockwise ? EdgeKind::ArcCounterClockwise : EdgeKind::ArcClockwise;
-    }
+    back.from.edge = model::reversed(edge.from.edge);
     return back;
 }
 

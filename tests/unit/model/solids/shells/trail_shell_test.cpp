@@ -181,7 +181,7 @@ private slots:
                                        track(1e6, 1e6, 0, 1e6, 1e5), track(0, 1e6, 0, 0, 1e5)};
         const double exact = 1.2e6 * 1.2e6 - (4 - kPi) * 1e10 - 0.8e6 * 0.8e6;
         std::vector<Edge> back(square.rbegin(), square.rend());
-        std::ranges::transform(back, back.begin(), model::reversed);
+        std::ranges::transform(back, back.begin(), [](const model::Edge& edge) { return model::reversed(edge); });
         for (const std::vector<Edge>& tracks : {square, back}) {
             const auto ring = model::offsetRing(tracks);
             QVERIFY(ring && areAllSound({*ring}));
