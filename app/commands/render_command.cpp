@@ -157,7 +157,7 @@ render::ViewSettings settingsFor(const RenderArguments& arguments) {
 /// None if the board is to be whole. `milled` of its elements is milled away.
 Result<std::shared_ptr<const render::SectionCut>> cutOf(const RenderArguments& arguments,
                                                         const std::shared_ptr<const Document>& document,
-                                                        const std::vector<model::ElementId>& milled) {
+                                                        const std::vector<std::vector<model::ElementId>>& milled) {
     if (arguments.clip.empty()) {
         return std::shared_ptr<const render::SectionCut>();
     }
@@ -281,8 +281,11 @@ Result<render::Image> modelAndDraw(const RenderArguments& arguments, const std::
     ASSIGN_OR_RETURN(render::BoardModel made, modelBoard(*document, arguments.board, console.progress()));
     const auto board = std::make_shared<const render::BoardModel>(std::move(made));
     const bool isFabricated = settingsFor(arguments).isFabricated;
-    ASSIGN_OR_RETURN(scenery.cut,
-                     cutOf(arguments, document, isFabricated ? board->milled : std::vector<model::ElementId>()));
+    std::vector<std::vector<model::ElementId>> milled;
+    if (isFabricated) {
+        milled = render::milledOfSteps(*board);
+    }
+    ASSIGN_OR_RETURN(scenery.cut, cutOf(arguments, document, milled));
     return mayBeFlat(arguments) ? drawFlat(arguments, board, scenery, opening)
                                 : draw(arguments, *board, scenery, opening);
 }

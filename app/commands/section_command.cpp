@@ -83,13 +83,24 @@ std::string sectionJson(const model::BoardIndex& index, const Section& section) 
     return model::jsonText(all);
 }
 
+std::vector<model::ElementId> elementsOf(const model::MilledBoard& milled) {
+    std::vector<model::ElementId> elements;
+    std::ranges::transform(milled.elements, std::back_inserter(elements), &model::MilledElement::element);
+    return elements;
+}
+
 /// As the board is made, unless it is to be as designed.
 base::Result<Section> sectionOf(const model::BoardIndex& index, model::SectionRequest request, bool isAsDesigned) {
-    const model::MilledBoard milled =
-        isAsDesigned ? model::MilledBoard{} : model::findMilled(*index.board, {}, base::Progress());
-    std::ranges::transform(milled.elements, std::back_inserter(request.milled), &model::MilledElement::element);
+    bool isOutlineDoubtful = false;
+    for (const model::Document* step : isAsDesigned ? std::vector<const model::Document*>() : index.tree.steps) {
+        const bool isBoard = step == index.board.get();
+        const model::MilledBoard milled = isBoard ? model::findMilled(*step, {}, base::Progress())
+                                                  : model::findInCutouts(*step, {}, base::Progress());
+        isOutlineDoubtful = isOutlineDoubtful || milled.isOutlineDoubtful;
+        request.milled.push_back(elementsOf(milled));
+    }
     ASSIGN_OR_RETURN(Section section, model::makeSection(index, request));
-    if (milled.isOutlineDoubtful) {
+    if (isOutlineDoubtful) {
         section.notes.emplace_back(
             "more copper lies beyond the board outline than within; the section shows all of it, as if the outline "
             "were not that of the board");

@@ -221,6 +221,19 @@ Intervals cutShape(const ShapeTable& shapes, ShapeId shape, const CutLine& line)
     return united(std::move(covered));
 }
 
+Intervals cutHolesOf(const ShapeTable& shapes, ShapeId shape, const CutLine& line) {
+    ContourCrossings crossings(line);
+    std::vector<Interval> islands;
+    for (const Contour& contour : shapes.contoursOf(shape)) {
+        if (!contour.isHole) {
+            forEachEdge(shapes.nodesOf(contour), [&](const Edge& edge) { crossings.add(edge); });
+            const Intervals inside = crossings.take();
+            islands.insert(islands.end(), inside.begin(), inside.end());
+        }
+    }
+    return subtracted(united(std::move(islands)), cutShape(shapes, shape, line));
+}
+
 Intervals cutPolygons(const PolygonSet& polygons, const CutLine& line) {
     ContourCrossings crossings(line);
     std::vector<Interval> covered;

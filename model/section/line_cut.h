@@ -33,6 +33,8 @@ struct ElementCut {
 [[nodiscard]] ElementCut cutElement(const Document& document, ElementId element, const CutLine& line);
 /// What a shape covers of a line.
 [[nodiscard]] Intervals cutShape(const ShapeTable& shapes, ShapeId shape, const CutLine& line);
+/// What a shape leaves open of a line within its islands: its holes.
+[[nodiscard]] Intervals cutHolesOf(const ShapeTable& shapes, ShapeId shape, const CutLine& line);
 /// What polygons cover of a line.
 [[nodiscard]] Intervals cutPolygons(const PolygonSet& polygons, const CutLine& line);
 

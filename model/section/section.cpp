@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -73,13 +74,11 @@ public:
           m_shaper(*index.board, request.isAsSolid) {}
 
     void cut(const Leg& leg) {
-        if (!m_milled.empty()) {
-            m_within = cutShape(board().shapes, board().profile, CutLine::through(leg.a, leg.b));
-        }
         for (std::uint32_t copy = 0; copy < m_index.tree.copies.size(); ++copy) {
             const StepCopy& how = m_index.tree.copies[copy];
             const Document& step = *m_index.tree.steps[how.step];
             const Placed placed{copy, step, how, CutLine::through(leg.a, leg.b).seenFrom(how.placement)};
+            meetMilling(placed);
             for (const std::uint32_t row : near(leg, placed)) {
                 cutElementOf(placed, ElementId{row}, leg);
             }
@@ -102,7 +101,7 @@ public:
     std::set<std::pair<std::uint32_t, ElementId>> wallless;  ///< copy and area: plated, with walls that are not known
     std::size_t landed = 0;                                  ///< laser vias met
     std::set<LayerId> undrawn;                               ///< films that are where their zones are
-    std::set<ElementId> milled;                              ///< of which something is left out
+    std::set<BoardElement> milled;                           ///< of which something is left out
 
 private:
     const Document& board() const { return *m_index.board; }
@@ -142,7 +141,7 @@ private:
         // A short leg may lie within the bore altogether: walls are looked for all along its line.
         const bool hasWalls = !subtracted(found.covered, found.opening).empty();
         found.covered = clipped(found.covered, 0.0, leg.length);
-        const bool isMilled = isOfMilled(placed, element) && mill(element, found.covered);
+        const bool isMilled = isOfMilled(placed, element) && mill({placed.copy, element}, found.covered);
         SectionPiece piece{layer, {placed.copy, element}};
         piece.material = materialOf(board(), layer);
         const std::optional<LandingVia> via =
@@ -167,18 +166,30 @@ private:
         }
     }
 
-    /// Other steps than the board itself are milled from a panel later.
     [[nodiscard]] bool isOfMilled(const Placed& placed, ElementId element) const {
-        return placed.copy == 0 && std::ranges::binary_search(m_milled, element);
+        return placed.how.step < m_milled.size() && std::ranges::binary_search(m_milled[placed.how.step], element);
     }
 
-    /// Leaves of an element what lies within the outline of the board. False: that is all of it.
-    bool mill(ElementId element, Intervals& covered) {
-        const Intervals beyond = subtracted(covered, m_within);
-        if (beyond.empty()) {
+    /// Finds where milling leaves nothing. Other steps than the board itself are milled from a panel later, but their
+    /// cut-outs are open.
+    void meetMilling(const Placed& placed) {
+        if (placed.how.step >= m_milled.size() || m_milled[placed.how.step].empty()) {
+            return;
+        }
+        const ShapeTable& shapes = placed.step.shapes;
+        const ShapeId outline = placed.step.profile;
+        constexpr double kFar = std::numeric_limits<double>::max();
+        m_open = placed.copy == 0 ? subtracted({{-kFar, kFar}}, cutShape(shapes, outline, placed.line))
+                                  : cutHolesOf(shapes, outline, placed.line);
+    }
+
+    /// Leaves of an element what milling leaves. False: that is all of it.
+    bool mill(const BoardElement& element, Intervals& covered) {
+        Intervals rest = subtracted(covered, m_open);
+        if (rest == covered) {
             return false;
         }
-        covered = subtracted(covered, beyond);
+        covered = std::move(rest);
         milled.insert(element);
         return true;
     }
@@ -369,8 +380,8 @@ private:
     const BoardIndex& m_index;
     const std::vector<bool>& m_layers;
     bool m_isAsSolid = false;
-    const std::vector<ElementId>& m_milled;
-    Intervals m_within;  ///< the outline of the board on the leg that is cut
+    const std::vector<std::vector<ElementId>>& m_milled;  ///< by step
+    Intervals m_open;  ///< where on the leg milling leaves nothing of the copy that is cut
     LayerOutlines m_outlines;
     LegShaper m_shaper;
     PartPlans m_plans;
@@ -470,7 +481,7 @@ void addNotes(const Document& board, const Cutter& cutter, Section& section) {
                                 std::to_string(cutter.wallless.size()));
     }
     if (!cutter.milled.empty()) {
-        section.notes.push_back("left out as milled away beyond the board outline, parts of elements: " +
+        section.notes.push_back("left out as milled away beyond the board outline or in cut-outs, parts of elements: " +
                                 std::to_string(cutter.milled.size()));
     }
     if (section.pieces.empty() && section.bores.empty()) {

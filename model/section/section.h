@@ -20,9 +20,10 @@ struct SectionRequest {
     /// As the 3D view draws the board: the outer face of a mask is level, bodies of components are prisms, every layer
     /// lies at the height that it has where all layers are, the substrate is whole also where inner copper lies in it.
     bool isAsSolid = false;
-    /// Elements of the board that a fabricator mills away, whole or in part, rising (findMilled in
-    /// model/solids/milling.h): what of them lies beyond the board outline is left out. Empty: as designed.
-    std::vector<ElementId> milled = {};
+    /// Elements that a fabricator mills away, whole or in part, rising; rows as StepTree::steps, missing ones are
+    /// empty. Of the board (findMilled in model/solids/milling.h) what lies beyond its outline is left out, of the
+    /// steps that a panel places (findInCutouts) what lies in their cut-outs. Empty: as designed.
+    std::vector<std::vector<ElementId>> milled = {};
 };
 
 struct Section {

@@ -433,6 +433,12 @@ void addMessages(model::Diagnostics messages, model::Diagnostics& board) {
 
 }  // namespace
 
+std::vector<std::vector<model::ElementId>> milledOfSteps(const BoardModel& board) {
+    std::vector<std::vector<model::ElementId>> milled{board.milled};
+    std::ranges::transform(board.steps, std::back_inserter(milled), &BoardModel::milled);
+    return milled;
+}
+
 base::Result<BoardModel> buildBoardModel(const Document& document, const model::Discretisation& how,
                                          base::Progress& progress, const AreaTriangulator& triangulator) {
     auto board = buildWithSteps<BoardModel>(document, [&](const Document& step) -> base::Result<BoardModel> {

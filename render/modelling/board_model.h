@@ -75,6 +75,9 @@ struct BoardModel : BoardFrame {
                                                        const model::Discretisation& how, base::Progress& progress,
                                                        const AreaTriangulator& triangulator = {});
 
+/// Of every document the elements that are milled away, as model::SectionRequest has them.
+[[nodiscard]] std::vector<std::vector<model::ElementId>> milledOfSteps(const BoardModel& board);
+
 /// What a board model holds, over all steps, for reports.
 struct ModelCounts {
     std::size_t lets = 0;

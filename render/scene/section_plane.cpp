@@ -92,7 +92,7 @@ void addFaces(const model::Document& board, const model::SectionPiece& piece, st
 }  // namespace
 
 base::Result<SectionCut> makeSectionCut(const model::BoardIndex& index, model::Point origin, PointD a, PointD b,
-                                        std::vector<model::ElementId> milled) {
+                                        std::vector<std::vector<model::ElementId>> milled) {
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     if (!(length > 0.0)) {
         return base::Error{base::ErrorCode::BadUsage, "a section line needs two locations that are apart"};

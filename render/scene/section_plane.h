@@ -47,6 +47,6 @@ struct SectionCut {
 /// of boards.
 [[nodiscard]] base::Result<SectionCut> makeSectionCut(const model::BoardIndex& index, model::Point origin,
                                                       model::PointD a, model::PointD b,
-                                                      std::vector<model::ElementId> milled = {});
+                                                      std::vector<std::vector<model::ElementId>> milled = {});
 
 }  // namespace render

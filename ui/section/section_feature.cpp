@@ -276,7 +276,7 @@ void SectionFeature::cut() {
     }
     model::SectionRequest request{m_line.line(), {}};
     if (!m_actions[ActionId::ShowMilledAway].isChecked()) {
-        request.milled = m_workspace.board()->model->milled;
+        request.milled = render::milledOfSteps(*m_workspace.board()->model);
     }
     base::Result<model::Section> section = model::makeSection(*m_index, request);
     if (!section) {

@@ -9,7 +9,7 @@ namespace ui {
 void SectionPlaneTool::setBoard(const LoadedBoard& board, bool isReadAnew) {
     m_index = board.index;
     m_origin = board.model->origin;
-    m_milled = board.model->milled;
+    m_milled = render::milledOfSteps(*board.model);
     m_pointer.reset();
     m_isOn = m_isOn && isReadAnew && m_index != nullptr;
     apply();
@@ -83,8 +83,9 @@ void SectionPlaneTool::apply() {
         const base::PointD direction = this->direction();
         const base::PointD ahead = {m_through.x + direction.x * base::kNmPerMm,
                                     m_through.y + direction.y * base::kNmPerMm};
-        if (base::Result<render::SectionCut> made = render::makeSectionCut(
-                *m_index, m_origin, m_through, ahead, m_isAsDesigned ? std::vector<model::ElementId>() : m_milled)) {
+        if (base::Result<render::SectionCut> made =
+                render::makeSectionCut(*m_index, m_origin, m_through, ahead,
+                                       m_isAsDesigned ? std::vector<std::vector<model::ElementId>>() : m_milled)) {
             cut = std::make_shared<const render::SectionCut>(std::move(*made));
         }
     }

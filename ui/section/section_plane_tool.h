@@ -49,7 +49,7 @@ private:
     bool m_isAlongLine = false;
     bool m_isOn = false;
     bool m_isAsDesigned = false;
-    std::vector<model::ElementId> m_milled;  ///< of the board (render::BoardModel)
+    std::vector<std::vector<model::ElementId>> m_milled;  ///< model::SectionRequest::milled
 };
 
 }  // namespace ui

@@ -44,7 +44,7 @@ protected:
     /// What the line of the window cuts.
     [[nodiscard]] model::Section expected() {
         model::SectionRequest request{window().find<ui::SectionLine>().line(), {}};
-        request.milled = window().workspace().board()->model->milled;
+        request.milled = render::milledOfSteps(*window().workspace().board()->model);
         return *model::makeSection(*m_index, request);
     }
 

@@ -123,13 +123,13 @@ private slots:
         SectionRequest request{{{-20e6, 0}, {20e6, 0}}, {}};
         const auto isSaid = [](const Section& section) {
             return std::ranges::any_of(section.notes, [](const std::string& note) {
-                return note == "left out as milled away beyond the board outline, parts of elements: 1";
+                return note == "left out as milled away beyond the board outline or in cut-outs, parts of elements: 1";
             });
         };
         const Section designed = *makeSection(*index, request);
         QCOMPARE(textOf(designed.pieces, Bottom).last(), QString("24500-25500@0-100"));
         QVERIFY(!isSaid(designed));
-        request.milled = {ElementId{index->board->layer(LayerId{Bottom}).elements.first}};
+        request.milled = {{ElementId{index->board->layer(LayerId{Bottom}).elements.first}}};
         const Section made = *makeSection(*index, request);
         QCOMPARE(textOf(made.pieces, Bottom).last(), QString("24500-25200@0-100"));
         QVERIFY(isSaid(made));
@@ -142,8 +142,28 @@ private slots:
         builder.setProfile(builder.addShape(rectangle({-10 * kMm, -10 * kMm}, {0, 10 * kMm})));
         const auto index = indexed(builder.finish());
         SectionRequest request{{{-20e6, 0}, {20e6, 0}}, {}};
-        request.milled = {ElementId{index->board->layer(LayerId{Drill}).elements.first}};
+        request.milled = {{ElementId{index->board->layer(LayerId{Drill}).elements.first}}};
         QCOMPARE(textOf(makeSection(*index, request)->pieces, Drill), QStringList{"19500-19600@0-2300"});
+    }
+
+    /// The track ends in a cut-out of its step, and goes on beyond the outline of that.
+    void inAPanelCutoutsOfItsStepsAreOpen() {
+        DocumentBuilder card;
+        addCard(card);
+        ShapeSketch outline = rectangle({-10 * kMm, -10 * kMm}, {4'700'000, 10 * kMm});
+        outline.append(rectangle({4'800'000, -10 * kMm}, {10 * kMm, 10 * kMm}), {});
+        outline.addCircle({5'500'000, 0}, 200'000, true);
+        card.setProfile(card.addShape(outline));
+        const std::shared_ptr<const Document> step = card.finish();
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.addInstance({builder.addStep(step), {{30 * kMm, 0}, 0.0, false}, false});
+        builder.setProfile(builder.addShape(rectangle({0, -20 * kMm}, {60 * kMm, 20 * kMm})));
+        SectionRequest request{{{0, 0}, {100e6, 0}}, {}};
+        const auto index = indexed(builder.finish());
+        QCOMPARE(textOf(makeSection(*index, request)->pieces, Bottom).last(), QString("34500-35500@0-100"));
+        request.milled = {{}, {ElementId{step->layer(LayerId{Bottom}).elements.first}}};
+        QCOMPARE(textOf(makeSection(*index, request)->pieces, Bottom).last(), QString("34500-35300@0-100"));
     }
 
     void holesAreTakenOutOfCopperAndTheirWallsStand() {
