@@ -265,7 +265,8 @@ bool CameraController::handle(QEvent& event) {
     if (isUse(event.type())) {
         emit used();
     }
-    if (m_taker && m_button == Qt::NoButton && m_taker(event)) {
+    const auto takes = [&event](const Taker& taker) { return taker(event); };
+    if (m_button == Qt::NoButton && std::ranges::any_of(m_takers, takes)) {
         return true;
     }
     return dispatch(event);

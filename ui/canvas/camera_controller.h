@@ -6,6 +6,7 @@
 #include <QSizeF>
 #include <functional>
 #include <optional>
+#include <vector>
 #include <utility>
 
 #include "model/base/units.h"
@@ -89,9 +90,10 @@ public:
     /// Turns the board as a drag of so many pixels does.
     void orbit(QPointF pixels);
 
-    /// Something over the canvas that gets mouse events first; true: it was for that and is over.
+    /// Something over the canvas that gets mouse events first; true: it was for that and is over. Who was added first
+    /// is asked first.
     using Taker = std::function<bool(QEvent&)>;
-    void setTaker(Taker taker) { m_taker = std::move(taker); }
+    void addTaker(Taker taker) { m_takers.push_back(std::move(taker)); }
     /// Takes the event if it is one of the gestures above; the answer says so.
     bool handle(QEvent& event);
 
@@ -171,7 +173,7 @@ private:
     bool m_isFitted = true;
     bool m_isPlan = false;
     MouseHabits m_habits;
-    Taker m_taker;
+    std::vector<Taker> m_takers;
     Drag m_drag = Drag::None;
     Drag m_dragKind = Drag::None;  ///< what the drag becomes once it is one
     Qt::MouseButton m_button = Qt::NoButton;

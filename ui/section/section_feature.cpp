@@ -48,6 +48,7 @@ SectionFeature::SectionFeature(FeatureContext& context)
       m_selection(context.workspace.selection()),
       m_line(context.views.flat()),
       m_plane(context.views),
+      m_handle(context.views.solid(), m_plane),
       m_saved(context.workspace, tr("The sections"), &model::session::Session::sections, model::session::saveSections,
               [this](const auto&) {
                   showNames();
@@ -55,6 +56,7 @@ SectionFeature::SectionFeature(FeatureContext& context)
               }),
       m_panel(new SectionPanel(m_selection, m_names, context.actions)) {
     m_line.setParent(this);
+    m_handle.setParent(this);
     context.addPanel({ActionId::ShowSectionDock, "section", tr("Cross-section"), Qt::BottomDockWidgetArea}, *m_panel);
     m_due.setSingleShot(true);
     m_due.setInterval(0);
@@ -141,16 +143,17 @@ void SectionFeature::showPrompt(const QString& prompt) {
     }  // else the pointer has only left: the tool is still on, and says what it wants where the pointer comes to
 }
 
-/// Nothing in the view can be dragged, so the keys are said while there is a plane.
+/// Keys reach the plane from both views, so they are said while there is one.
 void SectionFeature::connectPlane(FeatureContext& context) {
     auto* hint = new Hint(m_workspace, this);
     connect(&m_actions[ActionId::SectionPlane], &QAction::toggled, hint, [this, hint](bool isOn) {
         const auto key = [this](ActionId id) { return m_actions[id].shortcut().toString(QKeySequence::NativeText); };
-        isOn
-            ? hint->show(tr("Section plane: \"%1\" moves it forward, \"%2\" back, \"%3\" rotates it, \"%4\" removes it")
-                             .arg(key(ActionId::MoveSectionPlaneOn), key(ActionId::MoveSectionPlaneBack),
-                                  key(ActionId::RotateSectionPlane), key(ActionId::SectionPlane)))
-            : hint->end();
+        isOn ? hint->show(
+                   tr("Section plane: drag its arrow, or \"%1\" moves it forward, \"%2\" back, \"%3\" rotates it, "
+                      "\"%4\" removes it")
+                       .arg(key(ActionId::MoveSectionPlaneOn), key(ActionId::MoveSectionPlaneBack),
+                            key(ActionId::RotateSectionPlane), key(ActionId::SectionPlane)))
+             : hint->end();
     });
     const auto on = [&](ActionId id, auto slot) { context.on(id, this, slot); };
     on(ActionId::SectionPlane, [this](bool isOn) {

@@ -4,6 +4,7 @@
 #include <QStringListModel>
 #include <QTimer>
 
+#include "ui/section/section_handle.h"
 #include "ui/section/section_line.h"
 #include "ui/section/section_panel.h"
 #include "ui/section/section_plane_tool.h"
@@ -79,6 +80,7 @@ private:
     SelectionModel& m_selection;
     SectionLine m_line;
     SectionPlaneTool m_plane;
+    SectionHandle m_handle;
     QStringListModel m_names;  ///< of the saved ones; they can be edited
     SavedList<model::session::SavedSection> m_saved;
     SectionPanel* m_panel;

@@ -23,7 +23,7 @@ constexpr QColor kRim(20, 20, 24, 200);
 
 SectionLine::SectionLine(BoardView& flat, QObject* parent) : QObject(parent), m_view(flat) {
     flat.addPainter([this](QPainter& painter) { paint(painter); });
-    flat.controller().setTaker([this](QEvent& event) { return take(event); });
+    flat.controller().addTaker([this](QEvent& event) { return take(event); });
 }
 
 void SectionLine::clear() {

@@ -6,6 +6,14 @@
 
 namespace ui {
 
+namespace {
+
+const base::Box& boxOf(const model::Document& document) {
+    return document.board.isEmpty() ? document.extent : document.board;
+}
+
+}  // namespace
+
 void SectionPlaneTool::setBoard(const LoadedBoard& board, bool isReadAnew) {
     m_index = board.index;
     m_origin = board.model->origin;
@@ -39,8 +47,7 @@ bool SectionPlaneTool::isOverBoard() const {
     if (!m_pointer || m_index == nullptr) {
         return false;
     }
-    const model::Document& document = *m_index->board;
-    const base::Box& board = document.board.isEmpty() ? document.extent : document.board;
+    const base::Box& board = boxOf(*m_index->board);
     return m_pointer->x > board.min.x && m_pointer->x < board.max.x && m_pointer->y > board.min.y &&
            m_pointer->y < board.max.y;
 }
@@ -70,11 +77,42 @@ void SectionPlaneTool::move(double part) {
     if (!m_isOn) {
         return;
     }
-    const base::Box& board = m_index->board->board;
-    const double distance = part * static_cast<double>(std::max(board.width(), board.height()));
-    const base::PointD direction = this->direction();
-    m_through = {m_through.x + direction.y * distance, m_through.y - direction.x * distance};  // to its right
+    const base::Box& box = boxOf(board());
+    const double distance = part * static_cast<double>(std::max(box.width(), box.height()));
+    const base::PointD forward = this->forward();
+    put({m_through.x + forward.x * distance, m_through.y + forward.y * distance});
+}
+
+void SectionPlaneTool::put(base::PointD through) {
+    const base::PointD forward = this->forward();
+    const auto along = [&](base::PointD p) { return p.x * forward.x + p.y * forward.y; };
+    double least = along(m_through);  // a plane beside the board may stay there
+    double most = least;
+    const base::Box& box = boxOf(board());
+    for (const base::Nm x : {box.min.x, box.max.x}) {
+        for (const base::Nm y : {box.min.y, box.max.y}) {
+            least = std::min(least, along(base::toDouble(base::Point{x, y})));
+            most = std::max(most, along(base::toDouble(base::Point{x, y})));
+        }
+    }
+    const double wanted = along(through);
+    const double back = std::clamp(wanted, least, most) - wanted;
+    m_through = {through.x + back * forward.x, through.y + back * forward.y};
     apply();
+}
+
+base::PointD SectionPlaneTool::middle() const {
+    const base::Box& box = boxOf(board());
+    const base::PointD direction = this->direction();
+    const double along = ((double{1} * box.min.x + box.max.x) / 2 - m_through.x) * direction.x +
+                         ((double{1} * box.min.y + box.max.y) / 2 - m_through.y) * direction.y;
+    return {m_through.x + along * direction.x, m_through.y + along * direction.y};
+}
+
+/// To the right of its direction.
+base::PointD SectionPlaneTool::forward() const {
+    const base::PointD direction = this->direction();
+    return {direction.y, -direction.x};
 }
 
 void SectionPlaneTool::apply() {

@@ -33,6 +33,13 @@ public:
     void rotate();
     /// Towards what is left (negative: towards what was cut away), by a part of the board's larger side.
     void move(double part);
+    /// Through another place, as it is turned, but no farther than the board reaches. nm of the board.
+    void put(base::PointD through);
+    /// Only while it is on: the board it cuts, the place on it that is nearest to the middle of the board, and the way
+    /// towards what is left, of length 1.
+    [[nodiscard]] const model::Document& board() const { return *m_index->board; }
+    [[nodiscard]] base::PointD middle() const;
+    [[nodiscard]] base::PointD forward() const;
 
 private:
     [[nodiscard]] bool isOverBoard() const;

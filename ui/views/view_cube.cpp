@@ -47,7 +47,7 @@ const std::array<ViewCube::Face, 6> ViewCube::kFaces{{{"TOP", {0, 0, 1}, {1, 0, 
 ViewCube::ViewCube(BoardView& view, QObject* parent) : QObject(parent), m_view(view) {
     view.addPainter([this](QPainter& painter) { paint(painter); }, BoardView::Shown::OnCanvas);
     view.addCorner([this] { return place(); });
-    view.controller().setTaker([this](QEvent& event) { return take(event); });
+    view.controller().addTaker([this](QEvent& event) { return take(event); });
 }
 
 void ViewCube::setOn(bool isOn) {

@@ -147,6 +147,35 @@ private slots:
         QVERIFY(std::abs(heightOf(-0.05) - middle) < 0.01);
     }
 
+    void thePlaneIsDraggedByItsArrowAndStaysOnTheBoard() {
+        window().views().setArrangement(ui::Arrangement::Solid);
+        window().views().solid().controller().look(render::NamedView::Iso);
+        window().actions()[ActionId::SectionPlane].trigger();
+        const auto& handle = window().find<ui::SectionHandle>();
+        const auto cut = [&] { return window().views().solid().cut()->plane; };
+        const render::SectionPlane before = cut();
+        const QPointF from = handle.place().value();
+        const render::CameraPose pose = window().views().solid().controller().camera().pose();
+        mouseIn3D(QEvent::MouseButtonPress, from);
+        mouseIn3D(QEvent::MouseMove, from + QPointF(12, -7));
+        const render::SectionPlane moved = cut();
+        QCOMPARE(moved.direction, before.direction);
+        const glm::dvec2 way = moved.start - before.start;
+        QVERIFY(std::abs(glm::dot(way, before.direction)) < 0.1 * glm::length(way) + 1.0);
+        const QPointF now = handle.place().value() - from;
+        QVERIFY(QPointF::dotProduct(now, now) > 1.0);
+        QVERIFY(std::abs(QPointF::dotProduct(QPointF(12, -7) - now, now)) < 0.2 * QPointF::dotProduct(now, now));
+        mouseIn3D(QEvent::MouseMove, from + QPointF(12'000, -7'000));
+        const model::Box& board = m_index->board->board;
+        const double y = cut().start.y * 1e6 + double(window().workspace().board()->model->origin.y);
+        QVERIFY(y >= double(board.min.y) - 1.0 && y <= double(board.max.y) + 1.0);
+        mouseIn3D(QEvent::MouseButtonRelease, from + QPointF(12'000, -7'000));
+        QVERIFY(window().views().solid().controller().camera().pose() == pose);  // the board was not turned
+        window().actions()[ActionId::SectionPlane].trigger();
+        QVERIFY(!handle.place());
+        window().views().setArrangement(ui::Arrangement::SideBySide);
+    }
+
     void otherHeightsAreCutAtOnce() {
         drawLine();
         const SectionPiece piece = aCopperPiece();
@@ -522,6 +551,13 @@ private slots:
     }
 
 private:
+    void mouseIn3D(QEvent::Type type, QPointF at) {
+        ui::BoardView& solid = window().views().solid();
+        const bool isMove = type == QEvent::MouseMove;
+        QMouseEvent event(type, at, solid.mapToGlobal(at), isMove ? Qt::NoButton : Qt::LeftButton,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&solid.canvas(), &event);
+    }
     [[nodiscard]] const std::vector<model::session::SavedSection>& kept() { return window().sections().saved(); }
     [[nodiscard]] SectionPiece aCopperPiece() {
         const SectionPiece* widest = nullptr;
