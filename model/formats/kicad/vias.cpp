@@ -109,7 +109,7 @@ bool removesUnused(const Item& item) {
 }
 
 bool keepsEnds(const Item& item) {
-    return item.isSet("keep_end_layers") || !item.find("keep_end_layers").isThere();
+    return item.isSet("keep_end_layers");
 }
 
 void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
@@ -141,6 +141,9 @@ void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
     for (const std::int32_t row : span) {
         const double width = viaSizeOn(via, layers.nameOf(row));
         const bool isEnd = row == span.front() || row == span.back();
+        if (!isEnd && via.isSet("start_end_only")) {
+            continue;
+        }
         const bool isKept = isEnd && keepsEnds(via);
         if (removesUnused(via) && !isKept && !connected.hasWord(layers.nameOf(row))) {
             unused.add({row, origin, canvas.pen(width), *at, 0.0, width / 2.0});

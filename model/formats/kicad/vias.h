@@ -14,9 +14,10 @@ void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via);
 /// yes), (covering (front yes) (back no)), (plugging …). It changes nothing of what is drawn.
 void reportProtection(Canvas& canvas, const Item& item);
 
-/// Does a pad or via keep copper on inner layers only where something ends there?
+/// Does a pad or via keep copper only where something ends there?
 [[nodiscard]] bool removesUnused(const Item& item);
-/// And does it keep that on its outermost layers in any case?
+/// And does it keep that on its outermost layers in any case? Only where the file says so: KiCad 6 and 7 do not write
+/// what is not so.
 [[nodiscard]] bool keepsEnds(const Item& item);
 
 }  // namespace model::kicad

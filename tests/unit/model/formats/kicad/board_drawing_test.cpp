@@ -178,9 +178,13 @@ private slots:
         QCOMPARE(on(boardWith(via + track), "In1.Cu").size(), std::size_t{2});
         const std::string other = "(segment (start 1.1 1) (end 5 1) (width 0.2) (layer \"In1.Cu\") (net 0))";
         QCOMPARE(on(boardWith(via + other), "In1.Cu").size(), std::size_t{1});
+        const std::string ends =
+            "(via (at 1 1) (size 0.6) (drill 0.3) (layers \"F.Cu\" \"B.Cu\") (start_end_only yes) (net 1))";
+        QCOMPARE(on(boardWith(ends + track), "In1.Cu").size(), std::size_t{1});  // the track alone
+        QCOMPARE(on(boardWith(ends), "B.Cu").size(), std::size_t{1});
     }
 
-    void outerLayersOfPadsAreKeptUnlessSaidOtherwise() {
+    void outerLayersAreKeptOnlyWhereTheFileSaysSo() {
         const auto pad = [](const std::string& ends) {
             return "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (pad \"1\" thru_hole circle (at 1 1) (size 2 2) (drill "
                    "1) "
@@ -188,11 +192,17 @@ private slots:
                    ends + " (net 1)))";
         };
         const std::string track = "(segment (start 1.1 1) (end 5 1) (width 0.2) (layer \"B.Cu\") (net 1))";
-        QCOMPARE(on(boardWith(pad("")), "F.Cu").size(), std::size_t{1});
+        QCOMPARE(on(boardWith(pad("")), "F.Cu").size(), std::size_t{0});
         QCOMPARE(on(boardWith(pad("(keep_end_layers yes)")), "F.Cu").size(), std::size_t{1});
+        QCOMPARE(on(boardWith(pad("(keep_end_layers)")), "F.Cu").size(), std::size_t{1});
         const DrawnJob job = boardWith(pad("(keep_end_layers no)") + track);
         QCOMPARE(on(job, "F.Cu").size(), std::size_t{0});
         QCOMPARE(on(job, "B.Cu").size(), std::size_t{2});
+        const DrawnJob via = boardWith(
+            "(via (at 1 1) (size 0.6) (drill 0.3) (layers \"F.Cu\" \"B.Cu\") (remove_unused_layers) (free) (net 1))" +
+            track);
+        QCOMPARE(on(via, "F.Cu").size(), std::size_t{0});
+        QCOMPARE(on(via, "B.Cu").size(), std::size_t{2});
     }
 
     void onlyViasWithATypeEndOnTheLayersTheyName() {
