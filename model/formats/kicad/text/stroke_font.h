@@ -17,7 +17,7 @@ struct Glyph {
 /// How high capitals are on the grid: a text of 1 mm has 21 steps of its grid in a millimetre.
 inline constexpr double kGlyphGrid = 21.0;
 
-/// None where the font has no such character. ASCII, °, ±, µ and Ω.
+/// None where the font has no such character: Chinese, Japanese, Korean and others (glyph_tables.h).
 [[nodiscard]] std::optional<Glyph> glyphOf(char32_t character);
 
 }  // namespace model::kicad

@@ -39,6 +39,20 @@ private slots:
         }
         QVERIFY(!glyphOf(U'\u4e00'));
     }
+    /// As they lie in plots of KiCad 9.
+    void signsAreAsWideAsKicadsAre() {
+        for (const auto& [character, advance] :
+             {std::pair(U'#', 21.0), std::pair(U'&', 26.0), std::pair(U'@', 27.0), std::pair(U'\\', 14.0),
+              std::pair(U'^', 12.0), std::pair(U'|', 20.0), std::pair(U'~', 15.0), std::pair(U'\u00B5', 22.0),
+              std::pair(U'\u03A9', 24.0), std::pair(U'\u2014', 24.0)}) {
+            QCOMPARE(glyphOf(character)->advance, advance);
+        }
+    }
+    void otherAlphabetsAreThere() {
+        for (const char32_t character : {U'\u00E9', U'\u0159', U'\u0394', U'\u0416', U'\u044F', U'\u20AC', U'\u2192'}) {
+            QVERIFY(glyphOf(character) && !glyphOf(character)->lines.empty());
+        }
+    }
     /// Locations as in what KiCad writes: 'I' is a stroke in the middle of ten steps.
     void anchorsAreWhereKicadHasThem() {
         const double baseLine = -(1.0 - 0.585) * 1e6 + 0.052 * 150'000.0 - kStep;
