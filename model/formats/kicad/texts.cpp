@@ -234,6 +234,7 @@ std::string shownText(Canvas& canvas, const Item& item, std::string_view text, c
         shown = filled(shown, all);
     }
     reportVariables(canvas, item, shown);
+    shown = nameOf(shown);
     return canvas.settings().hasOldBars() ? withNewBars(shown) : shown;
 }
 

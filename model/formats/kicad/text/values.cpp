@@ -95,7 +95,7 @@ std::optional<base::PointD> size(const Item& list, std::string_view head) {
 }
 
 std::string nameOf(std::string_view escaped) {
-    constexpr std::array<std::pair<std::string_view, char>, 11> kEscapes = {{{"{slash}", '/'},
+    constexpr std::array<std::pair<std::string_view, char>, 14> kEscapes = {{{"{slash}", '/'},
                                                                              {"{backslash}", '\\'},
                                                                              {"{lt}", '<'},
                                                                              {"{gt}", '>'},
@@ -105,12 +105,17 @@ std::string nameOf(std::string_view escaped) {
                                                                              {"{brace}", '{'},
                                                                              {"{space}", ' '},
                                                                              {"{tab}", '\t'},
-                                                                             {"{return}", '\n'}}};
+                                                                             {"{return}", '\n'},
+                                                                             {"{bar}", '|'},
+                                                                             {"{comma}", ','},
+                                                                             {"{dollar}", '$'}}};
+    constexpr std::string_view kMarks = "$~^_";  // before a brace: a variable, a bar, raised, lowered
     std::string name;
     for (std::size_t i = 0; i < escaped.size();) {
+        const bool isMark = i > 0 && kMarks.find(escaped[i - 1]) != std::string_view::npos;
         std::size_t taken = 0;
         for (const auto& [word, character] : kEscapes) {
-            if (escaped[i] == '{' && escaped.substr(i).starts_with(word)) {
+            if (!isMark && escaped[i] == '{' && escaped.substr(i).starts_with(word)) {
                 name += character;
                 taken = word.size();
                 break;

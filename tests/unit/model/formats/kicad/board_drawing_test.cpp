@@ -405,6 +405,14 @@ private slots:
         QCOMPARE(texts, (std::vector<std::string>{"30", "Conn", "J1", "R1", "Small board B", "cached"}));
     }
 
+    void textsAreDrawnWithoutTheirEscapes() {
+        const DrawnJob job = boardWith(
+            "(gr_text \"check {dblquote}front{dblquote} ~{slash}\" (at 1 1) (layer \"F.Cu\") (effects (font (size 1 "
+            "1))))");
+        QCOMPARE(job.steps[0].groups.size(), std::size_t{1});
+        QCOMPARE(job.steps[0].groups[0].properties[0].second, std::string("check \"front\" ~{slash}"));
+    }
+
     void oldBoardsAreRead() {
         const DrawnJob job = drawn(fileText("old.kicad_pcb"));
         QCOMPARE(job.info.version, std::string("KiCad 4 (4)"));

@@ -29,6 +29,8 @@ private slots:
         QCOMPARE(nameOf("A{slash}B{colon}{brace}x}"), std::string("A/B:{x}"));
         QCOMPARE(nameOf("~{RESET}"), std::string("~{RESET}"));
         QCOMPARE(nameOf("{other}{"), std::string("{other}{"));
+        QCOMPARE(nameOf("{dblquote}a{bar}b{comma}{dollar}{dblquote}"), std::string("\"a|b,$\""));
+        QCOMPARE(nameOf("${slash}~{lt}^{gt}_{bar}"), std::string("${slash}~{lt}^{gt}_{bar}"));
     }
 };
 
