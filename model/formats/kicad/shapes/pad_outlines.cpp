@@ -51,7 +51,7 @@ PadShape roundRectangle(double width, double height, double radius) {
     return region(std::move(sketch), width, height);
 }
 
-/// Chosen corners are cut, the others rounded.
+/// Chosen corners are cut, the others rounded; cut by nothing, they are sharp.
 ShapeSketch chamferedRectangle(const PadForm& form, double width, double height) {
     constexpr std::array<PointD, 4> kCorners = {{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
     const double smaller = std::min(width, height);
@@ -119,7 +119,7 @@ formats::PadShape shapeOf(const PadForm& form, PointD margin) {
         case PadForm::Kind::Rectangle:
             return roundRectangle(width, height, std::max(0.0, std::min(margin.x, margin.y)));
         case PadForm::Kind::RoundRectangle:
-            if (form.chamfers == 0 || form.chamferRatio <= 0.0) {
+            if (form.chamfers == 0) {
                 return roundRectangle(width, height, form.radiusRatio * std::min(width, height));
             }
             return margin.x == margin.y ? followed(chamferedRectangle(form, form.size.x, form.size.y), margin.x)
@@ -140,7 +140,7 @@ std::string nameOf(const PadForm& form, PointD margin) {
     if (form.kind == PadForm::Kind::RoundRectangle) {
         std::snprintf(name.data(), name.size(), " r %.6g", form.radiusRatio * std::min(width, height) / 1e6);
         text += name.data();
-        if (form.chamfers != 0 && form.chamferRatio > 0.0) {
+        if (form.chamfers != 0) {
             std::snprintf(name.data(), name.size(), " chamfer %.6g corners %u",
                           form.chamferRatio * std::min(form.size.x, form.size.y) / 1e6, form.chamfers);
             text += name.data();

@@ -130,6 +130,11 @@ private slots:
         QVERIFY(isNear(areaOf(shapeOf(pad, {}).region), 1e12 - 0.5 * 2e5 * 2e5));
         pad.chamfers = kAllCorners;
         QVERIFY(isNear(areaOf(shapeOf(pad, {}).region), 1e12 - 4 * 0.5 * 2e5 * 2e5));
+        // Cut by nothing: sharp, whatever the others are.
+        pad.chamferRatio = 0.0;
+        pad.radiusRatio = 0.2;
+        pad.chamfers = 3;
+        QVERIFY(isNear(areaOf(shapeOf(pad, {}).region), 1e12 - (2 - std::numbers::pi / 2) * 2e5 * 2e5));
     }
 
     void grownRegionsHaveRoundCorners() {
