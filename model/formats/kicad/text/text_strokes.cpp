@@ -25,7 +25,7 @@ constexpr double kRaised = 0.35 * kSmall;   ///< of the height
 constexpr double kLowered = 0.15 * kSmall;  ///< of the height
 constexpr double kBar = 1.23;               ///< of the height, where the bar is above the base line
 constexpr double kBarTrim = 0.1;            ///< of the width, at both of its ends
-constexpr double kTab = 4 * 0.82;           ///< of the width
+constexpr int kTab = 4;                     ///< widths from one tab stop to the next
 constexpr std::size_t kLongest = 10'000;    ///< characters
 constexpr std::size_t kDeepest = 16;        ///< marks within each other
 
@@ -45,12 +45,40 @@ std::vector<std::string> linesOf(std::string_view text) {
 }
 
 double advanceOf(char32_t character) {
-    if (character == U'\t') {
-        return kTab;
-    }
     const std::optional<Glyph> glyph = glyphOf(character);
     return (glyph ? glyph : glyphOf(U' '))->advance / kGlyphGrid;
 }
+
+/// How far the characters of a run reach, in widths of the text from where the run begins.
+class Reach {
+public:
+    explicit Reach(double scale) : m_scale(scale) {}
+
+    [[nodiscard]] double value() const { return m_value; }
+    void add(char32_t character) {
+        if (character == U'\t') {
+            addTab();
+        } else {
+            m_value += advanceOf(character) * m_scale;
+        }
+        ++m_count;
+    }
+
+private:
+    /// KiCad counts characters to find the next stop, and goes on to one that lies ahead.
+    void addTab() {
+        m_count = (m_count / kTab + 1) * kTab - 1;
+        double stop = m_count + advanceOf(U' ');
+        for (; stop <= m_value; stop += kTab) {
+            m_count += kTab;
+        }
+        m_value = stop;
+    }
+
+    double m_scale;
+    double m_value = 0.0;
+    int m_count = 0;
+};
 
 std::vector<Run> runsOf(std::string_view line) {
     std::vector<Run> runs(1);
@@ -86,9 +114,11 @@ std::vector<Run> runsOf(std::string_view line) {
 double widthOf(const std::vector<Run>& runs, const TextStyle& style) {
     double width = 0.0;
     for (const Run& run : runs) {
+        Reach reach(run.scale);
         for (const char32_t character : run.characters) {
-            width += advanceOf(character) * run.scale * style.width;
+            reach.add(character);
         }
+        width += reach.value() * style.width;
     }
     return width;
 }
@@ -145,6 +175,7 @@ void TextStrokes::addRun(const Run& run, double& cursor, double baseLine) {
     const double y = run.scale * m_style.height / kGlyphGrid;
     const double slant = m_style.isItalic ? kSlant : 0.0;
     const double from = baseLine + run.raised * m_style.height;
+    Reach reach(run.scale);
     for (const char32_t character : run.characters) {
         const std::optional<Glyph> glyph = glyphOf(character);
         m_lacksCharacters = m_lacksCharacters || (!glyph && character != U'\t');
@@ -157,7 +188,8 @@ void TextStrokes::addRun(const Run& run, double& cursor, double baseLine) {
                 add(at(line[i]), at(line[i + 1]));
             }
         }
-        cursor += advanceOf(character) * run.scale * m_style.width;
+        reach.add(character);
+        cursor = start + reach.value() * m_style.width;
     }
     if (run.hasBar && cursor > start) {
         const double high = kBar * m_style.height * run.scale;

@@ -85,6 +85,16 @@ private slots:
         QVERIFY(isNear(std::abs(b.y - a.y), 800'000.0));
         QVERIFY(!raised.lacksCharacters());
     }
+    void tabsGoToTheNextStop() {
+        const auto between = [](std::string_view text) {
+            const TextStrokes strokes(text, styled(0.0, 0.5));
+            return strokes.strokes().back().first.x - strokes.strokes().front().first.x;
+        };
+        QVERIFY(isNear(between("I\tI"), 3e6 + 16 * kStep));
+        QVERIFY(isNear(between("IIII\tI"), 7e6 + 16 * kStep));
+        QVERIFY(isNear(between("I\t\tI"), 7e6 + 16 * kStep));
+        QVERIFY(isNear(between("MMMMI\tI") - between("MMMMI") + 4 * 24 * kStep, 7e6 + 16 * kStep));
+    }
     void italicsLeanAndMirroredTextsTurn() {
         TextStyle style = styled(0.5, 0.5);
         style.isItalic = true;
