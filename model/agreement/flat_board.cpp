@@ -105,6 +105,10 @@ private:
 
 }  // namespace
 
+bool isSamePlace(Point a, Point b) {
+    return std::abs(std::int64_t{a.x} - b.x) <= kSamePlace && std::abs(std::int64_t{a.y} - b.y) <= kSamePlace;
+}
+
 FlatBoard flatten(const Document& board, Point shift) {
     return Flattener(board, shift).run();
 }

@@ -12,6 +12,8 @@ namespace model {
 /// How far locations and sizes of the same item may be apart in two jobs.
 inline constexpr Nm kSamePlace = 1'000;
 
+[[nodiscard]] bool isSamePlace(Point a, Point b);
+
 /// What a board holds besides areas, with the copies of its steps, in coordinates of the board.
 struct FlatBoard {
     static constexpr std::int32_t kNoNet = -1;

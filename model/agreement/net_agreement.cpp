@@ -112,8 +112,8 @@ private:
             for (const Probe& probe : m_probes) {
                 auto& [count, at] = members[probe.nets[side]];
                 bool& isOne = isAtOnePlace.try_emplace(probe.nets[side], true).first->second;
-                isOne = isOne && (count == 0 || at == probe.at[side]);
-                at = probe.at[side];
+                at = count == 0 ? probe.at[side] : at;
+                isOne = isOne && isSamePlace(at, probe.at[side]);  // a pin and its pad may be rounded apart
                 ++count;
             }
             for (Probe& probe : m_probes) {

@@ -19,10 +19,6 @@ double distance(Point a, Point b) {
     return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y);
 }
 
-bool isSamePlace(Point a, Point b) {
-    return std::abs(std::int64_t{a.x} - b.x) <= kSamePlace && std::abs(std::int64_t{a.y} - b.y) <= kSamePlace;
-}
-
 double angleBetween(double a, double b) {
     const double apart = std::abs(a - b);
     return std::min(apart, 360.0 - apart);
@@ -98,8 +94,7 @@ private:
                                  : " parts lie is not said by both jobs: their sides and pins are compared"));
         }
         if (m_withoutSide > 0) {
-            notes.push_back("the side of " + std::to_string(m_withoutSide) +
-                            (m_withoutSide == 1 ? " part" : " parts") +
+            notes.push_back("the side of " + std::to_string(m_withoutSide) + (m_withoutSide == 1 ? " part" : " parts") +
                             " with pins through the board is not said by both jobs: it is not compared");
         }
         m_found.parts.note = joined(notes, "; ");

@@ -220,7 +220,8 @@ private slots:
         part.isPlaced = false;
         const Agreement agreement = compared(board(), other);
         QVERIFY(agreement.isAgreed());
-        QVERIFY(find(agreement, Aspect::Parts)->note.find("where 1 part lies is not said by both jobs: its side and pins") == 0);
+        QVERIFY(find(agreement, Aspect::Parts)
+                    ->note.find("where 1 part lies is not said by both jobs: its side and pins") == 0);
         part.pins[0].position.x += 50'000;
         QCOMPARE(firstOf(compared(board(), other), Aspect::Pins), std::string("R1.1 is moved by 0.0500 mm"));
         part.side = model::LayerSide::Bottom;
@@ -308,6 +309,23 @@ private slots:
         other.steps[0].components[1].pins[1].net = kNoRow;
         other.steps[0].features[1][3].net = kNoRow;
         QVERIFY(compared(job, other).isAgreed());
+    }
+
+    void aNetOfOnePinIsNoneWhereItsPadIsRounded() {
+        DrawnJob job = board();
+        job.steps[0].nets.push_back({"UNUSED", {}});
+        const auto singleNet = static_cast<std::int32_t>(job.steps[0].nets.size()) - 1;
+        DrawnComponent& part = job.steps[0].components[0];
+        part.pins.push_back({"3", mm(20, 25), singleNet, kNoRow});
+        DrawnFeature land = pad(1, mm(20, 25), singleNet);
+        land.component = 0;
+        land.pin = 2;
+        draw(job.steps[0], 1, land);
+        DrawnJob rounded = job;
+        rounded.steps[0].components[0].pins[2].position.x += 300;
+        rounded.steps[0].nets.back().name = "N$3";
+        QCOMPARE(firstOf(compared(rounded, job), Aspect::Nets), std::string());
+        QCOMPARE(firstOf(compared(job, rounded), Aspect::Nets), std::string());
     }
 
     void netsOfOnePinMayNotBeExchanged() {
