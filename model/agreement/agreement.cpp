@@ -16,15 +16,14 @@ constexpr std::array<const char*, kAspectCount> kAspectNames{
     "copper", "solder-mask", "solder-paste", "silkscreen", "outline", "holes", "parts", "pins", "nets", "net-names"};
 
 /// Where more holes, or pins of boards without holes, lie on those of the first board.
-Point shiftBetween(const Document& a, const Document& b) {
+Point shiftBetween(const Document& a, const Document& b, const FlatBoard& ours, const FlatBoard& theirs, Nm reach) {
     if (a.board.isEmpty() || b.board.isEmpty()) {
         return {};
     }
     const Point shift{a.board.min.x - b.board.min.x, a.board.min.y - b.board.min.y};
-    const std::vector<Point> fixed = locationsOf(flatten(a, {}));
-    const FlatBoard plain = flatten(b, {});
-    const std::size_t shifted = countMatches(fixed, locationsOf(plain), shift);
-    return shifted > countMatches(fixed, locationsOf(plain), {}) ? shift : Point{};
+    const std::vector<Point> fixed = locationsOf(ours);
+    const std::vector<Point> moved = locationsOf(theirs);
+    return countMatches(fixed, moved, shift, reach) > countMatches(fixed, moved, {}, reach) ? shift : Point{};
 }
 
 }  // namespace
@@ -73,15 +72,17 @@ base::Result<Agreement> compareBoards(const Document& a, const Document& b, cons
                                       base::Progress& progress) {
     Agreement agreement;
     progress.beginPhase("Comparing holes, parts and nets");
-    agreement.shift = shiftBetween(a, b);
     const FlatBoard ours = flatten(a, {});
-    const FlatBoard theirs = flatten(b, agreement.shift);
+    FlatBoard theirs = flatten(b, {});
+    const Nm reach = reachOf(ours, theirs);
+    agreement.shift = shiftBetween(a, b, ours, theirs, reach);
+    theirs = flatten(b, agreement.shift);
     std::vector<Comparison> tables;
-    tables.push_back(compareHoles(ours, theirs, request));
-    const MatchedParts matched = compareParts(ours, theirs, request);
+    tables.push_back(compareHoles(ours, theirs, reach, request));
+    const MatchedParts matched = compareParts(ours, theirs, reach, request);
     tables.push_back(matched.parts);
     tables.push_back(matched.pins);
-    for (Comparison& nets : compareNets(ours, theirs, matched, request)) {
+    for (Comparison& nets : compareNets(ours, theirs, matched, reach, request)) {
         tables.push_back(std::move(nets));
     }
     progress.beginPhase("Comparing layers");

@@ -103,10 +103,31 @@ private:
     std::int32_t m_firstNet = 0;
 };
 
+/// Two decimals of a millimetre.
+constexpr Nm kCoarse = 10'000;
+
+/// Do all locations lie at whole steps?
+bool isCoarse(const FlatBoard& board) {
+    std::vector<Point> locations;
+    for (const FlatBoard::Hole& hole : board.holes) {
+        if (hole.width == hole.height) {
+            locations.push_back(hole.middle);
+        }
+    }
+    for (const FlatBoard::PinAt& pin : board.pins) {
+        locations.push_back(pin.position);
+    }
+    return std::ranges::all_of(locations, [](Point point) { return point.x % kCoarse == 0 && point.y % kCoarse == 0; });
+}
+
 }  // namespace
 
-bool isSamePlace(Point a, Point b) {
-    return std::abs(std::int64_t{a.x} - b.x) <= kSamePlace && std::abs(std::int64_t{a.y} - b.y) <= kSamePlace;
+Nm reachOf(const FlatBoard& a, const FlatBoard& b) {
+    return kSamePlace + (isCoarse(a) != isCoarse(b) ? kCoarse / 2 : 0);
+}
+
+bool isSamePlace(Point a, Point b, Nm reach) {
+    return std::abs(std::int64_t{a.x} - b.x) <= reach && std::abs(std::int64_t{a.y} - b.y) <= reach;
 }
 
 FlatBoard flatten(const Document& board, Point shift) {
@@ -134,11 +155,11 @@ std::vector<Point> locationsOf(const FlatBoard& board) {
     return locations;
 }
 
-std::size_t countMatches(const std::vector<Point>& fixed, const std::vector<Point>& moved, Point shift) {
+std::size_t countMatches(const std::vector<Point>& fixed, const std::vector<Point>& moved, Point shift, Nm reach) {
     PointMatcher matcher(fixed);
     return static_cast<std::size_t>(std::ranges::count_if(moved, [&](Point point) {
         const Point there{point.x + shift.x, point.y + shift.y};
-        return matcher.take(there, kSamePlace, [](std::size_t) { return 0; }).has_value();
+        return matcher.take(there, reach, [](std::size_t) { return 0; }).has_value();
     }));
 }
 

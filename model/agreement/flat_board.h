@@ -12,7 +12,7 @@ namespace model {
 /// How far locations and sizes of the same item may be apart in two jobs.
 inline constexpr Nm kSamePlace = 1'000;
 
-[[nodiscard]] bool isSamePlace(Point a, Point b);
+[[nodiscard]] bool isSamePlace(Point a, Point b, Nm reach = kSamePlace);
 
 /// What a board holds besides areas, with the copies of its steps, in coordinates of the board.
 struct FlatBoard {
@@ -64,7 +64,13 @@ struct FlatBoard {
 /// Where the holes are, or the pins of a board without holes.
 [[nodiscard]] std::vector<Point> locationsOf(const FlatBoard& board);
 
-/// How many of `moved` lie within kSamePlace of one of `fixed` once `shift` is added to them; each counts once.
-[[nodiscard]] std::size_t countMatches(const std::vector<Point>& fixed, const std::vector<Point>& moved, Point shift);
+/// How far apart the same item may lie in the two, neither of them shifted: kSamePlace, and half a step more where only
+/// one of them has all of its round holes and pins at whole steps of 10 µm, as what KiCad writes as ODB++ unless it is
+/// told to be finer.
+[[nodiscard]] Nm reachOf(const FlatBoard& a, const FlatBoard& b);
+
+/// How many of `moved` lie within `reach` of one of `fixed` once `shift` is added to them; each counts once.
+[[nodiscard]] std::size_t countMatches(const std::vector<Point>& fixed, const std::vector<Point>& moved, Point shift,
+                                       Nm reach);
 
 }  // namespace model

@@ -32,11 +32,12 @@ Nm roundingOf(const FlatBoard& board) {
     return isRounded && std::ranges::any_of(board.holes, isRound) ? kTenthOfMil / 2 : 0;
 }
 
-/// How far two numbers of holes may be apart, and the ends of slots, which may be polygons with chords, up to a pixel
-/// off at either.
+/// How far two numbers of holes may be apart. The ends of slots may be polygons with chords, up to a pixel off at
+/// either.
 struct Reach {
-    Nm hole = kSamePlace;
-    Nm slot = kSamePlace;
+    Nm location = kSamePlace;
+    Nm hole = kSamePlace;  ///< sizes of round holes
+    Nm slot = kSamePlace;  ///< and of others
 };
 
 bool isSameSize(const Hole& a, const Hole& b, Reach reaches) {
@@ -79,11 +80,12 @@ std::string kindText(const Hole& hole) {
 
 class HoleComparer {
 public:
-    HoleComparer(const FlatBoard& a, const FlatBoard& b, const AgreementRequest& request)
+    HoleComparer(const FlatBoard& a, const FlatBoard& b, Nm reach, const AgreementRequest& request)
         : m_a(a),
           m_b(b),
           m_request(request),
-          m_reach{kSamePlace + roundingOf(a) + roundingOf(b), 2 * request.tolerance},
+          m_reach{reach + roundingOf(a) + roundingOf(b), kSamePlace + roundingOf(a) + roundingOf(b),
+                  2 * request.tolerance},
           m_matcher(b.holes.empty() ? std::vector<Point>() : locationsOf(b)) {}
 
     Comparison run() {
@@ -118,8 +120,8 @@ private:
     }
 
     bool compareAtItsPlace(const Hole& hole) {
-        const auto found =
-            m_matcher.take(hole.middle, m_reach.hole, [&](std::size_t row) { return unlike(hole, m_b.holes[row]); });
+        const auto found = m_matcher.take(hole.middle, m_reach.location,
+                                          [&](std::size_t row) { return unlike(hole, m_b.holes[row]); });
         if (!found) {
             return false;
         }
@@ -156,8 +158,8 @@ private:
 
 }  // namespace
 
-Comparison compareHoles(const FlatBoard& a, const FlatBoard& b, const AgreementRequest& request) {
-    return HoleComparer(a, b, request).run();
+Comparison compareHoles(const FlatBoard& a, const FlatBoard& b, Nm reach, const AgreementRequest& request) {
+    return HoleComparer(a, b, reach, request).run();
 }
 
 }  // namespace model

@@ -5,6 +5,8 @@
 
 namespace model {
 
-[[nodiscard]] Comparison compareHoles(const FlatBoard& a, const FlatBoard& b, const AgreementRequest& request);
+/// `reach`: as of reachOf, before `b` was shifted.
+[[nodiscard]] Comparison compareHoles(const FlatBoard& a, const FlatBoard& b, Nm reach,
+                                      const AgreementRequest& request);
 
 }  // namespace model

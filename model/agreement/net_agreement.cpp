@@ -20,7 +20,7 @@ struct Probe {
 };
 
 /// Pads on one layer of both.
-void addPads(const FlatBoard& a, const FlatBoard& b, std::int32_t layer, std::vector<Probe>& probes) {
+void addPads(const FlatBoard& a, const FlatBoard& b, std::int32_t layer, Nm reach, std::vector<Probe>& probes) {
     std::vector<std::size_t> rows;
     std::vector<Point> points;
     for (std::size_t row = 0; row < b.pads.size(); ++row) {
@@ -31,7 +31,7 @@ void addPads(const FlatBoard& a, const FlatBoard& b, std::int32_t layer, std::ve
     }
     PointMatcher matcher(std::move(points));
     for (const FlatBoard::Pad& pad : a.pads) {
-        const auto found = pad.layer != layer ? std::nullopt : matcher.take(pad.middle, kSamePlace, [&](std::size_t i) {
+        const auto found = pad.layer != layer ? std::nullopt : matcher.take(pad.middle, reach, [&](std::size_t i) {
             // Of several pads at one location those of a net belong together.
             const bool hasNet = b.pads[rows[i]].net != FlatBoard::kNoNet;
             return hasNet == (pad.net != FlatBoard::kNoNet) ? 0 : 1;
@@ -43,7 +43,7 @@ void addPads(const FlatBoard& a, const FlatBoard& b, std::int32_t layer, std::ve
     }
 }
 
-std::vector<Probe> probesOf(const FlatBoard& a, const FlatBoard& b, const MatchedParts& parts) {
+std::vector<Probe> probesOf(const FlatBoard& a, const FlatBoard& b, const MatchedParts& parts, Nm reach) {
     std::vector<Probe> probes;
     for (const auto& [ours, theirs] : parts.samePins) {
         probes.push_back({{a.pins[ours].net, b.pins[theirs].net}, {a.pins[ours].position, b.pins[theirs].position}});
@@ -53,7 +53,7 @@ std::vector<Probe> probesOf(const FlatBoard& a, const FlatBoard& b, const Matche
         layers = std::max(layers, pad.layer + 1);
     }
     for (std::int32_t layer = 0; layer < layers; ++layer) {
-        addPads(a, b, layer, probes);
+        addPads(a, b, layer, reach, probes);
     }
     return probes;
 }
@@ -65,10 +65,12 @@ using Partners = std::map<std::int32_t, std::map<std::int32_t, Point>>;
 
 class NetComparer {
 public:
-    NetComparer(const FlatBoard& a, const FlatBoard& b, std::vector<Probe> probes, const AgreementRequest& request)
+    NetComparer(const FlatBoard& a, const FlatBoard& b, std::vector<Probe> probes, Nm reach,
+                const AgreementRequest& request)
         : m_boards{&a, &b},
           m_names{std::set(a.nets.begin(), a.nets.end()), std::set(b.nets.begin(), b.nets.end())},
           m_probes(std::move(probes)),
+          m_reach(reach),
           m_most(request.most) {}
 
     std::vector<Comparison> run() {
@@ -113,7 +115,7 @@ private:
                 auto& [count, at] = members[probe.nets[side]];
                 bool& isOne = isAtOnePlace.try_emplace(probe.nets[side], true).first->second;
                 at = count == 0 ? probe.at[side] : at;
-                isOne = isOne && isSamePlace(at, probe.at[side]);  // a pin and its pad may be rounded apart
+                isOne = isOne && isSamePlace(at, probe.at[side], m_reach);  // a pin and its pad may be rounded apart
                 ++count;
             }
             for (Probe& probe : m_probes) {
@@ -202,15 +204,16 @@ private:
     std::array<const FlatBoard*, 2> m_boards;
     std::array<std::set<std::string_view>, 2> m_names;  ///< of all nets
     std::vector<Probe> m_probes;
+    Nm m_reach;
     std::size_t m_most;
     std::array<Partners, 2> m_partners;
 };
 
 }  // namespace
 
-std::vector<Comparison> compareNets(const FlatBoard& a, const FlatBoard& b, const MatchedParts& parts,
+std::vector<Comparison> compareNets(const FlatBoard& a, const FlatBoard& b, const MatchedParts& parts, Nm reach,
                                     const AgreementRequest& request) {
-    return NetComparer(a, b, probesOf(a, b, parts), request).run();
+    return NetComparer(a, b, probesOf(a, b, parts, reach), reach, request).run();
 }
 
 }  // namespace model

@@ -34,8 +34,8 @@ const char* sideOf(const Part& part) {
 
 class PartComparer {
 public:
-    PartComparer(const FlatBoard& a, const FlatBoard& b, const AgreementRequest& request)
-        : m_a(a), m_b(b), m_most(request.most), m_isTaken(b.parts.size()) {
+    PartComparer(const FlatBoard& a, const FlatBoard& b, Nm reach, const AgreementRequest& request)
+        : m_a(a), m_b(b), m_reach(reach), m_most(request.most), m_isTaken(b.parts.size()) {
         for (std::size_t row = 0; row < b.parts.size(); ++row) {
             m_named[b.parts[row].refdes].push_back(row);
         }
@@ -139,7 +139,7 @@ private:
         if (haveSides && part.isBottom != other->isBottom) {
             add(m_found.parts, name + " is on the " + sideOf(part) + " in A, on the " + sideOf(*other) + " in B",
                 part.position);
-        } else if (arePlaced && !isSamePlace(part.position, other->position)) {
+        } else if (arePlaced && !isSamePlace(part.position, other->position, m_reach)) {
             add(m_found.parts, name + " is moved by " + mm(distance(part.position, other->position)), part.position);
         }
         const bool arePinsEqual = comparePins(part, *other);
@@ -164,8 +164,8 @@ private:
     // ---- pins ----
 
     /// How unlike two pins are; they are matched with the least unlike first.
-    [[nodiscard]] static int unlike(const PinAt& a, const PinAt& b) {
-        return (isSamePlace(a.position, b.position) ? 0 : 1) + (a.name == b.name ? 0 : 2);
+    [[nodiscard]] int unlike(const PinAt& a, const PinAt& b) const {
+        return (isSamePlace(a.position, b.position, m_reach) ? 0 : 1) + (a.name == b.name ? 0 : 2);
     }
 
     /// Do they all lie at the same locations?
@@ -220,7 +220,7 @@ private:
         const bool areNamed = !a.name.empty() && !b.name.empty();  // some formats name pads that others leave nameless
         if (areNamed && a.name != b.name) {
             add(m_found.pins, pinName(part, a) + " is called " + std::string(b.name) + " in B", a.position);
-        } else if (!isSamePlace(a.position, b.position)) {
+        } else if (!isSamePlace(a.position, b.position, m_reach)) {
             add(m_found.pins, pinName(part, a) + " is moved by " + mm(distance(a.position, b.position)), a.position);
         }
     }
@@ -231,6 +231,7 @@ private:
 
     const FlatBoard& m_a;
     const FlatBoard& m_b;
+    Nm m_reach;
     std::size_t m_most;
     std::map<std::string_view, std::vector<std::size_t>> m_named;  ///< parts of B
     std::vector<std::uint8_t> m_isTaken;
@@ -244,8 +245,8 @@ private:
 
 }  // namespace
 
-MatchedParts compareParts(const FlatBoard& a, const FlatBoard& b, const AgreementRequest& request) {
-    return PartComparer(a, b, request).run();
+MatchedParts compareParts(const FlatBoard& a, const FlatBoard& b, Nm reach, const AgreementRequest& request) {
+    return PartComparer(a, b, reach, request).run();
 }
 
 }  // namespace model

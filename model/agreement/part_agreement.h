@@ -12,6 +12,8 @@ struct MatchedParts {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> samePins;
 };
 
-[[nodiscard]] MatchedParts compareParts(const FlatBoard& a, const FlatBoard& b, const AgreementRequest& request);
+/// `reach`: as of reachOf, before `b` was shifted.
+[[nodiscard]] MatchedParts compareParts(const FlatBoard& a, const FlatBoard& b, Nm reach,
+                                        const AgreementRequest& request);
 
 }  // namespace model

@@ -158,20 +158,21 @@ private slots:
 
     /// A drill file in inches has four decimals: 0.3 mm are 0.0118 inch there, which is 0.29972 mm.
     void holesMayBeRoundedAsDrillFilesInInchesAre() {
-        DrawnJob other = board();
+        DrawnJob exact = board();
+        moveAll(exact, {300, 300});
+        DrawnJob other = exact;
         const auto resize = [&other](Nm size) {
             other.steps[0].symbols[2].shape.width = other.steps[0].symbols[2].shape.height = size;
         };
         resize(304'800);  // 0.012 inch
         other.steps[0].features[3][0].a.x += 1'200;
-        QCOMPARE(firstOf(compared(board(), other), Aspect::Holes),
-                 std::string("a hole is 0.300 mm in A, 0.305 mm in B"));
+        QCOMPARE(firstOf(compared(exact, other), Aspect::Holes), std::string("a hole is 0.300 mm in A, 0.305 mm in B"));
         resize(299'720);
-        const Agreement rounded = compared(board(), other);
+        const Agreement rounded = compared(exact, other);
         QVERIFY(rounded.isAgreed());
         QCOMPARE(find(rounded, Aspect::Holes)->farthest, std::optional(1'200.0));
         resize(299'800);  // no number that is rounded so
-        QCOMPARE(find(compared(board(), other), Aspect::Holes)->differing, std::size_t{1});
+        QCOMPARE(find(compared(exact, other), Aspect::Holes)->differing, std::size_t{1});
     }
 
     void holesAreMovedWhereOneLikeThemIsNear() {
@@ -277,6 +278,26 @@ private slots:
         other.steps[0].regions.back() = box({9'800'000, 39'850'000}, {12'200'000, 40'150'000});
         QCOMPARE(firstOf(compared(milling, other), Aspect::Holes),
                  std::string("a hole is 2.300 x 0.300 mm in A, 2.400 x 0.300 mm in B"));
+    }
+
+    /// As in ODB++ of KiCad, whose coordinates have two decimals unless one asks for more.
+    void whatOneJobRoundsToHundredthsAgrees() {
+        const auto moved = [](Nm by) {
+            DrawnJob job = board();
+            DrawnStep& step = job.steps[0];
+            step.components[0].pins[1].position.x += by;
+            step.features[3][0].a.y += by;
+            return job;
+        };
+        const DrawnJob exact = moved(4'700);
+        QVERIFY(compared(exact, board()).isAgreed());
+        QVERIFY(compared(board(), exact).isAgreed());
+        QCOMPARE(*find(compared(exact, board()), Aspect::Holes)->farthest, 4700.0);
+        // Where both are as fine, or the step is coarser than that, it was moved.
+        const Aspects both = {Aspect::Holes, Aspect::Pins};
+        QCOMPARE(differing(compared(exact, moved(2'300))), both);
+        QCOMPARE(differing(compared(board(), moved(10'000))), both);
+        QCOMPARE(differing(compared(board(), moved(7'300))), both);
     }
 
     void netsAreComparedByWhatTheyJoin() {
