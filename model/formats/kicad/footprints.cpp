@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 6> kMarks = {
     "exclude_from_bom", "exclude_from_pos_files", "board_only", "allow_missing_courtyard", "dnp", "virtual"};
 
 /// Lists of a footprint that draw nothing: what readFacts and the frame take, rules, and what editors need.
-constexpr std::array<std::string_view, 39> kSilent = {"at",
+constexpr std::array<std::string_view, 40> kSilent = {"at",
                                                       "attr",
                                                       "autoplace_cost180",
                                                       "autoplace_cost90",
@@ -64,11 +64,26 @@ constexpr std::array<std::string_view, 39> kSilent = {"at",
                                                       "tedit",
                                                       "thermal_gap",
                                                       "thermal_width",
+                                                      "transform",
                                                       "tstamp",
                                                       "units",
                                                       "uuid",
                                                       "version",
                                                       "zone_connect"};
+
+/// (at x y degrees), or what takes its place after KiCad 10: (transform (translate x y) (rotate degrees) (scale 1 1)).
+Frame frameOf(Canvas& canvas, const Item& footprint) {
+    const Item at = footprint.find("at");
+    const Item transform = footprint.find("transform");
+    if (at.isThere() || !transform.isThere()) {
+        return {point(footprint, "at").value_or(PointD()), numberOf(at.word(3)).value_or(0.0)};
+    }
+    const Item scale = transform.find("scale");
+    if (numberOf(scale.word(1)).value_or(1.0) != 1.0 || numberOf(scale.word(2)).value_or(1.0) != 1.0) {
+        canvas.report(Severity::Warning, footprint.line(), "a footprint is scaled, which is not read");
+    }
+    return {point(transform, "translate").value_or(PointD()), number(transform, "rotate", 0.0)};
+}
 
 /// The largest outline of drawn shapes; the box around them all where none is closed.
 ShapeSketch bodyOf(const std::vector<Graphic>& graphics) {
@@ -136,8 +151,7 @@ class FootprintMaker {
 public:
     FootprintMaker(Canvas& canvas, UnusedPads& unused, std::vector<ChainEdge>& outline, const Item& footprint)
         : m_canvas(canvas), m_unused(unused), m_outline(outline), m_item(footprint) {
-        m_owner.frame.origin = point(footprint, "at").value_or(PointD());
-        m_owner.frame.degrees = numberOf(footprint.find("at").word(3)).value_or(0.0);
+        m_owner.frame = frameOf(canvas, footprint);
         m_owner.isOnBack = canvas.layers().nameOf(canvas.layers().row(footprint.find("layer").word(1))) == "B.Cu";
         m_owner.maskMargin = lengthOf(footprint.find("solder_mask_margin").word(1));
         m_owner.pasteMargin = lengthOf(footprint.find("solder_paste_margin").word(1));

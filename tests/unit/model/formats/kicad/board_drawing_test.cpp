@@ -99,6 +99,22 @@ private slots:
         QCOMPARE(on(job, "B.Cu").size(), std::size_t{3});  // pad, via, zone: none around the bare hole
     }
 
+    void footprintsLieWhereTheirTransformSays() {
+        const auto job = [](const std::string& place) {
+            return boardWith("(footprint \"T:x\" (layer \"F.Cu\") " + place +
+                             " (pad \"1\" smd rect (at 1 0 90) (size 1 0.5) (layers \"F.Cu\") (net 1)))");
+        };
+        const DrawnJob old = job("(at 5 6 90)");
+        const DrawnJob later = job("(transform (translate 5 6) (rotate 90) (scale 1 1))");
+        QCOMPARE(on(later, "F.Cu")[0].a, (Point{5 * kMm, -5 * kMm}));
+        QCOMPARE(on(later, "F.Cu")[0].a, on(old, "F.Cu")[0].a);
+        QCOMPARE(later.steps[0].components[0].position, old.steps[0].components[0].position);
+        QCOMPARE(later.steps[0].components[0].clockwiseDeg, old.steps[0].components[0].clockwiseDeg);
+        QCOMPARE(messages(later.diagnostics, "transform"), 0U);
+        QCOMPARE(messages(later.diagnostics, "is scaled"), 0U);
+        QCOMPARE(messages(job("(transform (translate 5 6) (scale 2 1))").diagnostics, "is scaled"), 1U);
+    }
+
     void componentsOfOneDesignatorAreTold() {
         const auto footprint = [](const char* name, const char* pad) {
             return "(footprint \"T:x\" (layer \"F.Cu\") (at 5 5) (property \"Reference\" \"" + std::string(name) +
