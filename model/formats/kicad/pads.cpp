@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -66,6 +67,31 @@ public:
         drawHole();
     }
 
+    /// What it is to vias and pads that touch it.
+    [[nodiscard]] UnusedPads::Owner owner() {
+        UnusedPads::Owner owner;
+        std::ranges::copy_if(m_rows, std::back_inserter(owner.rows),
+                             [this](std::int32_t row) { return m_canvas.layers().isCopper(row); });
+        std::ranges::sort(owner.rows);
+        owner.net = m_origin.net;
+        owner.component = m_owner.component;
+        const std::string layer = owner.rows.empty() ? "F.Cu" : m_canvas.layers().nameOf(owner.rows.front());
+        owner.at = centreOn(layer);
+        owner.clockwiseDeg = clockwiseDeg();
+        const PadForm& form = m_forms.on(layer).form;
+        const PadShape shape = shapeOf(form, {});
+        const double smaller = std::min(shape.width, shape.height) / 2.0;
+        const bool isRound = form.kind == PadForm::Kind::Circle || form.kind == PadForm::Kind::Oval;
+        owner.radius = isRound ? smaller : 0.0;
+        owner.core = {shape.width / 2.0 - owner.radius, shape.height / 2.0 - owner.radius};
+        owner.hole = m_hasHole ? std::min(m_drill.width, m_drill.height) / 2.0 : 0.0;
+        owner.isPad = true;
+        owner.waits = waitsForTracks();
+        owner.keepsEnds = keepsEnds(m_pad);
+        return owner;
+    }
+    /// Does its copper?
+    [[nodiscard]] bool waitsForTracks() const { return removesUnused(m_pad) && m_pad.word(2) == "thru_hole"; }
     [[nodiscard]] const Origin& origin() const { return m_origin; }
     [[nodiscard]] double clockwiseDeg() const { return -m_degrees; }
     [[nodiscard]] PointD centreOn(const std::string& layer) const {
@@ -231,11 +257,12 @@ void drawPad(Canvas& canvas, UnusedPads& waiting, const Item& pad, const PadOwne
     }
     PadMaker maker(canvas, pad, owner);
     std::vector<std::int32_t> unused;
-    maker.draw(removesUnused(pad) && pad.word(2) == "thru_hole" ? &unused : nullptr);
+    maker.draw(maker.waitsForTracks() ? &unused : nullptr);
+    const std::size_t number = waiting.add(maker.owner());
     const Item connected = pad.find("zone_layer_connections");
     for (const std::int32_t row : unused) {
         const std::string& layer = canvas.layers().nameOf(row);
-        UnusedPads::Waiting copper{row, maker.origin(), 0, maker.centreOn(layer), maker.clockwiseDeg(), 0.0};
+        UnusedPads::Waiting copper{row, maker.origin(), 0, maker.centreOn(layer), maker.clockwiseDeg(), 0.0, number};
         copper.symbol = maker.symbolOn(layer, {}, &copper.reach);
         copper.reach = connected.hasWord(layer) ? -1.0 : copper.reach;
         if (copper.symbol != kNoRow) {

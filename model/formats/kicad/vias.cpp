@@ -137,6 +137,13 @@ void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
     if (via.hasWord(kMicroviaType)) {
         reportMicrovia(canvas, via, span);
     }
+    double drill = length(via, "drill", canvas.settings().viaDrill);
+    const bool namesDrill = drill > 0.0;
+    drill = namesDrill ? drill : size / 2.0;
+    UnusedPads::Owner owner{span, origin.net, formats::kNoRow, *at, 0.0, {}, size / 2.0, drill / 2.0};
+    owner.waits = removesUnused(via);
+    owner.keepsEnds = keepsEnds(via);
+    const std::size_t number = unused.add(std::move(owner));
     const Item connected = via.find("zone_layer_connections");
     for (const std::int32_t row : span) {
         const double width = viaSizeOn(via, layers.nameOf(row));
@@ -146,16 +153,14 @@ void drawVia(Canvas& canvas, UnusedPads& unused, const Item& via) {
         }
         const bool isKept = isEnd && keepsEnds(via);
         if (removesUnused(via) && !isKept && !connected.hasWord(layers.nameOf(row))) {
-            unused.add({row, origin, canvas.pen(width), *at, 0.0, width / 2.0});
+            unused.add({row, origin, canvas.pen(width), *at, 0.0, width / 2.0, number});
         } else {
             canvas.drawPad(row, origin, canvas.pen(width), *at, 0.0);
         }
     }
     openMask(canvas, via, origin, *at, span);
     reportProtection(canvas, via);
-    double drill = length(via, "drill", canvas.settings().viaDrill);
-    if (drill <= 0.0) {
-        drill = size / 2.0;
+    if (!namesDrill) {
         canvas.report(Severity::Warning, via.line(), "a via names no drill; half of its pad was taken");
     }
     const std::int32_t row = layers.drills(span.front(), span.back(), true, canvas.job());

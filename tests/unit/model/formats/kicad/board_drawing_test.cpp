@@ -200,6 +200,29 @@ private slots:
         QCOMPARE(on(boardWith(ends), "B.Cu").size(), std::size_t{1});
     }
 
+    void unusedLayersKeepWhatViasAndPadsTouch() {
+        const auto via = [](double x, const char* net, const char* unused = "(remove_unused_layers yes) ") {
+            return "(via (at " + std::to_string(x) + " 1) (size 0.6) (drill 0.3) (layers \"F.Cu\" \"B.Cu\") " + unused +
+                   "(keep_end_layers yes) (net " + net + "))";
+        };
+        // Two that touch with their pads on the outer layers keep them on the inner one.
+        QCOMPARE(on(boardWith(via(1, "1") + via(1.59, "1")), "In1.Cu").size(), std::size_t{2});
+        QCOMPARE(on(boardWith(via(1, "1") + via(1.61, "1")), "In1.Cu").size(), std::size_t{0});
+        QCOMPARE(on(boardWith(via(1, "1") + via(1.59, "0")), "In1.Cu").size(), std::size_t{0});
+        QCOMPARE(on(boardWith(via(1, "1") + via(1.59, "1", "")), "In1.Cu").size(), std::size_t{2});
+        // A land that it lies in keeps its pad on that layer alone: 45 degrees round, one corner reaches it.
+        const auto land = [](const char* degrees) {
+            return "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (pad \"1\" smd rect (at 3 3 " + std::string(degrees) +
+                   ") (size 5 0.2) (layers \"F.Cu\") (net 1)))";
+        };
+        const std::string bare =
+            "(via (at 1.5 4.5) (size 0.6) (drill 0.3) (layers \"F.Cu\" \"B.Cu\") "
+            "(remove_unused_layers yes) (keep_end_layers no) (net 1))";
+        QCOMPARE(on(boardWith(bare + land("45")), "F.Cu").size(), std::size_t{2});
+        QCOMPARE(on(boardWith(bare + land("45")), "B.Cu").size(), std::size_t{0});
+        QCOMPARE(on(boardWith(bare + land("135")), "F.Cu").size(), std::size_t{1});
+    }
+
     void outerLayersAreKeptOnlyWhereTheFileSaysSo() {
         const auto pad = [](const std::string& ends) {
             return "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (pad \"1\" thru_hole circle (at 1 1) (size 2 2) (drill "
