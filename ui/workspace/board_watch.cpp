@@ -51,6 +51,7 @@ BoardWatch::States BoardWatch::statesOf(const fs::path& path) {
         add(path);
         if (path.extension() == ".kicad_pcb") {
             add(fs::path(path).replace_extension(".kicad_pro"));
+            add(fs::path(path).replace_extension(".kicad_dru"));
         }
         return states;
     }

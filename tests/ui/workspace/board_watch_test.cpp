@@ -91,7 +91,7 @@ private slots:
         QTRY_COMPARE(watched.changes.count(), 1);
     }
 
-    void whatLiesBesideAFileIsNoChangeButItsProjectIs() {
+    void whatLiesBesideAFileIsNoChangeButItsProjectAndItsRulesAre() {
         QTemporaryDir folder;
         const fs::path board = fs::path(folder.path().toStdString()) / "board.kicad_pcb";
         write(board, "one");
@@ -103,6 +103,8 @@ private slots:
         QCOMPARE(watched.changes.count(), 0);
         replace(board.parent_path() / "board.kicad_pro", "{ }");
         QTRY_COMPARE(watched.changes.count(), 1);
+        write(board.parent_path() / "board.kicad_dru", "(version 1)");
+        QTRY_COMPARE(watched.changes.count(), 2);
     }
 
     void filesOfAFolderThatComeGoOrChangeAreTold() {
