@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/base/limits.h"
 #include "model/base/thickness_units.h"
 #include "model/base/units.h"
 #include "model/clearance/kicad_rules.h"
@@ -238,29 +239,27 @@ private:
     RuleFile m_file;
 };
 
-/// The lists with this head that begin a line of a board, up to its first part; each with its line.
+/// The lists with this head of a board, up to its first part; each with its line.
 std::vector<std::pair<std::string_view, std::size_t>> listsOf(std::string_view board, std::string_view head) {
-    std::vector<std::pair<std::string_view, std::size_t>> lists;
     const std::string_view before = board.substr(0, board.find("\n  (module "));
-    const std::string begin = "(" + std::string(head);
-    for (std::size_t at = before.find(begin); at != std::string_view::npos; at = before.find(begin, at + 1)) {
-        std::size_t end = at;
-        int depth = 0;
-        bool isText = false;
-        for (; end < before.size(); ++end) {
-            const char c = before[end];
-            isText = c == '"' ? !isText : isText;
-            end += c == '\\' && isText ? 1 : 0;
-            depth += isText ? 0 : c == '(' ? 1 : c == ')' ? -1 : 0;
-            if (depth == 0) {
-                break;
+    std::vector<std::pair<std::string_view, std::size_t>> lists;
+    std::vector<std::pair<std::size_t, std::size_t>> open;  // where lists begin, and in which line
+    std::size_t line = 1;
+    bool isText = false;
+    for (std::size_t at = 0; at < before.size() && open.size() <= base::kMostListDepth; ++at) {
+        const char c = before[at];
+        line += c == '\n' ? 1 : 0;
+        isText = c == '"' ? !isText : isText;
+        at += c == '\\' && isText ? 1 : 0;
+        if (c == '(' && !isText) {
+            open.emplace_back(at, line);
+        } else if (c == ')' && !isText && !open.empty()) {
+            const auto [begin, firstLine] = open.back();
+            open.pop_back();
+            const std::string_view list = before.substr(begin, at + 1 - begin);
+            if (list.substr(1, list.find_first_of(" \n)") - 1) == head) {
+                lists.emplace_back(list, firstLine);
             }
-        }
-        const std::size_t next = at + begin.size();
-        if (depth == 0 && end < before.size() && next < before.size() &&
-            (before[next] == ' ' || before[next] == '\n')) {
-            const auto line = std::count(before.begin(), before.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-            lists.emplace_back(before.substr(at, end + 1 - at), static_cast<std::size_t>(line) + 1);
         }
     }
     return lists;

@@ -1,6 +1,7 @@
 // Rules of projects of KiCad, and of older boards.
 #include "model/clearance/kicad_project_rules.h"
 
+#include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
@@ -158,6 +159,17 @@ private slots:
         for (std::size_t length = 0; length < text.size(); ++length) {
             static_cast<void>(model::parseKicadBoardRules(text.substr(0, length)));
         }
+    }
+
+    void anOldBoardOfListsThatDoNotEndTakesNoTime() {
+        std::string board = "(kicad_pcb (version 4)\n";
+        for (int i = 0; i < 100'000; ++i) {
+            board += "(net_class (a\n";
+        }
+        QElapsedTimer timer;
+        timer.start();
+        QVERIFY(model::parseKicadBoardRules(board)->table.classes.empty());
+        QVERIFY2(timer.elapsed() < 5'000, qPrintable(QString::number(timer.elapsed())));
     }
 
     void aBoardHasTheRulesOfItsProject() {
