@@ -238,10 +238,10 @@ std::vector<std::string> fittedRow(std::vector<std::string> row, const Head& hea
         ++more;
     }
     const auto join = [&](std::size_t first, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-            row[first] += " " + row[first + 1];
-            row.erase(row.begin() + static_cast<std::ptrdiff_t>(first) + 1);
-        }
+        const auto next = row.begin() + static_cast<std::ptrdiff_t>(first) + 1;
+        const auto end = next + static_cast<std::ptrdiff_t>(count);
+        std::for_each(next, end, [&](const std::string& word) { row[first] += " " + word; });
+        row.erase(next, end);
     };
     if (wide < x && isPlace()) {
         join(wide, more);

@@ -1,5 +1,6 @@
 // Whole jobs as particular programs write them: names, planes, places.
 
+#include <QElapsedTimer>
 #include <QtTest>
 #include <algorithm>
 #include <array>
@@ -230,6 +231,22 @@ private slots:
         QCOMPARE(model::rounded(file.parts[1].position), (model::Point{3'000'000, 4'000'000}));
         QVERIFY(file.parts[1].side == model::LayerSide::Bottom);
         QVERIFY(!file.parts[0].value.empty() || !file.parts[0].package.empty());
+    }
+
+    void aRowOfVeryManyWordsTakesNoTime() {
+        std::string row = "R1 R";
+        for (int i = 0; i < 200'000; ++i) {
+            row += " x";
+        }
+        model::Diagnostics diagnostics;
+        QElapsedTimer timer;
+        timer.start();
+        const auto file = model::gerber::parsePlacements("Ref Val X(mm) Y(mm) Rot Side\n" + row + " 5 2 90 Top\n",
+                                                         "places.txt", diagnostics);
+        QVERIFY2(timer.elapsed() < 5'000, qPrintable(QString::number(timer.elapsed())));
+        QCOMPARE(file.parts.size(), std::size_t{1});
+        QCOMPARE(file.parts[0].value.size(), std::size_t{400'001});
+        QCOMPARE(file.parts[0].rotationDeg, 90.0);
     }
 
     /// Allegro fills lines with blanks, the empty first one too, and lists each padstack of a board in a comment.
