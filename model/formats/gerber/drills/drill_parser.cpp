@@ -15,6 +15,7 @@ using formats::DrawnFeature;
 namespace {
 
 constexpr std::size_t kMostComments = 100;
+constexpr int kMostToolNumber = 1'000'000;
 /// Letters of numbers that say no place: line, feed, spindle, depth, retraction, hits of a tool, size of a tool.
 constexpr std::string_view kOfTheMachine = "NFSZBHC,";
 
@@ -405,7 +406,7 @@ void DrillParser::setOrigin(const DrillValues& parts) {
 void DrillParser::tool(const DrillValues& parts) {
     const std::string_view digits = std::ranges::find(parts, 'T', &DrillValue::letter)->digits;
     std::optional<int> number = parseInteger(digits);
-    if (!number || *number < 0) {
+    if (!number || *number < 0 || *number > kMostToolNumber) {
         return report(Severity::Warning, "a tool whose number cannot be read; it was left out");
     }
     std::optional<double> size;

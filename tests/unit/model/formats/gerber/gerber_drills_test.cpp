@@ -179,6 +179,7 @@ private slots:
         QTest::newRow("letter") << "X1.0Y1.0Q4" << 1 << "word that is not of Excellon's";
         QTest::newRow("second unit") << "INCH\nX1.0Y1.0" << 1 << "two units";
         QTest::newRow("second unit by a code") << "M72\nX1.0Y1.0" << 1 << "two units";
+        QTest::newRow("tool without end") << "X1.0Y1.0T2147483647\nM00" << 1 << "tool whose number cannot be read";
         QTest::newRow("format 1") << "FMAT,1" << 0 << "FMAT,1";
         QTest::newRow("behind the end") << "X1.0Y1.0\nM30\n%\nX2.0Y1.0" << 1 << "behind the end";
         QTest::newRow("pattern") << "M25\nX900.0Y0\nM01\nM02X500.0" << 1 << "pattern of holes goes beyond any board";
