@@ -4,6 +4,7 @@
 
 #include "model/formats/kicad/text/values.h"
 #include "model/text/json_reading.h"
+#include "model/text/wildcard.h"
 
 namespace model::kicad {
 
@@ -32,31 +33,6 @@ std::string classNameOf(const json& value) {
 
 }  // namespace
 
-bool fits(std::string_view name, std::string_view pattern) {
-    std::size_t n = 0;
-    std::size_t p = 0;
-    std::size_t star = std::string_view::npos;
-    std::size_t behindStar = 0;
-    while (n < name.size()) {
-        if (p < pattern.size() && pattern[p] == '*') {
-            star = p++;
-            behindStar = n;
-        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
-            ++p;
-            ++n;
-        } else if (star != std::string_view::npos) {
-            p = star + 1;
-            n = ++behindStar;
-        } else {
-            return false;
-        }
-    }
-    while (p < pattern.size() && pattern[p] == '*') {
-        ++p;
-    }
-    return p == pattern.size();
-}
-
 std::string Project::classOf(std::string_view net) const {
     const std::string plain = nameOf(net);
     const auto found = classOfNet.find(plain);
@@ -64,7 +40,7 @@ std::string Project::classOf(std::string_view net) const {
         return found->second;
     }
     for (const auto& [pattern, name] : classPatterns) {
-        if (fits(plain, pattern)) {
+        if (fitsWildcard(plain, pattern)) {
             return name;
         }
     }

@@ -24,7 +24,4 @@ struct Project {
 /// Reads a project file; what is no JSON is reported and gives nothing.
 [[nodiscard]] Project readProject(std::string_view text, std::string_view file, Diagnostics& diagnostics);
 
-/// Does a name fit a pattern, in which * stands for any text and ? for any character?
-[[nodiscard]] bool fits(std::string_view name, std::string_view pattern);
-
 }  // namespace model::kicad

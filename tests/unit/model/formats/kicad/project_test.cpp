@@ -37,14 +37,6 @@ private slots:
         static_cast<void>(
             kicad::readProject(R"({"text_variables": [1], "net_settings": {"classes": 3}})", "x", diagnostics));
     }
-
-    void patternsAreMatched() {
-        QVERIFY(kicad::fits("abc", "a*c"));
-        QVERIFY(kicad::fits("ac", "a*c*"));
-        QVERIFY(!kicad::fits("abd", "a*c"));
-        QVERIFY(kicad::fits("", "*"));
-        QVERIFY(!kicad::fits("", "?"));
-    }
 };
 
 QTEST_APPLESS_MAIN(ProjectTest)
