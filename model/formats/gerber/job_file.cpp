@@ -74,7 +74,6 @@ JobFileFacts factsOf(const Json& json) {
     facts.name = text(member(specs, "ProjectId"), "Name");
     facts.name = facts.name.empty() ? text(member(specs, "Name"), "ProjectId") : facts.name;
     facts.boardNm = millimetres(specs, "BoardThickness");
-    facts.copperLayers = static_cast<int>(std::min(std::max(number(specs, "LayerNumber").value_or(0.0), 0.0), 1000.0));
     readFiles(member(json, "FilesAttributes"), facts);
     const Json& stackup = member(json, "MaterialStackup");
     for (const Json& row : stackup.is_array() ? stackup : Json::array()) {
@@ -93,8 +92,6 @@ JobFileFacts readGerber(std::string_view source, std::string_view path) {
         if (name == ".B_Thickness") {
             const double mm = parseReal(value).value_or(0.0) * (isInch ? 25.4 : 1.0);
             facts.boardNm = mm > 0 && mm < 1000 ? std::optional(mm * base::kNmPerMm) : std::nullopt;
-        } else if (name == ".B_LayerNum") {
-            facts.copperLayers = parseInteger(value).value_or(0);
         } else if (name == ".B_ID") {
             facts.name = value;
         }

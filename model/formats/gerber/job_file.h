@@ -24,7 +24,6 @@ struct JobFileFacts {
     std::string name;       ///< of the project
     std::string generator;  ///< "KiCad Pcbnew 9.0.8"
     std::optional<double> boardNm;
-    int copperLayers = 0;                                       ///< 0 not said
     std::map<std::string, std::string, std::less<>> functions;  ///< by name of the file, lower case, without folders
     std::map<std::string, std::string, std::less<>> polarities;
     std::vector<JobStackRow> stackup;
