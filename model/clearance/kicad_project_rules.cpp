@@ -53,16 +53,6 @@ constexpr const char* kOthers[] = {
 
 constexpr const char* kDefaultClass = "Default";
 
-const json& member(const json& object, const char* key) {
-    static const json kNothing;
-    const auto found = object.is_object() ? object.find(key) : object.end();
-    return object.is_object() && found != object.end() ? *found : kNothing;
-}
-
-std::string textOf(const json& value) {
-    return value.is_string() ? value.get<std::string>() : std::string();
-}
-
 /// Millimetres of a file; none for what is no length a rule can have.
 std::optional<Nm> lengthOf(double millimetres) {
     const double nm = std::round(millimetres * base::kNmPerMm);
@@ -145,14 +135,14 @@ class ProjectImporter {
 public:
     ProjectImporter(const json& root, std::string_view text)
         : m_lines(text),
-          m_design(member(member(root, "board"), "design_settings")),
-          m_nets(member(root, "net_settings")) {}
+          m_design(memberOf(memberOf(root, "board"), "design_settings")),
+          m_nets(memberOf(root, "net_settings")) {}
 
     RuleFile run() {
         readClasses();
         assignNets();
         addClasses(m_classes, m_file);
-        const json& least = member(member(m_design, "rules"), "min_clearance");
+        const json& least = memberOf(memberOf(m_design, "rules"), "min_clearance");
         const std::optional<Nm> clearance = lengthOf(least);
         if (!clearance && !least.is_null()) {
             leaveOut(kRules + "min_clearance", "min_clearance, which is no length,");
@@ -169,15 +159,15 @@ private:
     }
 
     [[nodiscard]] bool isIgnored(const char* check) const {
-        return textOf(member(member(m_design, "rule_severities"), check)) == "ignore";
+        return stringOf(memberOf(memberOf(m_design, "rule_severities"), check)) == "ignore";
     }
 
     void readClasses() {
         std::size_t row = 0;
-        for (const json& one : member(m_nets, "classes")) {
+        for (const json& one : memberOf(m_nets, "classes")) {
             const std::string path = "/net_settings/classes/" + std::to_string(row++);
-            const std::string name = textOf(member(one, "name"));
-            const json& clearance = member(one, "clearance");
+            const std::string name = stringOf(memberOf(one, "name"));
+            const json& clearance = memberOf(one, "clearance");
             if (name.empty() || isThere(m_classes, name)) {
                 leaveOut(path, "a net class without a name of its own");
                 continue;
@@ -186,8 +176,8 @@ private:
             if (!m_classes.back().clearance && !clearance.is_null()) {
                 leaveOut(path + "/clearance", "the clearance of net class " + name + ", which is no length,");
             }
-            for (const json& net : member(one, "nets")) {  // KiCad 6
-                addNet(name, textOf(net));
+            for (const json& net : memberOf(one, "nets")) {  // KiCad 6
+                addNet(name, stringOf(net));
             }
         }
     }
@@ -201,21 +191,21 @@ private:
 
     /// Nets named one by one, and those that fit patterns. A net may be in several classes.
     void assignNets() {
-        for (const auto& [net, value] : member(m_nets, "netclass_assignments").items()) {
-            addNet(textOf(value), net);  // KiCad 7 and 8
+        for (const auto& [net, value] : memberOf(m_nets, "netclass_assignments").items()) {
+            addNet(stringOf(value), net);  // KiCad 7 and 8
             for (const json& name : value.is_array() ? value : json::array()) {
-                addNet(textOf(name), net);
+                addNet(stringOf(name), net);
             }
         }
-        for (const json& pattern : member(m_nets, "netclass_patterns")) {
-            addNet(textOf(member(pattern, "netclass")), textOf(member(pattern, "pattern")));
+        for (const json& pattern : memberOf(m_nets, "netclass_patterns")) {
+            addNet(stringOf(memberOf(pattern, "netclass")), stringOf(memberOf(pattern, "pattern")));
         }
     }
 
     void addMinimums() {
-        const json& rules = member(m_design, "rules");
+        const json& rules = memberOf(m_design, "rules");
         for (const Minimum& minimum : kMinimums) {
-            const json& value = member(rules, minimum.word);
+            const json& value = memberOf(rules, minimum.word);
             const std::optional<Nm> least = lengthOf(value);
             if (least && *least > 0) {
                 m_file.table.rules.push_back({minimum.kind, *least, {}, !isIgnored(minimum.check)});
@@ -224,7 +214,7 @@ private:
             }
         }
         for (const char* word : kOthers) {
-            const json& value = member(rules, word);
+            const json& value = memberOf(rules, word);
             if (value.is_number() && value.get<double>() > 0.0) {
                 leaveOut(kRules + word, word);
             }
@@ -387,14 +377,14 @@ void switchOffIgnored(RuleFile& custom, const fs::path& project) {
     const base::Result<std::string> text = readWholeFile(project);
     const base::Result<json> read = text ? readJson<json>(*text) : base::Result<json>(text.error());
     const json root = read ? *read : json();
-    const json& severities = member(member(member(root, "board"), "design_settings"), "rule_severities");
+    const json& severities = memberOf(memberOf(memberOf(root, "board"), "design_settings"), "rule_severities");
     for (Rule& rule : custom.table.rules) {
         const auto* const own = std::ranges::find(kMinimums, rule.kind, &Minimum::kind);
         const char* check = rule.kind == RuleKind::CopperToCopper ? "clearance"
                             : rule.kind == RuleKind::Creepage     ? "creepage"
                             : own != std::end(kMinimums)          ? own->check
                                                                   : "";
-        rule.isOn = rule.isOn && textOf(member(severities, check)) != "ignore";
+        rule.isOn = rule.isOn && stringOf(memberOf(severities, check)) != "ignore";
     }
 }
 

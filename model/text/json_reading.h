@@ -34,4 +34,9 @@ template <class Json>
     return base::Error{base::ErrorCode::BadInput, "its values have " + base::moreThan(base::kMostJsonDepth, "levels")};
 }
 
+/// What an object has under a key; null if it has nothing there, or is no object.
+[[nodiscard]] const nlohmann::json& memberOf(const nlohmann::json& object, const char* key);
+/// The text that a value is; empty if it is none.
+[[nodiscard]] std::string stringOf(const nlohmann::json& value);
+
 }  // namespace model

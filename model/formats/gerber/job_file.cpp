@@ -15,19 +15,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-const Json& member(const Json& object, const char* key) {
-    static const Json kNone;
-    const auto found = object.is_object() ? object.find(key) : object.end();
-    return object.is_object() && found != object.end() ? *found : kNone;
-}
-
 std::string text(const Json& object, const char* key) {
-    const Json& value = member(object, key);
-    return value.is_string() ? value.get<std::string>() : std::string();
+    return stringOf(memberOf(object, key));
 }
 
 std::optional<double> number(const Json& object, const char* key) {
-    const Json& value = member(object, key);
+    const Json& value = memberOf(object, key);
     return value.is_number() && std::isfinite(value.get<double>()) ? std::optional(value.get<double>()) : std::nullopt;
 }
 
@@ -64,18 +57,18 @@ void readFiles(const Json& files, JobFileFacts& facts) {
 /// KiCad and the specification write GeneralSpecs, Fusion Overall.
 JobFileFacts factsOf(const Json& json) {
     JobFileFacts facts;
-    const Json& software = member(member(json, "Header"), "GenerationSoftware");
+    const Json& software = memberOf(memberOf(json, "Header"), "GenerationSoftware");
     for (const char* key : {"Vendor", "Application", "Version"}) {
         const std::string part = text(software, key);
         facts.generator += (facts.generator.empty() || part.empty() ? "" : " ") + part;
     }
     const Json& specs =
-        member(json, "GeneralSpecs").is_object() ? member(json, "GeneralSpecs") : member(json, "Overall");
-    facts.name = text(member(specs, "ProjectId"), "Name");
-    facts.name = facts.name.empty() ? text(member(specs, "Name"), "ProjectId") : facts.name;
+        memberOf(json, "GeneralSpecs").is_object() ? memberOf(json, "GeneralSpecs") : memberOf(json, "Overall");
+    facts.name = text(memberOf(specs, "ProjectId"), "Name");
+    facts.name = facts.name.empty() ? text(memberOf(specs, "Name"), "ProjectId") : facts.name;
     facts.boardNm = millimetres(specs, "BoardThickness");
-    readFiles(member(json, "FilesAttributes"), facts);
-    const Json& stackup = member(json, "MaterialStackup");
+    readFiles(memberOf(json, "FilesAttributes"), facts);
+    const Json& stackup = memberOf(json, "MaterialStackup");
     for (const Json& row : stackup.is_array() ? stackup : Json::array()) {
         facts.stackup.push_back(stackRow(row));
     }

@@ -12,23 +12,9 @@ namespace {
 
 using nlohmann::json;
 
-std::string textOf(const json& value) {
-    return value.is_string() ? value.get<std::string>() : std::string();
-}
-
-const json& nothing() {
-    static const json kNothing;
-    return kNothing;
-}
-
-const json& member(const json& object, const char* key) {
-    const auto found = object.is_object() ? object.find(key) : object.end();
-    return object.is_object() && found != object.end() ? *found : nothing();
-}
-
 /// Of KiCad 9 a net may have several classes; the first one counts most.
 std::string classNameOf(const json& value) {
-    return value.is_array() && !value.empty() ? textOf(value.front()) : textOf(value);
+    return value.is_array() && !value.empty() ? stringOf(value.front()) : stringOf(value);
 }
 
 }  // namespace
@@ -50,34 +36,34 @@ std::string Project::classOf(std::string_view net) const {
 Project readProject(std::string_view text, std::string_view file, Diagnostics& diagnostics) {
     Project project;
     const base::Result<json> read = readJson<json>(text);
-    const json& root = read ? *read : nothing();
+    const json root = read ? *read : json();
     if (!root.is_object()) {
         diagnostics.report(Severity::Warning, file, 0,
                            "the project beside the board is not used, so text variables and net classes are missing: " +
                                (read ? "it holds no object" : read.error().text));
         return project;
     }
-    for (const auto& [name, value] : member(root, "text_variables").items()) {
-        project.variables[name] = textOf(value);
+    for (const auto& [name, value] : memberOf(root, "text_variables").items()) {
+        project.variables[name] = stringOf(value);
     }
-    const json& nets = member(root, "net_settings");
-    for (const auto& [net, value] : member(nets, "netclass_assignments").items()) {
+    const json& nets = memberOf(root, "net_settings");
+    for (const auto& [net, value] : memberOf(nets, "netclass_assignments").items()) {
         const std::string name = classNameOf(value);
         if (!name.empty()) {
             project.classOfNet[nameOf(net)] = name;
         }
     }
-    for (const json& pattern : member(nets, "netclass_patterns")) {
-        const std::string name = textOf(member(pattern, "netclass"));
+    for (const json& pattern : memberOf(nets, "netclass_patterns")) {
+        const std::string name = stringOf(memberOf(pattern, "netclass"));
         if (!name.empty()) {
-            project.classPatterns.emplace_back(nameOf(textOf(member(pattern, "pattern"))), name);
+            project.classPatterns.emplace_back(nameOf(stringOf(memberOf(pattern, "pattern"))), name);
         }
     }
-    for (const json& netClass : member(nets, "classes")) {  // KiCad 6
-        for (const json& net : member(netClass, "nets")) {
-            const std::string name = textOf(member(netClass, "name"));
+    for (const json& netClass : memberOf(nets, "classes")) {  // KiCad 6
+        for (const json& net : memberOf(netClass, "nets")) {
+            const std::string name = stringOf(memberOf(netClass, "name"));
             if (!name.empty() && name != "Default") {
-                project.classOfNet[nameOf(textOf(net))] = name;
+                project.classOfNet[nameOf(stringOf(net))] = name;
             }
         }
     }
