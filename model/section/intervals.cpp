@@ -18,6 +18,10 @@ Intervals united(std::vector<Interval> pieces) {
     return out;
 }
 
+Intervals common(const Intervals& a, const Intervals& b) {
+    return subtracted(a, subtracted(a, b));
+}
+
 Intervals subtracted(const Intervals& from, const Intervals& what) {
     Intervals out;
     for (const Interval& piece : from) {

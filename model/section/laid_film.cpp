@@ -55,7 +55,7 @@ std::vector<LaidPart> laidMask(const BoardFace& face, const Intervals& masked, c
     for (const Interval& where : subtracted(masked, raised)) {
         parts.push_back({where, face.besideCopper()});
     }
-    for (const Interval& where : subtracted(masked, subtracted(masked, raised))) {
+    for (const Interval& where : common(masked, raised)) {
         parts.push_back({where, face.onCopper()});
     }
     return parts;

@@ -11,7 +11,7 @@ namespace model {
 
 namespace {
 
-Intervals both(Intervals a, const Intervals& b) {
+Intervals joined(Intervals a, const Intervals& b) {
     a.insert(a.end(), b.begin(), b.end());
     return united(std::move(a));
 }
@@ -62,7 +62,7 @@ LayerRanges LayerOutlines::between(PointD a, PointD b) const {
             const Layer& layer = step.layer(LayerId{row});
             range = subtracted(range, within);
             if (layer.profile.isValid() || !isLaidOn(layer)) {
-                range = both(range, layer.profile.isValid() ? cut(layer.profile) : within);
+                range = joined(range, layer.profile.isValid() ? cut(layer.profile) : within);
             }
         }
     }

@@ -32,10 +32,6 @@ Intervals intervalsOf(const std::vector<SectionPiece>& pieces, auto isMeant) {
     return united(std::move(list));
 }
 
-Intervals both(const Intervals& a, const Intervals& b) {
-    return subtracted(a, subtracted(a, b));
-}
-
 /// With the mask that lies right on the copper. As the 3D view draws it a coverlay is one too.
 BoardFace faceOf(const Document& board, bool isTop, bool isFlat) {
     BoardFace face;
@@ -428,7 +424,7 @@ void LegShaper::addParts(const Stretch& stretch, const BoardFace& face, LegCut& 
     const Intervals masked =
         intervalsOf(leg.pieces, [&](const SectionPiece& piece) { return piece.layer == face.maskLayer; });
     const Intervals bare = subtracted(copperOf(face, leg), masked);
-    const Intervals pasted = both(bare, intervalsOf(leg.pieces, isPaste));
+    const Intervals pasted = common(bare, intervalsOf(leg.pieces, isPaste));
     const Nm seat = seatOf(stretch, face);
     std::vector<SectionPiece> standing;
     for (StandingPart& part : leg.parts) {

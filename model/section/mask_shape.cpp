@@ -91,12 +91,11 @@ std::vector<SectionPiece> inkOver(const BoardFace& face, const SectionPiece& pie
             out.push_back(between(piece, interval, height, height + thick));
         }
     };
-    const auto both = [](const Intervals& a, const Intervals& b) { return subtracted(a, subtracted(a, b)); };
     const Intervals spacings = subtracted(masked, raised);
-    add(both(all, both(masked, raised)), face.onCopper());
-    add(both(all, withoutShoulders(face, spacings, both(masked, raised))), face.besideCopper());
+    add(common(all, common(masked, raised)), face.onCopper());
+    add(common(all, withoutShoulders(face, spacings, common(masked, raised))), face.besideCopper());
     const Intervals open = subtracted(all, masked);
-    add(both(open, raised), face.copper);
+    add(common(open, raised), face.copper);
     add(subtracted(open, raised), face.substrate);
     return out;
 }
