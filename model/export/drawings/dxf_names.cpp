@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "model/export/drawings/utf8.h"
 #include "model/text/formatting.h"
+#include "model/text/utf8.h"
 
 namespace model {
 
@@ -18,8 +18,8 @@ constexpr std::string_view kForbidden = "<>/\\\":;?*|=`,";
 std::string allowed(std::string_view name) {
     std::string out;
     while (!name.empty()) {
-        const auto [code, bytes] = firstCharacter(name);
-        if (code < 0x20U || code == 0x7FU || code > 0xFFFFU) {
+        const auto [code, bytes, isSound] = firstCharacter(name);
+        if (!isSound || code < 0x20U || code == 0x7FU || code > 0xFFFFU) {
             out += '_';
         } else if (code < 0x80U) {
             out += kForbidden.find(static_cast<char>(code)) == std::string_view::npos ? static_cast<char>(code) : '_';

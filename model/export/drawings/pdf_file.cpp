@@ -1,7 +1,7 @@
 #include "model/export/drawings/pdf_file.h"
 
-#include "model/export/drawings/utf8.h"
 #include "model/text/formatting.h"
+#include "model/text/utf8.h"
 
 namespace model {
 
@@ -69,7 +69,7 @@ std::string pdfText(std::string_view utf8) {
     std::string out = "<FEFF";
     while (!utf8.empty()) {
         const Character first = firstCharacter(utf8);
-        const std::uint32_t code = first.code != 0 ? first.code : 0xFFFDU;
+        const std::uint32_t code = first.isSound ? first.code : 0xFFFDU;
         if (code > 0xFFFFU) {
             const std::uint32_t above = code - 0x10000U;
             out += formatted("%04X%04X", 0xD800U + (above >> 10U), 0xDC00U + (above & 0x3FFU));

@@ -10,19 +10,6 @@ namespace model::gerber {
 
 namespace {
 
-void appendUtf8(std::string& out, std::uint32_t code) {
-    if (code < 0x80) {
-        out += static_cast<char>(code);
-        return;
-    }
-    const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
-    constexpr std::uint32_t kLead[] = {0, 0xc0, 0xe0, 0xf0};
-    out += static_cast<char>(kLead[more] | (code >> (6 * more)));
-    for (int i = more - 1; i >= 0; --i) {
-        out += static_cast<char>(0x80U | ((code >> (6 * i)) & 0x3fU));
-    }
-}
-
 SubnetKind kindOf(std::string_view function) {
     const std::string_view name = function.substr(0, function.find(','));
     return name == "ViaPad" ? SubnetKind::Via : name == "Conductor" ? SubnetKind::Trace : SubnetKind::Other;
@@ -58,13 +45,7 @@ std::string unescaped(std::string_view text) {
                 continue;
             }
         }
-        const std::size_t length = utf8Length(text);
-        if (length == 0) {
-            appendUtf8(out, static_cast<unsigned char>(text.front()));
-        } else {
-            out += text.substr(0, length);
-        }
-        text.remove_prefix(std::max<std::size_t>(length, 1));
+        moveCharacter(text, out);
     }
     return out;
 }

@@ -22,25 +22,6 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
-void appendUtf8(std::string& text, std::uint32_t c) {
-    const auto byte = [&](std::uint32_t value) { text.push_back(static_cast<char>(value)); };
-    if (c < 0x80) {
-        byte(c);
-    } else if (c < 0x800) {
-        byte(0xC0U | c >> 6U);
-        byte(0x80U | (c & 0x3FU));
-    } else if (c < 0x10000) {
-        byte(0xE0U | c >> 12U);
-        byte(0x80U | (c >> 6U & 0x3FU));
-        byte(0x80U | (c & 0x3FU));
-    } else {
-        byte(0xF0U | c >> 18U);
-        byte(0x80U | (c >> 12U & 0x3FU));
-        byte(0x80U | (c >> 6U & 0x3FU));
-        byte(0x80U | (c & 0x3FU));
-    }
-}
-
 /// The character that `&name;` stands for.
 std::optional<std::uint32_t> characterOf(std::string_view name) {
     static constexpr std::array<std::pair<std::string_view, char>, 5> kNames = {
@@ -90,13 +71,7 @@ std::string textOf(std::string_view value) {
             value.remove_prefix(end + 1);
             continue;
         }
-        const std::size_t length = utf8Length(value);
-        if (length > 0) {
-            text.append(value.substr(0, length));
-        } else {
-            appendUtf8(text, static_cast<unsigned char>(value[0]));
-        }
-        value.remove_prefix(std::max<std::size_t>(length, 1));
+        moveCharacter(value, text);
     }
     return text;
 }

@@ -227,15 +227,7 @@ std::string toUtf8(std::string_view bytes) {
     std::string text;
     text.reserve(bytes.size());
     while (!bytes.empty()) {
-        const std::size_t length = utf8Length(bytes);
-        if (length > 0) {
-            text.append(bytes.substr(0, length));
-        } else {
-            const auto latin = static_cast<unsigned char>(bytes[0]);
-            text.push_back(static_cast<char>(0xC0U | (latin >> 6U)));
-            text.push_back(static_cast<char>(0x80U | (latin & 0x3FU)));
-        }
-        bytes.remove_prefix(std::max<std::size_t>(length, 1));
+        moveCharacter(bytes, text);
     }
     return text;
 }
