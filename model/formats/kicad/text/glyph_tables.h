@@ -6,7 +6,7 @@
 namespace model::kicad {
 
 /// A character of KiCad's stroke font: how far it is to the next one, then the points of its lines on the grid, which
-/// semicolons end: "10: 5,21 5,7; 5,2 5,0". Where they come from: decision XXXX.
+/// semicolons end: "10: 5,21 5,7; 5,2 5,0". Where they come from: decision 256.
 struct GlyphRow {
     char32_t character = 0;
     std::string_view lines;
