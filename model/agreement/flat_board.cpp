@@ -84,7 +84,7 @@ private:
         part.clockwiseDeg = turned(placed.clockwiseDeg);
         part.isBottom = (component.side == LayerSide::Bottom) != m_isFlipped;
         part.isPlaced = component.isPlaced;
-        part.hasSide = component.isPlaced || component.mount != MountType::ThroughHole;
+        part.hasSide = component.isPlaced || (component.mount != MountType::ThroughHole && component.pinCount > 0);
         part.firstPin = static_cast<std::uint32_t>(m_flat.pins.size());
         part.pinCount = component.pinCount;
         for (const Pin& pin : step.pinsOf(component)) {

@@ -36,8 +36,8 @@ struct FlatBoard {
         Point position;
         double clockwiseDeg = 0.0;  ///< 0 to 360
         bool isBottom = false;
-        bool isPlaced = true;        ///< false: the job does not say where it lies
-        bool hasSide = true;         ///< false: nor on which side; its pins are on both, and `isBottom` is a guess
+        bool isPlaced = true;  ///< false: the job does not say where it lies
+        bool hasSide = true;  ///< false: nor on which side; its pins are on both, or it has none: `isBottom` is a guess
         std::uint32_t firstPin = 0;  ///< of `pins`
         std::uint32_t pinCount = 0;
     };

@@ -94,8 +94,9 @@ private:
                                  : " parts lie is not said by both jobs: their sides and pins are compared"));
         }
         if (m_withoutSide > 0) {
-            notes.push_back("the side of " + std::to_string(m_withoutSide) + (m_withoutSide == 1 ? " part" : " parts") +
-                            " with pins through the board is not said by both jobs: it is not compared");
+            notes.push_back(
+                "the side of " + std::to_string(m_withoutSide) + (m_withoutSide == 1 ? " part" : " parts") +
+                " with pins through the board, or without any, is not said by both jobs: it is not compared");
         }
         m_found.parts.note = joined(notes, "; ");
         if (m_nameless > 0) {

@@ -241,6 +241,17 @@ private slots:
         QVERIFY(find(agreement, Aspect::Parts)->note.find("the side of 1 part with pins") != std::string::npos);
         part.mount = model::MountType::Surface;
         QVERIFY(!firstOf(compared(board(), other), Aspect::Parts).empty());
+        // A logo, whose drawings alone are there.
+        DrawnComponent logo;
+        logo.refdes = "LOGO";
+        logo.position = mm(70, 40);
+        DrawnJob placed = board();
+        placed.steps[0].components.push_back(logo);
+        logo.isPlaced = false;
+        logo.side = model::LayerSide::Bottom;
+        DrawnJob drawnOnly = board();
+        drawnOnly.steps[0].components.push_back(logo);
+        QCOMPARE(firstOf(compared(placed, drawnOnly), Aspect::Parts), std::string());
     }
 
     void padsWithoutANumberAreNoMissingPins() {
