@@ -290,13 +290,15 @@ void PartTable::finish() {
     linkPads();
 }
 
-/// Pins that only pads know.
+/// Pins that only pads know. Files for fabrication or stencils have pads of components, and list none of these.
 void PartTable::addMissingPins() {
+    const bool areListed = !m_step.components.empty();
     for (const PadUse& use : m_pads) {
         const std::int32_t component = componentNamed(use.component);
         if (component == kNoRow) {
-            m_reading.report(Severity::Warning, featureOf(use).line,
-                             "a pad names a component that the step does not have");
+            m_reading.report(areListed ? Severity::Warning : Severity::Info, featureOf(use).line,
+                             areListed ? "a pad names a component that the step does not have"
+                                       : "a pad names a component, of which the step lists none");
         } else if (!m_pins.contains({component, use.pin})) {
             addPin(component, use.pin, kNoRow);
         }

@@ -138,6 +138,22 @@ private slots:
              "element Spline is of no kind");
         row("a newer revision", {.root = "\n<IPC-2581 revision='D'>"}, "revision D");
     }
+    /// As a file for fabrication or a stencil: not wrong.
+    void padsMayNameComponentsWhereNoneAreListed() {
+        const std::string pad = inStep(
+            "<LayerFeature layerRef='B'><Set><Pad><Location x='1' y='1'/><Circle diameter='1'/>"
+            "<PinRef componentRef='no' pin='1'/></Pad></Set></LayerFeature>");
+        const std::string part = "<Component refDes='R' packageRef='no' layerRef='T'/>";
+        const QTemporaryDir folder;
+        const auto none = open(folder, textOf({.step = pad}));
+        const Diagnostic* const info = find(**none, "a pad names a component, of which the step lists none");
+        QVERIFY(info != nullptr);
+        QCOMPARE(info->severity, Severity::Info);
+        const auto other = open(folder, textOf({.step = pad + part}));
+        const Diagnostic* const warning = find(**other, "a pad names a component that the step does not have");
+        QVERIFY(warning != nullptr);
+        QCOMPARE(warning->severity, Severity::Warning);
+    }
     void aMessageNamesThePlaceAndTheRestIsShown() {
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, message);
