@@ -106,17 +106,16 @@ struct Picker::Probe {
     }
 };
 
-namespace {
-
-/// Where a body is drawn within its layer, which may be flipped.
-std::pair<double, double> drawnHeights(const Document& step, ElementId body, bool isFlipped, const PickLayer& drawn) {
-    const Layer& layer = step.layer(step.elements.layer[body.row()]);
-    const ZRange z = step.heightsOf(body);
+std::pair<double, double> drawnHeights(const Document& step, ElementId element, bool isFlipped,
+                                       const PickLayer& drawn) {
+    if (step.bodyOf(element) == nullptr) {
+        return {drawn.bottom, drawn.top};
+    }
+    const Layer& layer = step.layer(step.elements.layer[element.row()]);
+    const ZRange z = step.heightsOf(element);
     const double below = isFlipped ? double(layer.z) + layer.thickness - z.top : double(z.bottom) - layer.z;
     return {drawn.bottom + below, drawn.bottom + below + (double(z.top) - z.bottom)};
 }
-
-}  // namespace
 
 bool Picker::isHidden(std::uint32_t step, ElementId element) const {
     if (step >= m_hiddenNets.size()) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/index/board_index.h"
@@ -17,6 +18,11 @@ struct PickLayer {
     double top = 0.0;
     bool isSeenThrough = false;  ///< hides nothing that lies beneath
 };
+
+/// Where an element is drawn, nm: as high as its layer is drawn, or, a component's body, at its own height within it.
+/// In a copy of its step that is flipped that is upside down.
+[[nodiscard]] std::pair<double, double> drawnHeights(const Document& step, ElementId element, bool isFlipped,
+                                                     const PickLayer& drawn);
 
 /// What is left of a board that is cut by a section plane: what does not lie beyond a line.
 struct CutSide {

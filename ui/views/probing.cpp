@@ -352,7 +352,7 @@ void Probing::show(BoardView& view, std::span<const model::BoardElement> element
     if (elements.empty()) {
         return;
     }
-    const std::vector<render::ZRange> heights = view.drawnHeights();
+    const std::vector<model::PickLayer> layers = layersOf(view);
     glm::vec3 low(1e30F);
     glm::vec3 high(-1e30F);
     for (const model::BoardElement& at : elements) {
@@ -360,11 +360,10 @@ void Probing::show(BoardView& view, std::span<const model::BoardElement> element
         const model::Document& step = m_selection.stepOf(at);
         const model::Box box = copy.placement.boxOf(step.boxOf(at.element));
         const model::LayerId layer = m_selection.layerOf(at);
-        const render::ZRange z = layer.row() < heights.size() ? heights[layer.row()] : render::ZRange{};
-        const glm::vec3 a = position().toModel(base::toDouble(box.min));
-        const glm::vec3 b = position().toModel(base::toDouble(box.max));
-        low = glm::min(low, {a.x, a.y, z.z0});
-        high = glm::max(high, {b.x, b.y, z.z1});
+        const model::PickLayer drawn = layer.row() < layers.size() ? layers[layer.row()] : model::PickLayer{};
+        const auto [bottom, top] = model::drawnHeights(step, at.element, copy.isFlipped, drawn);
+        low = glm::min(low, position().toModel(base::toDouble(box.min), bottom));
+        high = glm::max(high, position().toModel(base::toDouble(box.max), top));
     }
     view.controller().show(low, high);
 }

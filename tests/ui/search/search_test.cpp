@@ -366,8 +366,28 @@ private slots:
         }
     }
 
+    void aComponentThatIsFoundIsInTheMiddleOfBothViews() {
+        const model::Body& body = lowestBody();
+        const model::ZRange z = board().heightsOf(body.element);
+        QVERIFY2(2 * body.height < board().layer(board().elements.layer[body.element.row()]).thickness,
+                 "others on its side are much taller");
+        window().views().solid().controller().look(render::NamedView::Iso);
+        type(QString::fromStdString(board().components[body.component.row()].refdes));
+        take();
+        QCOMPARE(window().selection().current(), (model::BoardElement{0, body.element}));
+        const model::Box box = board().boxOf(body.element);
+        const base::PointD middle{(double(box.min.x) + box.max.x) / 2.0, (double(box.min.y) + box.max.y) / 2.0};
+        const glm::vec3 centre = window().probing().position().toModel(middle, (double(z.bottom) + z.top) / 2.0);
+        for (const ui::BoardView* view : window().views().both()) {
+            const QSizeF size = view->controller().viewport();
+            const QPointF at = view->controller().screenOf(centre).value_or(QPointF(-1, -1));
+            QVERIFY(QLineF(at, QPointF(size.width() / 2, size.height() / 2)).length() < size.height() / 20.0);
+        }
+    }
+
 private:
     TestWindow& window() { return m_fixture->window(); }
+    const model::Document& board() { return *window().document(); }
     ui::SearchBox& box() { return window().searchBox(); }
 
     /// On copper in the 2D view.
@@ -379,6 +399,14 @@ private:
         return texts;
     }
 
+    /// Of the components with two pins.
+    const model::Body& lowestBody() {
+        const auto height = [this](const model::Body& body) {
+            const bool hasTwoPins = board().components[body.component.row()].pinCount == 2;
+            return hasTwoPins ? body.height : std::numeric_limits<model::Nm>::max();
+        };
+        return *std::ranges::min_element(board().bodies, {}, height);
+    }
     /// What the letters of a label cover at least, as the font says.
     static QPolygonF lettersOf(const ui::PlanPainter::Label& label) {
         QFont font = QGuiApplication::font();
