@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "model/figures/distance.h"
+#include "model/index/figure_cache.h"
 #include "model/index/pin_names.h"
 #include "ui/common/net_name.h"
 #include "ui/views/label_placing.h"
@@ -134,6 +136,44 @@ RotatedBox boxOf(const PlanPainter::Label& label) {
     const double high = kCapitals + kLineHeight * static_cast<double>(lines.size() - 1);
     return {label.middle, QSizeF(widest, high) * label.height, label.angleDeg};
 }
+
+/// The bodies of components that a view draws over a layer, and that nothing is seen through.
+class CoveringBodies {
+public:
+    CoveringBodies(const BoardView& view, const model::BoardIndex& index, model::LayerId beneath)
+        : m_view(view), m_index(index) {
+        const bool isFromBelow = view.controller().camera().direction().z > 0.0F;
+        const model::LayerSide nearSide = isFromBelow ? model::LayerSide::Bottom : model::LayerSide::Top;
+        const std::vector<render::LayerStyle>& styles = view.styles();
+        for (std::size_t row = 0; beneath.isValid() && row < styles.size(); ++row) {
+            const model::Layer& layer = index.board->layers[row];
+            const render::LayerStyle& style = styles[row];
+            const bool isOver = layer.side == nearSide && style.raised >= styles[beneath.row()].raised;
+            if (layer.type == model::LayerType::ComponentBody && isOver && style.isVisible && style.opacity >= 1.0F) {
+                m_layers.emplace_back(row);
+            }
+        }
+    }
+
+    [[nodiscard]] bool lieOver(QPointF at) {
+        const base::PointD location = m_view.locationAt(at);
+        model::Box box;
+        box.include(model::Point{static_cast<model::Nm>(location.x), static_cast<model::Nm>(location.y)});
+        bool isCovered = false;
+        for (const model::LayerId layer : m_layers) {
+            m_index.elements.front().visit(layer, box, [&](std::uint32_t row) {
+                isCovered = isCovered || model::isInside(m_figures.of(m_index, 0, model::ElementId{row}), 0, location);
+            });
+        }
+        return isCovered;
+    }
+
+private:
+    const BoardView& m_view;
+    const model::BoardIndex& m_index;
+    std::vector<model::LayerId> m_layers;
+    model::FigureCache m_figures;
+};
 
 }  // namespace
 
@@ -422,23 +462,29 @@ std::vector<model::ElementId> PlanPainter::selectedBeneath() const {
 }
 
 /// What is selected comes first, then pads: a track has its name elsewhere too. A name that would lie on an earlier one
-/// is left out.
+/// is left out, and one whose place a body covers.
 std::vector<PlanPainter::Label> PlanPainter::labels() const {
     std::vector<Label> labels;
     LabelRoom room;
     std::vector<QRectF> taken;  // by pads that are selected
+    if (!m_index) {
+        return labels;
+    }
+    CoveringBodies bodies(m_view, *m_index, namedLayer());
     const auto isPad = [&](model::ElementId element) {
         return (m_index->board->elements.flags[element.row()] & model::kPad) != 0;
     };
-    const auto add = [&](model::ElementId element) {
+    const auto add = [&](model::ElementId element, bool isSeenThrough) {
         const std::optional<Label> label = labels.size() < kMostNames ? labelFor(element) : std::nullopt;
         const auto isOn = [&](const QRectF& pad) { return pad.contains(label->middle); };
-        if (label && std::ranges::none_of(taken, isOn) && room.take(boxOf(*label))) {
+        const bool isSeen =
+            label && std::ranges::none_of(taken, isOn) && (isSeenThrough || !bodies.lieOver(label->middle));
+        if (isSeen && room.take(boxOf(*label))) {
             labels.push_back(*label);
         }
     };
     const auto addSelected = [&](model::ElementId element) {
-        add(element);
+        add(element, true);
         if (isPad(element)) {
             taken.push_back(screenBoxOf(element));
         }
@@ -452,7 +498,7 @@ std::vector<PlanPainter::Label> PlanPainter::labels() const {
     std::ranges::for_each(selectedBeneath(), addSelected);
     others.erase(selected.begin(), selected.end());
     std::ranges::stable_partition(others, isPad);
-    std::ranges::for_each(others, add);
+    std::ranges::for_each(others, [&](model::ElementId element) { add(element, false); });
     return labels;
 }
 

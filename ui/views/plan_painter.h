@@ -40,8 +40,9 @@ public:
         double height = 0.0;  ///< of the letters, in pixels
         QString text;         ///< one line, or a pin and below it its net
     };
-    /// Of `namedLayer`: names of what it hides would only confuse. But what is selected is seen through it: there its
-    /// names are written, and no others. No two lie on one another: where they would, pads come before tracks.
+    /// Of `namedLayer`: names of what it hides would only confuse, and so would those of what bodies of components
+    /// cover there. But what is selected is seen through both: there its names are written, and no others. No two lie
+    /// on one another: where they would, pads come before tracks.
     [[nodiscard]] std::vector<Label> labels() const;
 
     enum class Ruler { Upper, Left };

@@ -385,6 +385,31 @@ private slots:
         }
     }
 
+    /// Most parts of the sample are on its bottom.
+    void whatBodiesCoverHasNoNameUnlessItIsSelected() {
+        window().views().setArrangement(ui::Arrangement::Flat);
+        ui::CameraController& camera = window().views().flat().controller();
+        camera.look(render::NamedView::Bottom);
+        const ui::BoardPosition place = window().probing().position();
+        for (const model::Body& body : board().bodies) {
+            const model::Box box = board().boxOf(body.element);
+            camera.show(place.toModel(base::toDouble(box.min)), place.toModel(base::toDouble(box.max)));
+            const int before = isOnBottom(body.element) ? namesWithin(box) : 0;
+            if (before == 0) {
+                continue;
+            }
+            m_fixture->key(Qt::Key_C, Qt::ShiftModifier);
+            QTRY_COMPARE(namesWithin(box), 0);
+            selectCopperWithin(box);
+            QTRY_COMPARE(namesWithin(box), before);
+            window().selection().select({});
+            m_fixture->key(Qt::Key_C, Qt::ShiftModifier);
+            QTRY_COMPARE(namesWithin(box), before);
+            return;
+        }
+        QFAIL("no body covers a name");
+    }
+
 private:
     TestWindow& window() { return m_fixture->window(); }
     const model::Document& board() { return *window().document(); }
@@ -407,6 +432,34 @@ private:
         };
         return *std::ranges::min_element(board().bodies, {}, height);
     }
+    bool isOnBottom(model::ElementId element) {
+        return board().layer(board().elements.layer[element.row()]).side == model::LayerSide::Bottom;
+    }
+    /// Of those on copper, how many are written within a box, a little away from its edge.
+    int namesWithin(const model::Box& box) {
+        const ui::BoardView& view = window().views().flat();
+        const QPointF a = view.screenOf(base::toDouble(box.min)).value_or(QPointF());
+        const QPointF b = view.screenOf(base::toDouble(box.max)).value_or(QPointF());
+        const QRectF whole = QRectF(a, b).normalized();
+        const QRectF inner =
+            whole.adjusted(whole.width() / 20, whole.height() / 20, -whole.width() / 20, -whole.height() / 20);
+        return static_cast<int>(
+            std::ranges::count_if(window().find<ui::PlanPainter>().labels(),
+                                  [&](const ui::PlanPainter::Label& label) { return inner.contains(label.middle); }));
+    }
+    /// On the bottom.
+    void selectCopperWithin(const model::Box& box) {
+        std::vector<model::BoardElement> within;
+        for (std::size_t row = 0; row < board().elements.size(); ++row) {
+            const model::ElementId element{row};
+            const bool isCopper = board().layer(board().elements.layer[row]).isCopper();
+            if (isCopper && isOnBottom(element) && board().boxOf(element).meets(box)) {
+                within.push_back({0, element});
+            }
+        }
+        window().selection().select(within);
+    }
+
     /// What the letters of a label cover at least, as the font says.
     static QPolygonF lettersOf(const ui::PlanPainter::Label& label) {
         QFont font = QGuiApplication::font();
