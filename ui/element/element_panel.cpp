@@ -32,6 +32,17 @@ std::optional<ElementPanel::Link> linkOf(const QString& fact) {
     return found != std::end(kLinks) ? std::optional(found->second) : std::nullopt;
 }
 
+constexpr double kMostOfNames = 0.45;  // of the table
+
+/// Attributes have long names: these are cut where a value would have no room for them.
+void fitNames(QTableWidget& table) {
+    const QAbstractItemView& cells = table;
+    const int room = table.viewport()->width();
+    const int besideValues = room - cells.sizeHintForColumn(1);
+    const int most = std::max(static_cast<int>(room * kMostOfNames), besideValues);
+    table.setColumnWidth(0, std::min(cells.sizeHintForColumn(0) + 1, most));
+}
+
 }  // namespace
 
 ElementPanel::ElementPanel(PartPicking& parts, SelectionModel& selection, ElementPicture* picture, QWidget* parent)
@@ -39,13 +50,13 @@ ElementPanel::ElementPanel(PartPicking& parts, SelectionModel& selection, Elemen
     m_heading->setObjectName(QStringLiteral("elementHeading"));
     m_heading->setWordWrap(true);
     m_table->horizontalHeader()->hide();
-    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setShowGrid(false);
+    m_table->setWordWrap(false);          // a row is one line high
     m_table->setTabKeyNavigation(false);  // Tab leaves the table, as everywhere else
     m_table->setAlternatingRowColors(true);
     auto* copy = new QShortcut(QKeySequence::Copy, m_table, nullptr, nullptr, Qt::WidgetShortcut);
@@ -104,6 +115,7 @@ void ElementPanel::fill(const Facts& facts) {
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const auto& [name, value] = facts[static_cast<std::size_t>(row)];
         m_table->setItem(row, 0, new QTableWidgetItem(name));
+        m_table->item(row, 0)->setToolTip(name);
         auto* item = new QTableWidgetItem(value);
         item->setToolTip(value);
         if (linkOf(name)) {
@@ -112,6 +124,7 @@ void ElementPanel::fill(const Facts& facts) {
         }
         m_table->setItem(row, 1, item);
     }
+    fitNames(*m_table);
 }
 
 void ElementPanel::follow(int row) {
@@ -130,6 +143,10 @@ void ElementPanel::changeEvent(QEvent* event) {
 }
 
 bool ElementPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_table && event->type() == QEvent::Resize) {
+        QMetaObject::invokeMethod(
+            this, [this] { fitNames(*m_table); }, Qt::QueuedConnection);
+    }
     if (watched == m_table && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Return || key == Qt::Key_Enter) {

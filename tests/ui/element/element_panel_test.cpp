@@ -1,5 +1,6 @@
 #include "ui/element/element_panel.h"
 
+#include <QFile>
 #include <QTableWidget>
 #include <QtTest>
 
@@ -30,7 +31,39 @@ private slots:
         }
     }
 
+    /// In a panel that is as narrow as the window makes it at first.
+    void longNamesOfAttributesLeaveRoomForValues() {
+        QVERIFY(m_fixture->openAndWait(boardWithALongAttribute()));
+        m_fixture->key(Qt::Key_F, Qt::ControlModifier);
+        QTest::keyClicks(&window().searchBox().line(), "R1");
+        QTest::keyClick(&window().searchBox().line(), Qt::Key_Return);
+        QTRY_VERIFY(!window().fact("Position").isEmpty());
+        QTableWidget& table = *window().elementPanel().findChild<QTableWidget*>();
+        const QAbstractItemView& cells = table;
+        QVERIFY(cells.sizeHintForColumn(0) + cells.sizeHintForColumn(1) > table.viewport()->width());
+        QTRY_VERIFY(table.columnWidth(1) >= std::min(cells.sizeHintForColumn(1), table.viewport()->width() / 2));
+        for (int row = 0; row < table.rowCount(); ++row) {
+            QCOMPARE(table.item(row, 0)->toolTip(), table.item(row, 0)->text());
+        }
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+    }
+
 private:
+    QString boardWithALongAttribute() {
+        const QString path = m_fixture->folder() + "/attribute.kicad_pcb";
+        QFile file(path);
+        if (file.open(QFile::WriteOnly)) {
+            file.write(
+                "(kicad_pcb (version 20241229) (generator \"pcbnew\") (layers (0 \"F.Cu\" signal) (2 \"B.Cu\" signal) "
+                "(25 \"Edge.Cuts\" user)) (net 0 \"\") (net 1 \"A\") "
+                "(footprint \"R\" (layer \"F.Cu\") (at 6 10) (property \"Reference\" \"R1\") "
+                "(property \"Number of the part in the catalogue of the manufacturer\" \"12\") (attr smd) "
+                "(pad \"1\" smd rect (at 0 0) (size 3 3) (layers \"F.Cu\") (net 1 \"A\"))) "
+                "(gr_rect (start 0 0) (end 20 20) (stroke (width 0.1) (type default)) (fill no) (layer "
+                "\"Edge.Cuts\")))");
+        }
+        return path;
+    }
     TestWindow& window() { return m_fixture->window(); }
 
     QColor linkColour() {
