@@ -97,7 +97,9 @@ QWidget* percentBox(QWidget* parent) {
 
 void CellDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     QStyledItemDelegate::initStyleOption(option, index);
-    if (option->font.bold() || (traitsOf(index) & kNumber) != 0) {
+    // Headings begin with what they are, but where a table tells names apart by their ends theirs are no exception.
+    const bool isHeading = option->font.bold() && option->textElideMode != Qt::ElideLeft;
+    if (isHeading || (traitsOf(index) & kNumber) != 0) {
         option->textElideMode = Qt::ElideRight;
     } else if ((traitsOf(index) & kPath) != 0) {
         option->textElideMode = Qt::ElideLeft;

@@ -95,6 +95,10 @@ double keyOf(const model::Document& document, const model::NetStatistics& statis
     }
 }
 
+QString countText(std::size_t nets) {
+    return nets == 1 ? NetModel::tr("1 net") : NetModel::tr("%L1 nets").arg(nets);
+}
+
 }  // namespace
 
 /// What is worked out in the background, from frozen tables alone.
@@ -284,11 +288,14 @@ QString NetModel::headingText(int row) const {
     const std::vector<std::string>& groups = m_rows.groups()->names;
     const std::uint32_t group = m_rows.groupAt(row);
     const QString rest = m_groupedBy == model::NetGrouping::Sheet ? tr("Nets of all sheets") : tr("Other nets");
-    const QString name = group == groups.size() ? rest : QString::fromStdString(model::readableName(groups[group]));
-    return tr("%1  (%L2)").arg(name).arg(m_rows.netCountAt(row));
+    return group == groups.size() ? rest : QString::fromStdString(model::readableName(groups[group]));
 }
 
+/// How many nets it has stands beside the name, which needs all the room of its column.
 Cell NetModel::headingCell(int row, int column) const {
+    if (column == Length) {
+        return {.text = countText(m_rows.netCountAt(row))};
+    }
     if (column != Name) {
         return {};
     }
@@ -351,10 +358,10 @@ QString NetModel::tip(int row, int column) const {
         return {};
     }
     if (isHeading(row)) {
-        return column == Name
-                   ? tr("%1\nSelect it to highlight all nets of the group; its triangle, or Left and Right, fold it")
-                         .arg(headingText(row))
-                   : QString();
+        return column == Name ? tr("%1, %2\nSelect it to highlight all nets of the group; its triangle, or Left and "
+                                   "Right, fold it")
+                                    .arg(headingText(row), countText(m_rows.netCountAt(row)))
+                              : QString();
     }
     const model::NetId net = netAt(row);
     return netsText(*m_document, m_statistics.get(), std::span(&net, 1), unit());

@@ -4,6 +4,7 @@
 #include <QColorDialog>
 #include <QComboBox>
 #include <QContextMenuEvent>
+#include <QFile>
 #include <QHeaderView>
 #include <QMenu>
 #include <QMouseEvent>
@@ -47,6 +48,17 @@ private slots:
         window().views().solid().takeKeyboard();
         m_fixture->key(Qt::Key_Escape);
         QTRY_VERIFY(table().selectionModel()->selectedRows().isEmpty());
+    }
+
+    /// Of pairs on one sheet, in a panel that has no room for their whole names.
+    void headingsThatAreCutCanBeToldApart() {
+        open(boardWithPairs());
+        window().showPanel("nets");
+        panel().findChild<QComboBox*>("netGroups")->setCurrentText("By pair");
+        QTRY_VERIFY(nets().isArranged() && nets().isHeading(0) && nets().isHeading(3));
+        QCOMPARE(nets().index(0, NetModel::Length).data().toString(), "2 nets");
+        table().setColumnWidth(NetModel::Name, 120);
+        QTRY_VERIFY(headingPicture(0) != headingPicture(3));
     }
 
     void aTriangleAndArrowKeysFold() {
@@ -394,6 +406,34 @@ private slots:
 private:
     using ActionId = ui::ActionId;
     using BoardView = ui::BoardView;
+
+    /// Cut as the table cuts it, on the same ground.
+    QImage headingPicture(int row) {
+        QRect cell = table().visualRect(nets().index(row, NetModel::Name));
+        return table().viewport()->grab(cell.adjusted(20, 2, -2, -2)).toImage();
+    }
+    QString boardWithPairs() {
+        const QString path = m_fixture->folder() + "/pairs.kicad_pcb";
+        QString nets;
+        QString tracks;
+        int count = 0;
+        for (const char* name : {"DATA1_P", "DATA1_N", "DATA2_P", "DATA2_N"}) {
+            ++count;
+            nets += QStringLiteral("(net %1 \"/A sheet with a rather long name/%2\") ").arg(count).arg(name);
+            tracks +=
+                QStringLiteral("(segment (start 2 %1) (end 18 %1) (width 0.2) (layer \"F.Cu\") (net %1)) ").arg(count);
+        }
+        QFile file(path);
+        if (file.open(QFile::WriteOnly)) {
+            file.write(
+                QStringLiteral("(kicad_pcb (version 20241229) (generator \"pcbnew\") (layers (0 \"F.Cu\" signal) "
+                               "(2 \"B.Cu\" signal) (25 \"Edge.Cuts\" user)) (net 0 \"\") %1 %2 (gr_rect (start 0 0) "
+                               "(end 20 20) (stroke (width 0.1) (type default)) (fill no) (layer \"Edge.Cuts\")))")
+                    .arg(nets, tracks)
+                    .toUtf8());
+        }
+        return path;
+    }
 
     TestWindow& window() { return m_fixture->window(); }
     ui::NetsPanel& panel() { return window().netsPanel(); }
