@@ -132,9 +132,10 @@ QString ClearanceModel::foundOf(std::span<const Location> locations) const {
     if (locations.size() == 1) {
         return tr("1 location, spacing %1").arg(spacing);
     }
+    // What is looked for comes first: a narrow panel has no room for all of it.
     const QString text =
-        m_isCut ? tr("at least %L1 locations, the smallest spacing %2") : tr("%L1 locations, the smallest spacing %2");
-    return text.arg(locations.size()).arg(spacing);
+        m_isCut ? tr("Smallest spacing %1; at least %L2 locations") : tr("Smallest spacing %1; %L2 locations");
+    return text.arg(spacing).arg(locations.size());
 }
 
 int ClearanceModel::rowOf(const Location& location) const {

@@ -65,8 +65,8 @@ public:
     /// What the locations break; without rules for a search without them.
     [[nodiscard]] const model::RuleTable& rules() const { return m_rules; }
     [[nodiscard]] int rankOf(int row) const override;
-    /// "12 locations, the smallest spacing 0.1 mm", "at least 500 locations, …" of those that are cut, of rules with
-    /// the verdict, their tolerance and which of them is shown alone, or that no search was made yet.
+    /// "Smallest spacing 0.1 mm; 12 locations", "…; at least 500 locations" of those that are cut, of rules with the
+    /// verdict, their tolerance and which of them is shown alone, or that no search was made yet.
     [[nodiscard]] QString summary() const;
 
 private:

@@ -138,6 +138,7 @@ private slots:
         const ClearanceModel& locations = window().find<ui::ClearanceModel>();
         const int smallest = locations.rowCount();
         QVERIFY(smallest > 0 && !locations.isOfRules());
+        QVERIFY2(label("summary").startsWith("Smallest spacing "), qPrintable(label("summary")));
         box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
         QCOMPARE(locations.rowCount(), 0);
         QCOMPARE(label("summary"), "No search yet");
