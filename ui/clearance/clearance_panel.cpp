@@ -126,6 +126,14 @@ QBoxLayout* ClearancePanel::searchRow(const ActionSet& actions) {
     m_where->setMinimumContentsLength(kWhereLetters);
     QToolBar* tools = toolBar(
         {&actions[ActionId::SearchClearances], &actions[ActionId::ExportClearances], &actions[ActionId::EditRules]});
+    auto* search = qobject_cast<QToolButton*>(tools->widgetForAction(&actions[ActionId::SearchClearances]));
+    search->setObjectName(QStringLiteral("search"));
+    // The command is one for all questions; its button can say what it does here.
+    const auto nameSearch = [this, search] {
+        search->setText(what() == What::Rules ? tr("Check rules") : search->defaultAction()->iconText());
+    };
+    connect(m_what, &QComboBox::currentIndexChanged, search, nameSearch);
+    connect(search->defaultAction(), &QAction::changed, search, nameSearch);  // which has renamed its button
     m_openRules = tools->addAction(tr("Open rules…"), this, &ClearancePanel::rulesAsked);
     m_saveRules = tools->addAction(tr("Save rules…"), this, &ClearancePanel::rulesSaved);
     m_waivers = waiverMenu()->menuAction();  // an action: what has no room folds into a menu, which widgets do not

@@ -11,6 +11,7 @@
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QSlider>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <QtTest>
 
@@ -64,6 +65,20 @@ private slots:
         static const QRegularExpression inMm(R"(^-?\d+\.\d{4} mm$)");
         QVERIFY2(inMm.match(x.data().toString()).hasMatch(), qPrintable(x.data().toString()));
         QVERIFY(x.data(Qt::ToolTipRole).toString().contains(" mil"));
+    }
+
+    void theButtonOfTheSearchSaysWhatItDoes() {
+        auto* search = panel().findChild<QToolButton*>("search");
+        for (const int what : {1, 0}) {
+            box("what").setCurrentIndex(what);
+            const bool isOfRules = what == static_cast<int>(ClearancePanel::What::Rules);
+            const QString name = isOfRules ? "Check rules" : "Find clearances";
+            QCOMPARE(search->text(), name);
+            QTest::mouseClick(search, Qt::LeftButton);
+            QTRY_VERIFY(!window().workspace().isWorking());
+            QCOMPARE(window().find<ui::ClearanceModel>().isOfRules(), isOfRules);
+            QCOMPARE(search->text(), name);
+        }
     }
 
     void aClickOnARuleShowsItsFirstLocation() {
