@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "model/base/limits.h"
 #include "model/base/thickness_units.h"
 #include "model/base/units.h"
 #include "model/clearance/kicad_rules.h"
@@ -229,27 +228,41 @@ private:
     RuleFile m_file;
 };
 
+/// Does a list with this head begin there?
+bool beginsList(std::string_view text, std::string_view head) {
+    return text.size() > head.size() + 1 && text.substr(1, head.size()) == head &&
+           std::string_view(" \n)").find(text[head.size() + 1]) != std::string_view::npos;
+}
+
 /// The lists with this head of a board, up to its first part; each with its line.
 std::vector<std::pair<std::string_view, std::size_t>> listsOf(std::string_view board, std::string_view head) {
+    struct Open {
+        std::size_t begin = 0;
+        std::size_t line = 0;
+        std::size_t depth = 0;
+    };
     const std::string_view before = board.substr(0, board.find("\n  (module "));
     std::vector<std::pair<std::string_view, std::size_t>> lists;
-    std::vector<std::pair<std::size_t, std::size_t>> open;  // where lists begin, and in which line
+    std::vector<Open> open;
     std::size_t line = 1;
+    std::size_t depth = 0;
     bool isText = false;
-    for (std::size_t at = 0; at < before.size() && open.size() <= base::kMostListDepth; ++at) {
+    for (std::size_t at = 0; at < before.size(); ++at) {
         const char c = before[at];
         line += c == '\n' ? 1 : 0;
         isText = c == '"' ? !isText : isText;
         at += c == '\\' && isText ? 1 : 0;
         if (c == '(' && !isText) {
-            open.emplace_back(at, line);
-        } else if (c == ')' && !isText && !open.empty()) {
-            const auto [begin, firstLine] = open.back();
-            open.pop_back();
-            const std::string_view list = before.substr(begin, at + 1 - begin);
-            if (list.substr(1, list.find_first_of(" \n)") - 1) == head) {
-                lists.emplace_back(list, firstLine);
+            ++depth;
+            if (beginsList(before.substr(at), head)) {
+                open.push_back({at, line, depth});
             }
+        } else if (c == ')' && !isText && depth > 0) {
+            if (!open.empty() && open.back().depth == depth) {
+                lists.emplace_back(before.substr(open.back().begin, at + 1 - open.back().begin), open.back().line);
+                open.pop_back();
+            }
+            --depth;
         }
     }
     return lists;

@@ -1,7 +1,6 @@
 // Rules of projects of KiCad, and of older boards.
 #include "model/clearance/kicad_project_rules.h"
 
-#include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QtTest>
 #include <algorithm>
@@ -163,13 +162,10 @@ private slots:
 
     void anOldBoardOfListsThatDoNotEndTakesNoTime() {
         std::string board = "(kicad_pcb (version 4)\n";
-        for (int i = 0; i < 100'000; ++i) {
+        for (int i = 0; i < 1'000'000; ++i) {  // hours, if each is followed to the end of the text
             board += "(net_class (a\n";
         }
-        QElapsedTimer timer;
-        timer.start();
         QVERIFY(model::parseKicadBoardRules(board)->table.classes.empty());
-        QVERIFY2(timer.elapsed() < 5'000, qPrintable(QString::number(timer.elapsed())));
     }
 
     void aBoardHasTheRulesOfItsProject() {

@@ -1,6 +1,5 @@
 // Whole jobs as particular programs write them: names, planes, places.
 
-#include <QElapsedTimer>
 #include <QtTest>
 #include <algorithm>
 #include <array>
@@ -235,17 +234,14 @@ private slots:
 
     void aRowOfVeryManyWordsTakesNoTime() {
         std::string row = "R1 R";
-        for (int i = 0; i < 200'000; ++i) {
+        for (int i = 0; i < 2'000'000; ++i) {  // an hour, if words are taken out one by one
             row += " x";
         }
         model::Diagnostics diagnostics;
-        QElapsedTimer timer;
-        timer.start();
         const auto file = model::gerber::parsePlacements("Ref Val X(mm) Y(mm) Rot Side\n" + row + " 5 2 90 Top\n",
                                                          "places.txt", diagnostics);
-        QVERIFY2(timer.elapsed() < 5'000, qPrintable(QString::number(timer.elapsed())));
         QCOMPARE(file.parts.size(), std::size_t{1});
-        QCOMPARE(file.parts[0].value.size(), std::size_t{400'001});
+        QCOMPARE(file.parts[0].value.size(), std::size_t{4'000'001});
         QCOMPARE(file.parts[0].rotationDeg, 90.0);
     }
 
