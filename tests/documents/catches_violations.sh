@@ -42,6 +42,7 @@ must_name 'model/a.h:2: there is no docs/gone.md' append model/a.h '// See docs/
 must_name 'README.md:3: there is no docs/gone' append README.md 'in `docs/gone`'
 must_name 'no such section: odb-notes, Gone' append model/a.h '/// (odb-notes, Gone)'
 must_name 'README.md:3: there is no model/gone.cpp' append README.md '`model/gone.cpp`'
+must_name 'README.md:3: there is no test gone_test' append README.md '`gone_test`'
 must_name 'no such decision: decision 3' append model/a.h '// decision 3'
 must_name 'no such decision: record 70' append docs/decisions/0002-b.md 'see record 70'
 must_name 'no such decision: (0070' append docs/decisions/0002-b.md '(0070)'

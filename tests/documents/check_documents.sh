@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_documents.sh ROOT
-# Names every link, cited document, cited decision and named source file that is not there, and every decision without a status or without
+# Names every link, cited document, cited decision and named source file or test that is not there, and every decision without a status or without
 # its row in the index. Fails if there is any.
 set -u
 cd "$1" || exit 2
@@ -65,6 +65,19 @@ check_sources_named() {
     done < <(cited '`(app|model|render|scripts|shaders|tests|tri|ui)/[A-Za-z0-9_./-]+\.(h|cpp|glsl|cmake|sh|txt)`' "${guides[@]}")
 }
 
+# Some tests have the name of their area before that of their file, some are only named where they are registered.
+has_test() {
+    [ -n "$(find tests -name "$1.cpp" -o -path "*/${1%%_*}/*" -name "${1#*_}.cpp" 2>/dev/null)" ] ||
+        grep -rqw --include='*.cmake' -- "$1" tests 2>/dev/null
+}
+
+check_tests_named() {
+    local file line text
+    while IFS=: read -r file line text; do
+        has_test "${text//\`/}" || violation "$file:$line: there is no test ${text//\`/}"
+    done < <(cited '`[a-z0-9_]+_test`' "${guides[@]}")
+}
+
 check_decisions_cited() {
     local file line text
     while IFS=: read -r file line text; do
@@ -105,6 +118,7 @@ mapfile -t guides < <(compgen -G '*.md'; compgen -G 'docs/*.md')
 check_links
 check_documents_cited
 check_sources_named
+check_tests_named
 check_decisions_cited
 for record in "${records[@]}"; do
     check_record "$record"
