@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+
+#include "model/base/ascii.h"
 
 namespace app {
 
@@ -40,8 +41,7 @@ constexpr Glyph kUnknown{0, {31, 17, 17, 17, 17, 17, 31}};
 const Glyph& glyphOf(char letter) {
     const auto* found = std::ranges::find(kGlyphs, letter, &Glyph::letter);
     if (found == std::end(kGlyphs)) {
-        const int capital = std::toupper(static_cast<unsigned char>(letter));
-        found = std::ranges::find(kGlyphs, static_cast<char>(capital), &Glyph::letter);
+        found = std::ranges::find(kGlyphs, base::upperAscii(letter), &Glyph::letter);
     }
     return found != std::end(kGlyphs) ? *found : kUnknown;
 }

@@ -8,6 +8,7 @@
 #include "app/clearance/clearance_map_image.h"
 #include "app/common/open_board.h"
 #include "app/common/window_option.h"
+#include "model/base/ascii.h"
 #include "model/base/thickness_units.h"
 #include "model/clearance/board_distances.h"
 #include "model/clearance/clearance.h"
@@ -35,8 +36,7 @@ base::Error refused(std::string text) {
 enum class Form { Picture, Table };
 
 base::Result<Form> formOf(const std::string& file) {
-    std::string ending = std::filesystem::path(file).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string ending = base::lowerCase(std::filesystem::path(file).extension().string());
     if (ending != ".png" && ending != ".csv") {
         return refused(file + ": a clearance map is written as .png or .csv");
     }

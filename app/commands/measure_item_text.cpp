@@ -1,12 +1,12 @@
 #include "app/commands/measure_item_text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "app/common/open_board.h"
+#include "model/base/ascii.h"
 #include "model/base/thickness_units.h"
 #include "model/index/pin_names.h"
 
@@ -28,12 +28,6 @@ constexpr std::size_t kMostSuggestions = 3;
 
 Error wrong(std::string text) {
     return {ErrorCode::BadUsage, std::move(text)};
-}
-
-std::string lowered(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
 }
 
 /// How many letters must be changed, added or taken away.
@@ -59,14 +53,14 @@ Result<std::size_t> findNamed(const char* kind, std::string_view name, std::size
     if (name.empty()) {
         return wrong("a " + std::string(kind) + " has no name: write " + kForms);
     }
-    const std::string lower = lowered(name);
+    const std::string lower = base::lowerCase(name);
     std::vector<std::size_t> alike;
     std::vector<std::pair<std::size_t, std::size_t>> suggestions;
     for (std::size_t row = 0; row < count; ++row) {
         if (nameOf(row) == name) {
             return row;
         }
-        const std::string other = lowered(nameOf(row));
+        const std::string other = base::lowerCase(nameOf(row));
         if (other == lower) {
             alike.push_back(row);
         }

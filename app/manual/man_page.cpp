@@ -1,7 +1,6 @@
 #include "app/manual/man_page.h"
 
-#include <algorithm>
-#include <cctype>
+#include "model/base/ascii.h"
 
 namespace app {
 
@@ -24,18 +23,13 @@ std::string italic(const std::string& text) {
     return "\\fI" + escaped(text) + "\\fR";
 }
 
-std::string upperCase(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return text;
-}
-
 std::string section(const std::string& title) {
     return ".SH " + title + "\n";
 }
 
 std::string header(const std::string& page, const std::string& summary, const std::string& version) {
-    return ".\\\" Made from the program's own --help.\n.TH " + upperCase(page) + " 1 \"\" \"Copperscope " + version +
-           "\" \"Copperscope\"\n" + section("NAME") + escaped(page) + " \\- " + escaped(summary) + "\n";
+    return ".\\\" Made from the program's own --help.\n.TH " + base::upperCase(page) + " 1 \"\" \"Copperscope " +
+           version + "\" \"Copperscope\"\n" + section("NAME") + escaped(page) + " \\- " + escaped(summary) + "\n";
 }
 
 std::string usageOf(const ManualOption& argument) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/base/ascii.h"
 #include "model/board/copies.h"
 #include "model/figures/element_polygons.h"
 #include "model/text/formatting.h"
@@ -78,8 +79,9 @@ private:
     /// Takes those with one name out of both.
     void pairByName(Aspect aspect, Layers& ours, Layers& theirs) {
         std::erase_if(ours, [&](LayerId a) {
-            const std::string name = lowered(m_a.layer(a).name);
-            const auto found = std::ranges::find(theirs, name, [&](LayerId b) { return lowered(m_b.layer(b).name); });
+            const std::string name = base::lowerCase(m_a.layer(a).name);
+            const auto found =
+                std::ranges::find(theirs, name, [&](LayerId b) { return base::lowerCase(m_b.layer(b).name); });
             if (found == theirs.end()) {
                 return false;
             }

@@ -1,13 +1,31 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 
+/// Small and capital letters of ASCII. All other bytes stay as they are, whatever the locale: what a job means must not
+/// depend on the language of who opens it.
 namespace base {
 
-/// Letters of ASCII in small; all other bytes as they are, whatever the locale.
 [[nodiscard]] constexpr char lowerAscii(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+[[nodiscard]] constexpr char upperAscii(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+[[nodiscard]] inline std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    std::ranges::transform(lower, lower.begin(), lowerAscii);
+    return lower;
+}
+
+[[nodiscard]] inline std::string upperCase(std::string_view text) {
+    std::string upper(text);
+    std::ranges::transform(upper, upper.begin(), upperAscii);
+    return upper;
 }
 
 /// Are two texts the same but for the case of ASCII letters?

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <iterator>
 #include <utility>
+
+#include "model/base/ascii.h"
 
 namespace model {
 
@@ -16,8 +17,8 @@ using Words = std::vector<std::string>;
 Words wordsOf(std::string_view text) {
     Words words(1);
     for (const char letter : text) {
-        if (std::isalpha(static_cast<unsigned char>(letter)) != 0) {
-            words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+        if (base::lowerAscii(letter) != base::upperAscii(letter)) {
+            words.back() += base::lowerAscii(letter);
         } else if (!words.back().empty()) {
             words.emplace_back();
         }

@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "model/base/ascii.h"
+
 namespace model {
 
 namespace {
-
-std::string lowerCase(std::string_view name) {
-    std::string lower(name);
-    std::ranges::transform(lower, lower.begin(),
-                           [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-    return lower;
-}
 
 bool holdsAny(std::string_view name, std::span<const std::string_view> parts) {
     return std::ranges::any_of(parts,
@@ -78,7 +72,7 @@ bool isSeenFrom(LayerSide side, const Layer& layer, bool isPrint) {
 
 bool isForAssembly(const Layer& layer, bool isPrint) {
     return isPrint || groupOf(layer) == LayerGroup::Components || isOutline(layer) ||
-           isAssemblyDrawing(lowerCase(layer.name));
+           isAssemblyDrawing(base::lowerCase(layer.name));
 }
 
 /// What a fabricator makes, in the layers the job draws it with.
@@ -87,7 +81,7 @@ bool isForFabrication(const Layer& layer, bool isPrint) {
     const bool isMade = layer.isCopper() || group == LayerGroup::SolderMask || group == LayerGroup::Drill;
     const bool isDrawing = group == LayerGroup::Other || group == LayerGroup::Mechanical;
     return ((isMade || isPrint) && !layer.isSynthetic) || isOutline(layer) ||
-           (isDrawing && isFabricationDrawing(lowerCase(layer.name)));
+           (isDrawing && isFabricationDrawing(base::lowerCase(layer.name)));
 }
 
 bool belongsTo(LayerPreset preset, const Layer& layer, bool isPrint) {
@@ -110,13 +104,13 @@ bool belongsTo(LayerPreset preset, const Layer& layer, bool isPrint) {
 
 bool isDrawingAsSilkscreen(const Layer& layer) {
     constexpr std::string_view kParts[] = {"dxf", "dwg", "courtyard"};
-    const std::string name = lowerCase(layer.name);
+    const std::string name = base::lowerCase(layer.name);
     return layer.type == LayerType::SilkScreen && (holdsAny(name, kParts) || isAssemblyDrawing(name));
 }
 
 LayerGroup groupOf(const Layer& layer) {
     const LayerGroup group = isDrawingAsSilkscreen(layer) ? LayerGroup::Other : groupOfType(layer.type);
-    const bool isMechanical = group == LayerGroup::Other && isMechanicalDrawing(lowerCase(layer.name));
+    const bool isMechanical = group == LayerGroup::Other && isMechanicalDrawing(base::lowerCase(layer.name));
     return isMechanical ? LayerGroup::Mechanical : group;
 }
 

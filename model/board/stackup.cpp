@@ -29,12 +29,6 @@ struct Part {
     std::optional<Nm> stated{};  ///< by the job
 };
 
-std::string lowered(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return text;
-}
-
 std::string inUm(double nm) {
     std::string text = std::to_string(std::round(nm / base::kNmPerUm * 10) / 10.0);
     text.erase(text.find_last_not_of('0') + 1);
@@ -65,7 +59,7 @@ bool isPhysical(const Layer& layer) {
 }
 
 bool namesBottom(const Layer& layer) {
-    const std::string name = lowered(layer.name);
+    const std::string name = base::lowerCase(layer.name);
     return name.find("bot") != std::string::npos || name.starts_with("b.");
 }
 
@@ -144,7 +138,7 @@ private:
     /// Is the one copper layer the bottom one? By the job's word, by where its dielectrics are, or else by the name.
     [[nodiscard]] bool isBottom(const Layer& copper) const {
         const bool isUnder = hasDielectric(0, m_first);
-        const bool isNamed = namesBottom(copper) && lowered(copper.name).find("top") == std::string::npos;
+        const bool isNamed = namesBottom(copper) && base::lowerCase(copper.name).find("top") == std::string::npos;
         const bool isAtBottom = isUnder != hasDielectric(m_first, m_layers.size()) ? isUnder : isNamed;
         return copper.side == LayerSide::Bottom || (copper.side != LayerSide::Top && isAtBottom);
     }
@@ -233,10 +227,10 @@ private:
     /// A dielectric of two plies may be listed twice under one name.
     std::string uniqueName(const std::string& name) {
         std::string unique = name;
-        int& count = m_used[lowered(name)];
+        int& count = m_used[base::lowerCase(name)];
         while (++count > 1) {
             unique = name + " (" + std::to_string(count) + ")";
-            if (m_used.try_emplace(lowered(unique), 1).second) {
+            if (m_used.try_emplace(base::lowerCase(unique), 1).second) {
                 break;
             }
         }

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <string_view>
 
+#include "model/base/ascii.h"
 #include "model/board/stackup.h"
 
 namespace model {
 
 namespace {
-
-std::string lowered(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return text;
-}
 
 bool isCopper(const StackupRow& row) {
     return row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
@@ -24,7 +19,7 @@ bool isCore(const StackupRow& row) {
 }
 
 StackupKind dielectricKind(const Material& material) {
-    const std::string type = lowered(material.type);
+    const std::string type = base::lowerCase(material.type);
     return type == "core" ? StackupKind::Core : type == "prepreg" ? StackupKind::Prepreg : StackupKind::Dielectric;
 }
 
@@ -94,7 +89,7 @@ const char* toString(StackupKind kind) {
 
 StackupKind kindOf(const StackupRow& row, const Document& document) {
     const LayerUse use = row.layer.isValid() ? document.layer(row.layer).use : LayerUse::Plain;
-    const bool isFinish = lowered(row.name).find("finish") != std::string::npos;
+    const bool isFinish = base::lowerCase(row.name).find("finish") != std::string::npos;
     switch (row.type) {
         case LayerType::Signal:
         case LayerType::PowerGround:

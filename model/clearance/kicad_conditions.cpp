@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "model/base/ascii.h"
 #include "model/text/formatting.h"
 #include "model/text/kicad_condition.h"
 
@@ -20,7 +21,7 @@ constexpr std::pair<const char*, CopperObject> kTypes[] = {{"track", CopperObjec
 
 std::optional<CopperObject> typeOf(const std::string& word) {
     const auto* const type =
-        std::ranges::find_if(kTypes, [&](const auto& known) { return lowered(word) == known.first; });
+        std::ranges::find_if(kTypes, [&](const auto& known) { return base::lowerCase(word) == known.first; });
     return type == std::end(kTypes) ? std::nullopt : std::optional(type->second);
 }
 
@@ -56,7 +57,7 @@ private:
             return applyType(side, term.text);
         }
         if (term.name == "NetClass" || term.name == "hasNetclass()" || term.name == "hasExactNetclass()") {
-            return lowered(term.text) != "default" && applyNets(side, term.text);
+            return base::lowerCase(term.text) != "default" && applyNets(side, term.text);
         }
         if (term.name == "NetName") {
             return applyNets(side, std::string(kNetPrefix) + term.text);
@@ -109,7 +110,7 @@ private:
     HoleClass& holesOf(std::size_t side) { return m_rule.holes[holeSidesOf(m_rule.kind) == 2 ? side : 0]; }
 
     bool applyLayer(const std::string& layer) {
-        if (m_rule.kind == RuleKind::SilkToPad && lowered(layer) == "?.silkscreen") {
+        if (m_rule.kind == RuleKind::SilkToPad && base::lowerCase(layer) == "?.silkscreen") {
             return true;  // it is about nothing else
         }
         if (!hasLayer(m_rule.kind) || layer.empty() || (!m_rule.layer.empty() && m_rule.layer != layer)) {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/base/ascii.h"
 #include "model/base/thickness_units.h"
 #include "model/base/units.h"
 #include "model/clearance/kicad_rules.h"
@@ -324,7 +325,7 @@ bool isOldBoard(const fs::path& board) {
 /// to it, * stands for any text and ? for any letter.
 NetClass withNetsOf(const std::vector<NetClass>& classes, NetClass one) {
     for (const NetClass& known : classes) {
-        if (fitsWildcard(lowered(known.name), lowered(one.name))) {
+        if (fitsWildcard(base::lowerCase(known.name), base::lowerCase(one.name))) {
             one.nets.insert(one.nets.end(), known.nets.begin(), known.nets.end());
         }
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/base/ascii.h"
 #include "model/board/holes.h"
 #include "model/board/layers.h"
 #include "model/text/formatting.h"
@@ -47,7 +48,7 @@ bool fitsLayer(const Document& document, LayerId layer, const std::string& wante
            : wanted == "inner"  ? document.layer(layer).isCopper() && !isOuter
            : wanted == "top"    ? face == LayerSide::Top
            : wanted == "bottom" ? face == LayerSide::Bottom
-                                : fitsWildcard(lowered(document.layer(layer).name), lowered(wanted));
+                                : fitsWildcard(base::lowerCase(document.layer(layer).name), base::lowerCase(wanted));
 }
 
 /// "no solder mask fits F.CU"

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "model/base/ascii.h"
 #include "model/base/limits.h"
 #include "model/formats/gerber/gerber_reader.h"
 
@@ -77,7 +78,7 @@ fs::path jobOfFiles(std::span<const fs::path> files) {
 
 bool isNamedLikeArchive(std::string_view name) {
     constexpr std::array<std::string_view, 4> kEndings = {".tgz", ".tar.gz", ".tar", ".zip"};
-    const std::string lower = formats::lowerCase(name);
+    const std::string lower = base::lowerCase(name);
     return std::ranges::any_of(kEndings, [&lower](std::string_view ending) { return lower.ends_with(ending); });
 }
 

@@ -368,7 +368,7 @@ std::string describeFormats() {
 
 bool isNamedLikeBoard(const fs::path& path) {
     std::error_code error;
-    const std::string name = formats::lowerCase(path.filename().string());
+    const std::string name = base::lowerCase(path.filename().string());
     return fs::is_directory(path, error) || std::ranges::any_of(knownFormats(), [&](const BoardFormat& format) {
                return std::ranges::any_of(format.extensions, [&](std::string_view e) { return name.ends_with(e); });
            });

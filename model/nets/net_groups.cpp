@@ -5,6 +5,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "model/base/ascii.h"
 #include "model/nets/net_statistics.h"
 
 namespace model {
@@ -36,20 +37,12 @@ bool isLetter(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-char upper(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
-bool isSame(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b, [](char x, char y) { return upper(x) == upper(y); });
-}
-
 bool beginsWith(std::string_view text, std::string_view start) {
-    return text.size() >= start.size() && isSame(text.substr(0, start.size()), start);
+    return text.size() >= start.size() && base::equalsIgnoringCase(text.substr(0, start.size()), start);
 }
 
 bool endsWith(std::string_view text, std::string_view end) {
-    return text.size() >= end.size() && isSame(text.substr(text.size() - end.size()), end);
+    return text.size() >= end.size() && base::equalsIgnoringCase(text.substr(text.size() - end.size()), end);
 }
 
 std::size_t digitsFrom(std::string_view text, std::size_t at) {
@@ -117,7 +110,8 @@ void gatherByAttribute(const Document& document, std::span<const std::string_vie
         for (const Property& property : document.propertiesOf(document.nets[net].properties)) {
             std::string_view name = document.text(property.name);
             name.remove_prefix(!name.empty() && name.front() == '.' ? 1 : 0);
-            const bool isMeant = std::ranges::any_of(attributes, [&](auto meant) { return isSame(name, meant); });
+            const bool isMeant =
+                std::ranges::any_of(attributes, [&](auto meant) { return base::equalsIgnoringCase(name, meant); });
             if (isMeant && !document.text(property.value).empty() && !out.has(net)) {
                 out.add(net, document.text(property.value));
             }
@@ -140,7 +134,7 @@ std::size_t twinOf(const Document& document, const NetsByName& byName, std::size
 /// "CLK_P/N0" of "CLK_P0" and "CLK_N0".
 std::string pairName(const std::string& a, const std::string& b) {
     const auto at = static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
-    const bool isFirstPositive = upper(a[at]) == 'P' || a[at] == '+';
+    const bool isFirstPositive = base::upperAscii(a[at]) == 'P' || a[at] == '+';
     const std::string& positive = isFirstPositive ? a : b;
     const char negative = isFirstPositive ? b[at] : a[at];
     return positive.substr(0, at + 1) + '/' + negative + positive.substr(at + 1);
@@ -297,10 +291,10 @@ bool isVoltage(std::string_view word) {
         return false;
     }
     std::size_t at = whole;
-    if (word[at] == '.' || upper(word[at]) == 'P') {
+    if (word[at] == '.' || base::upperAscii(word[at]) == 'P') {
         at += 1 + digitsFrom(word, at + 1);
     }
-    if (at >= word.size() || upper(word[at]) != 'V') {
+    if (at >= word.size() || base::upperAscii(word[at]) != 'V') {
         return false;
     }
     at += 1 + digitsFrom(word, at + 1);
@@ -310,14 +304,15 @@ bool isVoltage(std::string_view word) {
 /// "VCC", "VDDIO", "V5", "VBAT2".
 bool isRail(std::string_view word) {
     constexpr std::string_view kRails[] = {"VCC", "VDD", "VEE", "VBAT", "VBUS", "VIN", "VSYS", "VPP", "VAA", "PWR"};
-    const bool isNumbered = word.size() > 1 && upper(word[0]) == 'V' && isDigit(word[1]);
+    const bool isNumbered = word.size() > 1 && base::upperAscii(word[0]) == 'V' && isDigit(word[1]);
     return isNumbered || isVoltage(word) ||
            std::ranges::any_of(kRails, [&](std::string_view rail) { return beginsWith(word, rail); });
 }
 
 bool isGround(std::string_view word) {
-    return beginsWith(word, "GND") || endsWith(word, "GND") || beginsWith(word, "VSS") || isSame(word, "EARTH") ||
-           isSame(word, "CHASSIS") || isSame(word, "0V");
+    return beginsWith(word, "GND") || endsWith(word, "GND") || beginsWith(word, "VSS") ||
+           base::equalsIgnoringCase(word, "EARTH") || base::equalsIgnoringCase(word, "CHASSIS") ||
+           base::equalsIgnoringCase(word, "0V");
 }
 
 }  // namespace
@@ -335,7 +330,7 @@ std::vector<std::string> polarTwins(std::string_view name) {
             continue;
         }
         add(at, other);
-        if (upper(before) == 'D' && upper(name[at]) == 'P') {
+        if (base::upperAscii(before) == 'D' && base::upperAscii(name[at]) == 'P') {
             add(at, static_cast<char>(name[at] - 'P' + 'M'));
         }
     }

@@ -1,9 +1,9 @@
 #include "model/nets/net_statistics.h"
 
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 
+#include "model/base/ascii.h"
 #include "model/base/parallel.h"
 #include "model/statistics/element_sizes.h"
 
@@ -15,10 +15,6 @@ constexpr std::size_t kPiece = 256;  // nets per task
 
 bool isDigit(char c) {
     return c >= '0' && c <= '9';
-}
-
-char lower(char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
 /// Takes a run of digits off the front, without leading zeros.
@@ -60,8 +56,8 @@ int compareNames(std::string_view a, std::string_view b) {
             }
             continue;
         }
-        if (lower(a.front()) != lower(b.front())) {
-            return lower(a.front()) < lower(b.front()) ? -1 : 1;
+        if (base::lowerAscii(a.front()) != base::lowerAscii(b.front())) {
+            return base::lowerAscii(a.front()) < base::lowerAscii(b.front()) ? -1 : 1;
         }
         a.remove_prefix(1);
         b.remove_prefix(1);

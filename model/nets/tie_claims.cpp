@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "model/base/ascii.h"
 #include "model/index/attributes.h"
 #include "model/index/pin_names.h"
 #include "model/nets/pad_groups.h"
@@ -20,7 +21,7 @@ std::string lettersOf(std::string_view text) {
     std::string letters;
     for (const char c : text) {
         if (c != ' ' && c != '_' && c != '-') {
-            letters += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+            letters += base::lowerAscii(c);
         }
     }
     return letters;

@@ -1,10 +1,10 @@
 #include "model/packages/package_family.h"
 
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <set>
 
+#include "model/base/ascii.h"
 #include "model/base/median.h"
 
 namespace model {
@@ -24,14 +24,6 @@ constexpr Nm kMostQuad = 45 * kMm;
 constexpr Nm kLeastCan = 3 * kMm;
 /// Inductors from this size on are blocks with terminals below, not chips.
 constexpr Nm kLeastBlock = 2'500'000;
-
-std::string inCapitals(std::string_view text) {
-    std::string capitals(text);
-    for (char& c : capitals) {
-        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    }
-    return capitals;
-}
 
 bool hasAny(std::string_view text, std::initializer_list<std::string_view> words) {
     return std::ranges::any_of(words, [&](std::string_view word) { return text.find(word) != std::string_view::npos; });
@@ -60,7 +52,7 @@ constexpr Prefix kPrefixes[] = {{"R", PartKind::Resistor},    {"RN", PartKind::R
                                 {"LOGO", PartKind::Bare},     {"NT", PartKind::Bare},       {"SJ", PartKind::Bare}};
 
 PartKind kindOfRefdes(std::string_view refdes) {
-    const std::string capitals = inCapitals(refdes);
+    const std::string capitals = base::upperCase(refdes);
     const auto end = std::ranges::find_if(capitals, [](char c) { return c < 'A' || c > 'Z'; });
     const std::string_view letters(capitals.data(), static_cast<std::size_t>(end - capitals.begin()));
     const auto* const found = std::ranges::find(kPrefixes, letters, &Prefix::letters);
@@ -177,7 +169,7 @@ Nm padLength(const PackageFacts& facts) {
 }
 
 bool isLeadless(const PackageFacts& facts, const PinPattern& pattern) {
-    const std::string name = inCapitals(facts.name);
+    const std::string name = base::upperCase(facts.name);
     if (hasAny(name, {"DFN", "QFN", "SON", "LGA", "LCC", "MLF"})) {
         return true;
     }
@@ -200,7 +192,8 @@ bool isBesidePads(const PackageFacts& facts) {
 PackageFamily ofPair(const PackageFacts& facts, PartKind kind) {
     const Box box = facts.box.isEmpty() ? facts.boxOfPads() : facts.box;
     const auto smaller = std::min(box.width(), box.height());
-    const bool isTantalum = hasAny(inCapitals(facts.name), {"TANT", "CAPP", "7343", "6032", "3528", "CP_EIA", "CAPMP"});
+    const bool isTantalum =
+        hasAny(base::upperCase(facts.name), {"TANT", "CAPP", "7343", "6032", "3528", "CP_EIA", "CAPMP"});
     switch (kind) {
         case PartKind::Crystal: return PackageFamily::Crystal;
         case PartKind::Connector:
@@ -279,7 +272,7 @@ PackageFamily ofTwoRows(const PackageFacts& facts, const PinPattern& pattern, Pa
 
 /// Pins that form no pattern, because terminals differ or are drawn in several parts: the name says more.
 PackageFamily ofName(const PackageFacts& facts, PinLayout layout) {
-    const std::string name = inCapitals(facts.name);
+    const std::string name = base::upperCase(facts.name);
     return hasAny(name, {"QFN", "LCC", "MLF"}) ? PackageFamily::QuadFlatNoLead
            : hasAny(name, {"DFN", "SON"})      ? PackageFamily::DualFlat
            : layout == PinLayout::Grid         ? PackageFamily::Grid
@@ -308,13 +301,13 @@ PackageFamily ofSurface(const PackageFacts& facts, const PinPattern& pattern, Pa
 /// Two bare pads that solder may join.
 bool isSolderJumper(const PackageFacts& facts, const PinPattern& pattern, Nm statedHeight) {
     return pattern.layout == PinLayout::Pair && !pattern.isThrough && statedHeight <= 0 &&
-           inCapitals(facts.refdes).starts_with("JP");
+           base::upperCase(facts.refdes).starts_with("JP");
 }
 
 }  // namespace
 
 PartKind kindOf(std::string_view refdes, std::string_view package) {
-    const std::string name = inCapitals(package);
+    const std::string name = base::upperCase(package);
     if (hasAny(name,
                {"FIDUCIAL",     "TESTPOINT",  "TEST_POINT", "TESTPAD",  "MOUNTINGHOLE", "MOUNTING_HOLE", "LOGO",
                 "SOLDERJUMPER", "NETTIE",     "NET_TIE",    "CARDEDGE", "CARD_EDGE",    "FINGER",        "PCB_TRACES",

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
+
+#include "model/base/ascii.h"
 
 namespace model {
 
@@ -34,11 +35,6 @@ constexpr std::array<MaterialFacts, kSectionMaterialCount> kMaterials{{
     {"terminal", 0xdadde0, 2},
     {"other", {}, 3},
 }};
-
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 bool holdsAny(const std::string& text, std::initializer_list<const char*> words) {
     return std::ranges::any_of(words, [&](const char* word) { return text.find(word) != std::string::npos; });
@@ -89,7 +85,7 @@ SectionMaterial materialOf(const Layer& layer) {
 }
 
 SectionMaterial materialOf(const Document& document, const StackupRow& row) {
-    const std::string words = lower(row.material.type + ' ' + row.material.name + ' ' + row.material.form);
+    const std::string words = base::lowerCase(row.material.type + ' ' + row.material.name + ' ' + row.material.form);
     const LayerUse use = row.layer.isValid() ? document.layer(row.layer).use : LayerUse::Plain;
     if (use == LayerUse::Adhesive || holdsAny(words, {"adhesive", "bondply", "bond ply"})) {
         return SectionMaterial::Adhesive;

@@ -40,14 +40,6 @@ std::string svgText(double x, double y, const std::string& text, const char* sty
     return formatted("<text x=\"%.1f\" y=\"%.1f\"%s>", x, y, style) + xmlText(text) + "</text>\n";
 }
 
-std::string lowered(std::string_view text) {
-    std::string out(text);
-    for (char& c : out) {
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return out;
-}
-
 std::string joined(std::span<const std::string> texts, const char* separator) {
     std::string all;
     for (const std::string& text : texts) {

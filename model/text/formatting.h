@@ -18,8 +18,6 @@ namespace model {
 [[nodiscard]] std::string svgStart(double width, double height);
 /// "<text>" of SVG; `style` is more attributes with a space before each.
 [[nodiscard]] std::string svgText(double x, double y, const std::string& text, const char* style = "");
-/// With small letters of ASCII.
-[[nodiscard]] std::string lowered(std::string_view text);
 /// "a, b, c"
 [[nodiscard]] std::string joined(std::span<const std::string> texts, const char* separator = ", ");
 /// "35 µm" below a millimetre, "1.6 mm" from there.

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "model/agreement/agreement.h"
+#include "model/base/ascii.h"
 #include "model/formats/registry.h"
 #include "model/text/formatting.h"
 #include "tests/locations.h"
@@ -174,7 +175,7 @@ std::vector<Comparison> compare(const model::Document& a, const model::Document&
 
 /// F.Mask, F_Mask and F.MASK are one layer.
 std::string comparableName(const std::string& name) {
-    std::string comparable = model::lowered(name);
+    std::string comparable = base::lowerCase(name);
     std::ranges::replace(comparable, '_', '.');
     return comparable;
 }

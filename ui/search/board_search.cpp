@@ -7,6 +7,7 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "model/base/ascii.h"
 #include "model/index/pin_names.h"
 #include "model/nets/net_statistics.h"
 #include "model/text/wildcard.h"
@@ -17,14 +18,10 @@ namespace ui {
 
 namespace {
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 enum class Fit : std::uint8_t { Whole, Begins, Holds, None };
 
 bool isSame(char inName, char inText) {
-    return lower(inName) == inText;
+    return base::lowerAscii(inName) == inText;
 }
 
 /// Names of attributes have underscores where people type blanks.

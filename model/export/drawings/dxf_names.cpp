@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "model/base/ascii.h"
 #include "model/text/formatting.h"
 #include "model/text/utf8.h"
 
@@ -70,7 +71,7 @@ Rgb tableColour(int number) {
 std::string DxfNames::unique(std::string_view name) {
     const std::string wanted = allowed(name);
     std::string given = wanted;
-    for (int i = 2; !m_taken.insert(lowered(given)).second; ++i) {
+    for (int i = 2; !m_taken.insert(base::lowerCase(given)).second; ++i) {
         given = wanted + '_' + std::to_string(i);
     }
     return given;

@@ -1,9 +1,9 @@
 #include "model/export/files/export_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <type_traits>
 
+#include "model/base/ascii.h"
 #include "model/export/drawings/dxf_drawing.h"
 #include "model/export/drawings/pdf_drawing.h"
 #include "model/export/drawings/svg_drawing.h"
@@ -233,8 +233,7 @@ std::string exportEndings() {
 }
 
 const ExportFormat* exportFormatOf(const fs::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string ending = base::lowerCase(path.extension().string());
     const auto* const found = std::ranges::find_if(
         kFormats, [&](const ExportFormat& format) { return std::ranges::count(endingsOf(format), ending) > 0; });
     return found != std::end(kFormats) ? found : nullptr;

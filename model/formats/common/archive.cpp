@@ -4,6 +4,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "model/base/ascii.h"
 #include "model/formats/common/archive_stream.h"
 
 namespace model::formats {
@@ -114,14 +115,6 @@ std::string bytesText(std::uint64_t bytes) {
     return isGiB   ? std::to_string(bytes / base::kGiB) + " GiB"
            : isMiB ? std::to_string(bytes / base::kMiB) + " MiB"
                    : std::to_string(bytes) + " bytes";
-}
-
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) {
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return lower;
 }
 
 base::Result<Archive> Archive::open(const fs::path& path, const ArchiveLimits& limits, base::Progress& progress,
@@ -310,7 +303,7 @@ base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t stre
 }
 
 void Archive::add(Entry entry, Diagnostics& diagnostics) {
-    const auto [location, isNew] = m_rows.try_emplace(lowerCase(entry.path), static_cast<int>(m_entries.size()));
+    const auto [location, isNew] = m_rows.try_emplace(base::lowerCase(entry.path), static_cast<int>(m_entries.size()));
     if (!isNew) {
         diagnostics.report(Severity::Warning, entry.path, 0,
                            "another file has the same name but for upper and lower case; the first one is used");
@@ -320,7 +313,7 @@ void Archive::add(Entry entry, Diagnostics& diagnostics) {
 }
 
 int Archive::find(std::string_view path) const {
-    const auto location = m_rows.find(lowerCase(path));
+    const auto location = m_rows.find(base::lowerCase(path));
     return location == m_rows.end() ? -1 : location->second;
 }
 

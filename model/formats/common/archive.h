@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/base/ascii.h"
 #include "model/base/progress.h"
 #include "model/base/result.h"
 #include "model/board/diagnostics.h"
@@ -41,9 +42,6 @@ private:
 /// For messages: "4 GiB", "512 MiB"; what is no whole number of these in bytes.
 [[nodiscard]] std::string bytesText(std::uint64_t bytes);
 
-/// ASCII lower case; other bytes stay.
-[[nodiscard]] std::string lowerCase(std::string_view text);
-
 /// The files of a board as one tree, whatever they came in: a folder, a .tgz, .tar.gz, .tar (V7 included) or .zip, or
 /// a file that is packed by itself (board.xml.gz), which is then the only one and named without its last ending.
 /// Names are found whatever their case. Archives are held in memory and nothing is ever written to disk; permissions in
@@ -73,7 +71,7 @@ public:
     /// cannot be read.
     [[nodiscard]] base::Result<Bytes> bytes(int row) const;
     /// As if the file were not there.
-    void leaveOut(int row) { m_rows.erase(lowerCase(path(row))); }
+    void leaveOut(int row) { m_rows.erase(base::lowerCase(path(row))); }
     /// Rows of all files in the order of their lower-case paths.
     [[nodiscard]] const std::map<std::string, int, std::less<>>& rows() const { return m_rows; }
 

@@ -1,5 +1,6 @@
 #include "model/formats/common/file_tree.h"
 
+#include "model/base/ascii.h"
 #include "model/formats/common/archive_stream.h"
 
 namespace model::formats {
@@ -15,7 +16,7 @@ std::string FileTree::name() const {
 }
 
 int FileTree::row(std::string_view path) const {
-    const std::string full = m_root + lowerCase(path);
+    const std::string full = m_root + base::lowerCase(path);
     const int plain = m_archive->find(full);
     return plain >= 0 ? plain : m_archive->find(full + ".z");
 }
@@ -26,7 +27,7 @@ std::uint64_t FileTree::storedSize(std::string_view path) const {
 }
 
 bool FileTree::hasFolder(std::string_view path) const {
-    const std::string folder = m_root + lowerCase(path) + "/";
+    const std::string folder = m_root + base::lowerCase(path) + "/";
     const auto first = m_archive->rows().lower_bound(folder);
     return first != m_archive->rows().end() && first->first.starts_with(folder);
 }
@@ -49,7 +50,7 @@ std::optional<TreeFile> FileTree::read(std::string_view path, Diagnostics& diagn
 }
 
 std::vector<std::string> FileTree::foldersIn(std::string_view path) const {
-    const std::string prefix = m_root + lowerCase(path) + "/";
+    const std::string prefix = m_root + base::lowerCase(path) + "/";
     std::vector<std::string> folders;
     std::string last;
     for (auto location = m_archive->rows().lower_bound(prefix);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/base/ascii.h"
 #include "model/base/units.h"
 #include "model/formats/common/archive.h"
 #include "model/formats/gerber/image/image.h"
@@ -48,7 +49,7 @@ JobStackRow stackRow(const Json& json) {
 void readFiles(const Json& files, JobFileFacts& facts) {
     for (const Json& file : files.is_array() ? files : Json::array()) {
         std::string path = text(file, "Path");
-        path = formats::lowerCase(path.substr(path.find_last_of("/\\") + 1));
+        path = base::lowerCase(path.substr(path.find_last_of("/\\") + 1));
         facts.functions[path] = text(file, "FileFunction");
         facts.polarities[path] = text(file, "FilePolarity");
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "model/base/ascii.h"
 #include "model/base/median.h"
 #include "model/base/parallel.h"
 #include "model/formats/gerber/text/words.h"
@@ -128,11 +129,11 @@ std::string newerVersion(std::string_view path) {
 }
 
 std::optional<FileRole> roleOfJob(const ReadFile& file, const JobFileFacts& job) {
-    const auto found = job.functions.find(formats::lowerCase(file.name()));
+    const auto found = job.functions.find(base::lowerCase(file.name()));
     std::optional<FileRole> role = found == job.functions.end() ? std::nullopt : roleOfFunction(found->second);
     if (role) {
         role->source = RoleSource::JobFile;
-        const auto polarity = job.polarities.find(formats::lowerCase(file.name()));
+        const auto polarity = job.polarities.find(base::lowerCase(file.name()));
         role->isNegative = polarity != job.polarities.end() && equalsIgnoringCase(polarity->second, "Negative");
     }
     return role;
@@ -392,7 +393,7 @@ base::Result<std::vector<ReadFile>> readFiles(const formats::Archive& archive, b
             return;
         }
         const int row = rows[order[i]];
-        const std::string newer = formats::lowerCase(newerVersion(archive.path(row)));
+        const std::string newer = base::lowerCase(newerVersion(archive.path(row)));
         if (archive.rows().contains(newer)) {
             files[order[i]].path = archive.path(row);
             files[order[i]].diagnostics.report(

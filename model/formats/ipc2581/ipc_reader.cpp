@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/base/ascii.h"
 #include "model/formats/common/archive_stream.h"
 #include "model/formats/drawing/assembly.h"
 #include "model/formats/ipc2581/job_steps.h"
@@ -26,8 +27,8 @@ base::Error badInput(const std::filesystem::path& path, const std::string& text)
 
 /// Revisions are letters, some with a digit behind.
 bool isNewer(std::string_view revision) {
-    const std::string letter = formats::lowerCase(revision.substr(0, 1));
-    return letter > formats::lowerCase(std::string(1, kNewestKnown)) && letter <= "z";
+    const std::string letter = base::lowerCase(revision.substr(0, 1));
+    return letter > base::lowerCase(std::string(1, kNewestKnown)) && letter <= "z";
 }
 
 bool isUtf16(std::string_view text) {
@@ -189,8 +190,7 @@ private:
 
     base::Result<std::size_t> choose(const std::vector<SourceStep>& steps, const std::string& wanted) const {
         const auto found = std::ranges::find_if(steps, [&](const SourceStep& step) {
-            return wanted.empty() ? step.drawsItself
-                                  : formats::lowerCase(step.drawn.name) == formats::lowerCase(wanted);
+            return wanted.empty() ? step.drawsItself : base::lowerCase(step.drawn.name) == base::lowerCase(wanted);
         });
         if (found != steps.end()) {
             return static_cast<std::size_t>(found - steps.begin());

@@ -12,12 +12,8 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\f\v";
 
-char capital(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
 bool isSame(char a, char b) {
-    return capital(a) == capital(b);
+    return base::lowerAscii(a) == base::lowerAscii(b);
 }
 
 }  // namespace
@@ -66,12 +62,6 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
         }
         text.remove_prefix(end + 1);
     }
-}
-
-std::string upperCase(std::string_view text) {
-    std::string upper(text);
-    std::ranges::transform(upper, upper.begin(), capital);
-    return upper;
 }
 
 bool holds(std::string_view text, std::string_view words) {

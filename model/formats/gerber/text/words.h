@@ -21,11 +21,10 @@ namespace model::gerber {
 [[nodiscard]] std::optional<double> takeReal(std::string_view& text);
 /// The parts between separators, blanks around them gone; a text without separators is one part.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
-/// ASCII upper case; other bytes stay.
-[[nodiscard]] std::string upperCase(std::string_view text);
 /// Does the text hold the words, in any case?
 [[nodiscard]] bool holds(std::string_view text, std::string_view words);
 using base::equalsIgnoringCase;
+using base::upperCase;
 /// A length as nanometres; nothing outside ±kMaxCoordinate.
 [[nodiscard]] std::optional<base::Nm> toNm(double nanometres);
 /// A short form for names: "0.65".

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "model/base/ascii.h"
 #include "model/formats/odb/text/records.h"
 #include "model/geometry/outlines.h"
 
@@ -52,16 +53,12 @@ std::string fullAscii(char c) {
     return {c};
 }
 
-char capital(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
 /// The text in characters of code 39; nothing when it has others.
 std::optional<std::string> encoded(std::string_view text, bool isFullAscii) {
     std::string all;
     for (const char c : text) {
         const bool isAscii = static_cast<unsigned char>(c) < 128;
-        const std::string part = isAscii && isFullAscii ? fullAscii(c) : std::string{capital(c)};
+        const std::string part = isAscii && isFullAscii ? fullAscii(c) : std::string{base::upperAscii(c)};
         const bool isKnown = part.size() == 2 || kCharacters.substr(0, kChecked).find(part) != std::string_view::npos;
         if (!isAscii || !isKnown) {
             return std::nullopt;

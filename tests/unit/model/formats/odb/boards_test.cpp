@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "model/base/ascii.h"
 #include "model/base/parallel.h"
 #include "model/board/stackup.h"
 #include "model/formats/common/archive.h"
@@ -46,7 +47,7 @@ std::size_t linesStarting(const std::string& text, const std::string& start) {
 
 /// The text of the one file below the step's folder whose path ends like this; empty if there is none.
 std::string stepText(const std::map<std::string, std::string>& texts, const Document& d, const std::string& ending) {
-    const std::string full = "steps/" + model::formats::lowerCase(d.job.step) + "/" + ending;
+    const std::string full = "steps/" + base::lowerCase(d.job.step) + "/" + ending;
     for (const auto& [name, text] : texts) {
         if (name == full || name.ends_with("/" + full)) {
             return text;
@@ -262,8 +263,7 @@ private:
     static void checkCounts(const Document& d, const std::map<std::string, std::string>& texts) {
         for (const Layer& layer : d.layers) {
             if (!layer.isSynthetic && !layer.file.empty()) {
-                const std::string text =
-                    stepText(texts, d, "layers/" + model::formats::lowerCase(layer.name) + "/features");
+                const std::string text = stepText(texts, d, "layers/" + base::lowerCase(layer.name) + "/features");
                 QCOMPARE(std::size_t{layer.featureCount}, featureRecords(text));
             }
         }
