@@ -76,7 +76,7 @@ bool isBetter(const Match& a, const Match& b) {
 
 class Matcher {
 public:
-    explicit Matcher(const QString& text) : m_text(text.trimmed().toLower().toStdString()) {}
+    explicit Matcher(const QString& text) : m_text(base::lowerCase(text.trimmed().toStdString())) {}
 
     /// Of what comes next.
     void setStep(std::uint32_t step) { m_step = step; }

@@ -38,6 +38,15 @@ private slots:
         QCOMPARE(m_search.detailOf(only("L02")), "Layer, Signal");
     }
 
+    void lettersBeyondAsciiAreFoundAsTheyAreWritten() {
+        model::DocumentBuilder builder;
+        static_cast<void>(builder.addNet("LÜFTER_EIN"));
+        BoardSearch search;
+        search.setBoard(builder.finish());
+        QCOMPARE(search.find("LÜFTER", LengthUnit::Millimetre, 5).size(), std::size_t{1});
+        QCOMPARE(search.find("lÜfter", LengthUnit::Millimetre, 5).size(), std::size_t{1});
+    }
+
     void aNetComesBeforeTheLayerOfItsName() {
         model::DocumentBuilder builder;
         hand_made::addLayer(builder, "GND");
