@@ -3,27 +3,20 @@
 #include <charconv>
 #include <string_view>
 
+#include "model/text/utf8.h"
+
 namespace model {
 
 std::string xmlText(const std::string& text) {
     std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const std::size_t more = byte >= 0xf0 ? 3 : byte >= 0xe0 ? 2 : byte >= 0xc0 ? 1 : 0;
-        bool isWhole = byte < 0x80 || (more > 0 && byte < 0xf8 && i + more < text.size());
-        for (std::size_t k = 1; isWhole && k <= more; ++k) {
-            isWhole = (static_cast<unsigned char>(text[i + k]) & 0xc0U) == 0x80;
-        }
-        if (!isWhole || byte < 0x20) {
-            out += isWhole ? ' ' : '?';
-        } else if (more > 0) {
-            out += text.substr(i, more + 1);
-            i += more;
+    for (std::string_view rest = text; !rest.empty();) {
+        const Character first = firstCharacter(rest);
+        const std::string_view bytes = rest.substr(0, first.isSound ? first.bytes : 1);
+        rest.remove_prefix(bytes.size());
+        if (!first.isSound || first.code < 0x20) {
+            out += first.isSound ? ' ' : '?';
         } else {
-            out += text[i] == '<'   ? "&lt;"
-                   : text[i] == '&' ? "&amp;"
-                   : text[i] == '"' ? "&quot;"
-                                    : std::string(1, text[i]);
+            out += bytes == "<" ? "&lt;" : bytes == "&" ? "&amp;" : bytes == "\"" ? "&quot;" : bytes;
         }
     }
     return out;
