@@ -49,8 +49,12 @@ std::vector<bool> rowsWhere(const Document& board, const std::function<bool(Laye
     return has;
 }
 
+bool isLaidOn(LayerUse use) {
+    return use == LayerUse::Coverlay || use == LayerUse::Adhesive || use == LayerUse::Stiffener;
+}
+
 bool isLaidOn(const Layer& layer) {
-    return layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive || layer.use == LayerUse::Stiffener;
+    return isLaidOn(layer.use);
 }
 
 LayerId drawnBy(const Document& board, LayerId layer) {

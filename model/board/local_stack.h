@@ -47,7 +47,9 @@ private:
 /// the job is where the copper above and below it is.
 [[nodiscard]] std::vector<bool> rowsWhere(const Document& board, const std::function<bool(LayerId)>& isHere);
 
-/// Is the layer laid or glued onto what is there: coverlay, adhesive, stiffener?
+/// Is the layer laid or glued onto what is there (coverlay, adhesive, stiffener) instead of filling the space beside
+/// the copper?
+[[nodiscard]] bool isLaidOn(LayerUse use);
 [[nodiscard]] bool isLaidOn(const Layer& layer);
 /// The layer of the job that a solder mask which we added is of; of all others the layer itself.
 [[nodiscard]] LayerId drawnBy(const Document& board, LayerId layer);

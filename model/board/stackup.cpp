@@ -8,6 +8,7 @@
 #include "model/base/ascii.h"
 #include "model/base/assert.h"
 #include "model/board/holes.h"
+#include "model/board/local_stack.h"
 
 namespace model {
 
@@ -82,12 +83,6 @@ SurfaceDefault surfaceDefault(const Layer& layer) {
         case LayerType::SolderMask: return {"solder mask", kDefaultMask};
         default: return {"other mask", kDefaultMask};
     }
-}
-
-/// Laid or glued onto what is already there, in the order of the matrix, instead of filling the space beside the
-/// copper.
-bool isLaidOn(const Layer& layer) {
-    return layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive || layer.use == LayerUse::Stiffener;
 }
 
 class StackupBuilder {

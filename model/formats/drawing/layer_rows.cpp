@@ -5,6 +5,7 @@
 
 #include "model/board/flip.h"
 #include "model/board/holes.h"
+#include "model/board/local_stack.h"
 #include "model/board/stackup.h"
 #include "model/formats/drawing/layer_outlines.h"
 
@@ -18,13 +19,9 @@ bool isBoardCopper(const DrawnLayer& layer) {
     return isCopper && layer.context == LayerContext::Board;
 }
 
-bool isLaidOn(const DrawnLayer& layer) {
-    return layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive || layer.use == LayerUse::Stiffener;
-}
-
 /// Is it printed or deposited only where it is drawn?
 bool isOnlyWhereDrawn(const DrawnLayer& layer) {
-    return layer.type == LayerType::ConductivePaste || (layer.type == LayerType::Mask && !isLaidOn(layer));
+    return layer.type == LayerType::ConductivePaste || (layer.type == LayerType::Mask && !isLaidOn(layer.use));
 }
 
 void addName(std::string& names, const std::string& name) {

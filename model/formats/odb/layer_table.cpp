@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/board/flip.h"
+#include "model/board/local_stack.h"
 #include "model/board/stackup.h"
 #include "model/formats/odb/rigid_flex.h"
 #include "model/formats/odb/stackup/layer_facts.h"
@@ -175,7 +176,7 @@ LayerFacts LayerTable::factsOf(std::size_t row) const {
 bool LayerTable::isEmptyMaterial(std::size_t row) const {
     const MatrixLayer& layer = m_matrix.layers[row];
     const bool isDrawn =
-        layer.type == LayerType::ConductivePaste || (layer.type == LayerType::Mask && !isLaidOn(layer));
+        layer.type == LayerType::ConductivePaste || (layer.type == LayerType::Mask && !isLaidOn(layer.use));
     return isDrawn && isPhysical(layer) && std::ranges::none_of(m_steps, [row](const StepData& step) {
                return !step.layers[row].features.value.features.empty() || step.layers[row].profile.isPresent();
            });

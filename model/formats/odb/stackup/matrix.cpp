@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/base/limits.h"
+#include "model/board/local_stack.h"
 #include "model/formats/odb/text/records.h"
 #include "model/formats/odb/text/structured_text.h"
 
@@ -86,7 +87,7 @@ MatrixLayer layerOf(const Block& block, std::string_view path, Diagnostics& diag
 
 /// Films, glue and plates of rigid-flex boards lie anywhere in the stackup.
 bool mayLieInside(const MatrixLayer& layer) {
-    return layer.type == LayerType::Dielectric || isLaidOn(layer);
+    return layer.type == LayerType::Dielectric || isLaidOn(layer.use);
 }
 
 /// Position in `order` behind which no copper belongs: the first surface layer (mask, paste, silk) that follows
@@ -157,10 +158,6 @@ std::size_t Matrix::rowOf(std::string_view name) const {
     const auto found =
         std::ranges::find_if(layers, [name](const MatrixLayer& layer) { return equalsIgnoringCase(layer.name, name); });
     return static_cast<std::size_t>(found - layers.begin());
-}
-
-bool isLaidOn(const MatrixLayer& layer) {
-    return layer.use == LayerUse::Coverlay || layer.use == LayerUse::Adhesive || layer.use == LayerUse::Stiffener;
 }
 
 bool isMarker(const MatrixLayer& layer) {

@@ -42,9 +42,6 @@ struct Matrix {
 /// Rows beyond base::kMostLayers are left out and reported.
 [[nodiscard]] Matrix parseMatrix(std::string_view text, std::string_view path, Diagnostics& diagnostics);
 
-/// A film, glue or plate of a rigid-flex board, which may be drawn by its zone alone.
-[[nodiscard]] bool isLaidOn(const MatrixLayer& layer);
-
 /// Does the layer mark an area (bend, flexible, rigid) or a process step (what is plated, or covered meanwhile) instead
 /// of being made of something?
 [[nodiscard]] bool isMarker(const MatrixLayer& layer);
