@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "model/figures/distance.h"
+#include "model/formats/common/shift.h"
 
 namespace model::formats {
 
@@ -215,13 +216,6 @@ private:
             const NetId net = netOf(point);
             return net.isValid() && m_landings.has(net, moved(point.position, shift));
         }));
-    }
-
-    static Point moved(Point p, Point shift) {
-        const auto sum = [](std::int64_t a, std::int64_t b) {
-            return static_cast<Nm>(std::clamp<std::int64_t>(a + b, -base::kMaxCoordinate, base::kMaxCoordinate));
-        };
-        return {sum(p.x, shift.x), sum(p.y, shift.y)};
     }
 
     static Point between(Point from, Point to) { return moved(to, {-from.x, -from.y}); }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/base/units.h"
+#include "model/formats/common/shift.h"
 #include "model/formats/gerber/text/words.h"
 
 namespace model::gerber {
@@ -92,18 +93,10 @@ bool readOtherwise(ReadFile& drills, const PadIndex& pads, const Box& copper, Fi
     return isFound;
 }
 
-Point moved(Point p, Point shift) {
-    const auto add = [](Nm a, Nm b) {
-        return static_cast<Nm>(
-            std::clamp<std::int64_t>(std::int64_t{a} + b, -base::kMaxCoordinate, base::kMaxCoordinate));
-    };
-    return {add(p.x, shift.x), add(p.y, shift.y)};
-}
-
 void move(Image& image, Point shift) {
     for (formats::DrawnFeature& feature : image.features) {
         for (Point* const p : {&feature.a, &feature.b, &feature.centre}) {
-            *p = moved(*p, shift);
+            *p = formats::moved(*p, shift);
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "model/formats/common/shift.h"
 #include "model/formats/gerber/text/words.h"
 
 namespace model::gerber {
@@ -18,10 +19,6 @@ std::string plain(std::string_view name) {
     std::string text = upperCase(name);
     std::erase_if(text, [](char c) { return c == ' '; });
     return text;
-}
-
-Nm added(Nm a, Nm b) {
-    return static_cast<Nm>(std::clamp<std::int64_t>(std::int64_t{a} + b, -base::kMaxCoordinate, base::kMaxCoordinate));
 }
 
 }  // namespace
@@ -70,7 +67,7 @@ formats::DrawnNetlist drawnNetlist(const D356& netlist, const std::vector<std::s
         formats::NetlistPoint point;
         point.number = from.net;
         point.line = from.line;
-        point.position = {added(from.position.x, shift.x), added(from.position.y, shift.y)};
+        point.position = formats::moved(from.position, shift);
         point.radius = from.height == 0 ? from.width / 2 : 0;
         point.width = from.width;
         point.height = from.height;

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "model/base/median.h"
+#include "model/formats/common/shift.h"
 
 namespace model::gerber {
 
@@ -22,14 +23,6 @@ struct Votes {
     int count = 0;
     Point first;
 };
-
-Point moved(Point p, Point shift) {
-    const auto add = [](Nm a, Nm b) {
-        return static_cast<Nm>(
-            std::clamp<std::int64_t>(std::int64_t{a} + b, -base::kMaxCoordinate, base::kMaxCoordinate));
-    };
-    return {add(p.x, shift.x), add(p.y, shift.y)};
-}
 
 /// Every n-th, so that there are at most `most`.
 template <class T>
@@ -64,7 +57,7 @@ bool PadIndex::has(Point p, Nm reach) const {
 }
 
 double PadIndex::share(std::span<const Point> points, Point shift, Nm reach) const {
-    const auto hits = std::ranges::count_if(points, [&](Point p) { return has(moved(p, shift), reach); });
+    const auto hits = std::ranges::count_if(points, [&](Point p) { return has(formats::moved(p, shift), reach); });
     return points.empty() ? 0.0 : static_cast<double>(hits) / static_cast<double>(points.size());
 }
 
@@ -120,7 +113,7 @@ Point PadIndex::refined(Point shift, std::span<const Point> voters, Nm reach) co
     std::vector<Nm> xs;
     std::vector<Nm> ys;
     for (const Point p : voters) {
-        visit(moved(p, shift), reach, [&](const IndexedPad& pad) {
+        visit(formats::moved(p, shift), reach, [&](const IndexedPad& pad) {
             xs.push_back(pad.position.x - p.x);
             ys.push_back(pad.position.y - p.y);
         });
