@@ -1,6 +1,7 @@
 #include "model/formats/drawing/drawn_elements.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "model/base/limits.h"
 #include "model/formats/common/element_maker.h"
@@ -21,7 +22,7 @@ Placement placementOf(const DrawnFeature& feature) {
 }
 
 Point between(Point a, Point b) {
-    return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+    return {std::midpoint(a.x, b.x), std::midpoint(a.y, b.y)};
 }
 
 class DrawnElements {

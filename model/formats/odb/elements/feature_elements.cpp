@@ -1,6 +1,7 @@
 #include "model/formats/odb/elements/feature_elements.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "model/base/limits.h"
 #include "model/formats/common/element_maker.h"
@@ -22,7 +23,7 @@ formats::DrillHit hitOf(const Feature& feature, bool hasNet) {
     if (feature.kind == FeatureKind::Pad) {
         hit.centre = feature.a;
     } else if (feature.kind == FeatureKind::Line) {
-        hit.centre = {feature.a.x + (feature.b.x - feature.a.x) / 2, feature.a.y + (feature.b.y - feature.a.y) / 2};
+        hit.centre = {std::midpoint(feature.a.x, feature.b.x), std::midpoint(feature.a.y, feature.b.y)};
     }
     return hit;
 }
