@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/base/units.h"
 #include "model/geometry/vectors.h"
 #include "model/text/number_text.h"
 
@@ -11,7 +12,6 @@ namespace model {
 
 namespace {
 
-constexpr double kNmPerMm = 1e6;
 constexpr double kMostErrorNm = 10.0;
 
 PointD around(const Edge& arc, double angle) {
@@ -28,7 +28,7 @@ double curveError(double sweep) {
 }  // namespace
 
 void appendMm(std::string& out, double nm) {
-    appendNumber(out, nm / kNmPerMm, 7);
+    appendNumber(out, nm / base::kNmPerMm, 7);
 }
 
 double sweepOf(const Edge& arc) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/base/units.h"
 #include "model/export/drawings/drawing_paths.h"
 #include "model/export/drawings/paper_colour.h"
 #include "model/export/drawings/pdf_file.h"
@@ -12,7 +13,6 @@ namespace model {
 namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr double kNmPerMm = 1e6;
 constexpr int kDigits = 5;          // of a millimetre: 10 nm
 constexpr double kCaptionMm = 6.0;  // below a layer
 constexpr double kLetterMm = 2.8;
@@ -36,13 +36,13 @@ public:
         m_title = drawing.title;
         const Box page = drawing.box.grownBy(m_margin);
         m_origin = {static_cast<double>(page.min.x), static_cast<double>(page.min.y)};
-        m_width = static_cast<double>(page.width()) / kNmPerMm * kPointsPerMm;
-        m_height = static_cast<double>(page.height()) / kNmPerMm * kPointsPerMm;
+        m_width = static_cast<double>(page.width()) / base::kNmPerMm * kPointsPerMm;
+        m_height = static_cast<double>(page.height()) / base::kNmPerMm * kPointsPerMm;
         if (m_pages == PdfPages::AllOnOne) {
             beginPage();
             return;
         }
-        m_origin.y -= kCaptionMm * kNmPerMm;
+        m_origin.y -= kCaptionMm * base::kNmPerMm;
         m_height += kCaptionMm * kPointsPerMm;
         m_hasOutline = !drawing.layers.empty() && !drawing.layers.back().layer.isValid();
     }
@@ -151,9 +151,9 @@ private:
     }
 
     void addPoint(PointD p) {
-        appendNumber(m_path, (p.x - m_origin.x) / kNmPerMm, kDigits);
+        appendNumber(m_path, (p.x - m_origin.x) / base::kNmPerMm, kDigits);
         m_path += ' ';
-        appendNumber(m_path, (p.y - m_origin.y) / kNmPerMm, kDigits);
+        appendNumber(m_path, (p.y - m_origin.y) / base::kNmPerMm, kDigits);
         m_path += ' ';
     }
 

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "model/base/units.h"
 #include "model/text/file_writer.h"
 #include "model/text/number_text.h"
 
@@ -9,7 +10,6 @@ namespace model {
 
 namespace {
 
-constexpr double kNmPerMm = 1e6;
 constexpr int kDigits = 6;  // of a millimetre: 1 nm
 
 /// Names end at a space.
@@ -81,7 +81,7 @@ private:
             m_text += 'v';
             for (const Nm value : {p.x, p.y, p.z}) {
                 m_text += ' ';
-                appendNumber(m_text, value / kNmPerMm, kDigits);
+                appendNumber(m_text, value / base::kNmPerMm, kDigits);
             }
             m_text += '\n';
         }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/base/units.h"
 #include "model/text/file_writer.h"
 
 namespace model {
@@ -12,7 +13,6 @@ namespace model {
 namespace {
 
 constexpr std::size_t kHeader = 80;
-constexpr double kNmPerMm = 1e6;
 
 void append32(std::string& out, std::uint32_t value) {
     for (int shift = 0; shift < 32; shift += 8) {
@@ -29,7 +29,7 @@ void append(std::string& out, const Vector& v) {
 }
 
 Vector mm(const MeshPoint& p) {
-    return {p.x / kNmPerMm, p.y / kNmPerMm, p.z / kNmPerMm};
+    return {p.x / base::kNmPerMm, p.y / base::kNmPerMm, p.z / base::kNmPerMm};
 }
 
 Vector normalOf(const Vector& a, const Vector& b, const Vector& c) {
