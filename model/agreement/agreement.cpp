@@ -1,12 +1,12 @@
 #include "model/agreement/agreement.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "model/agreement/hole_agreement.h"
 #include "model/agreement/layer_agreement.h"
 #include "model/agreement/net_agreement.h"
 #include "model/agreement/part_agreement.h"
+#include "model/geometry/vectors.h"
 
 namespace model {
 
@@ -51,8 +51,7 @@ void Comparison::add(Difference difference, std::size_t most) {
 }
 
 void Comparison::measure(Point a, Point b) {
-    const double apart = std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y);
-    farthest = std::max(farthest.value_or(0.0), apart);
+    farthest = std::max(farthest.value_or(0.0), distance(a, b));
 }
 
 bool AgreementRequest::wants(Aspect aspect) const {

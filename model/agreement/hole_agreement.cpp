@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/agreement/point_matcher.h"
+#include "model/geometry/vectors.h"
 #include "model/text/formatting.h"
 
 namespace model {
@@ -141,8 +142,7 @@ private:
         if (found) {
             const Point other = m_b.holes[*found].middle;
             m_found.measure(hole.middle, other);
-            const double by =
-                std::hypot(static_cast<double>(hole.middle.x) - other.x, static_cast<double>(hole.middle.y) - other.y);
+            const double by = distance(hole.middle, other);
             add("a " + kindText(hole) + " is moved by " + fixedText(base::toMm(by), 4) + " mm", hole);
         }
         return found.has_value();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "model/geometry/vectors.h"
 #include "model/text/formatting.h"
 
 namespace model {
@@ -14,10 +15,6 @@ using Part = FlatBoard::Part;
 using PinAt = FlatBoard::PinAt;
 
 constexpr double kSameAngle = 0.01;
-
-double distance(Point a, Point b) {
-    return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y);
-}
 
 double angleBetween(double a, double b) {
     const double apart = std::abs(a - b);

@@ -5,6 +5,7 @@
 
 #include "model/figures/distance.h"
 #include "model/figures/element_polygons.h"
+#include "model/geometry/vectors.h"
 
 namespace model {
 
@@ -17,18 +18,14 @@ double cross(PointD a, PointD b, PointD p) {
     return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
-double distanceOf(PointD a, PointD b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 PointD middleOf(PointD a, PointD b) {
     return {(a.x + b.x) / 2, (a.y + b.y) / 2};
 }
 
 /// Do the insides of two lines cross? Not if one only touches the other.
 bool doCross(PointD a, PointD b, PointD c, PointD d) {
-    const double along = distanceOf(a, b);
-    const double across = distanceOf(c, d);
+    const double along = distance(a, b);
+    const double across = distance(c, d);
     const auto areApart = [](double left, double right, double length) {
         return (left > kAside * length && right < -kAside * length) ||
                (left < -kAside * length && right > kAside * length);
@@ -54,7 +51,7 @@ double narrowestOf(std::span<const Point> loop) {
         double low = 0.0;
         double high = 0.0;
         for (const Point point : loop) {
-            const double height = cross(a, b, base::toDouble(point)) / distanceOf(a, b);
+            const double height = cross(a, b, base::toDouble(point)) / distance(a, b);
             low = std::min(low, height);
             high = std::max(high, height);
         }
@@ -125,7 +122,7 @@ bool SurfacePaths::isOnEdge(PointD p) const {
     m_edges->visit(boxAround(p, p), [&](std::uint32_t i) {
         const PointD a = m_corners[i];
         const PointD b = m_corners[m_next[i]];
-        isOn = isOn || std::abs(cross(a, b, p)) <= kAside * distanceOf(a, b);
+        isOn = isOn || std::abs(cross(a, b, p)) <= kAside * distance(a, b);
     });
     return isOn;
 }
@@ -160,7 +157,7 @@ bool SurfacePaths::isClear(PointD from, PointD to) const {
         isCrossed = isCrossed || doCross(from, to, m_corners[i], m_corners[m_next[i]]);
     });
     // A line along the corners of one opening crosses none of its edges.
-    return !isCrossed && !(isNearEdge && distanceOf(from, to) > 2 * kAside && isMissing(middleOf(from, to)));
+    return !isCrossed && !(isNearEdge && distance(from, to) > 2 * kAside && isMissing(middleOf(from, to)));
 }
 
 std::optional<Spacing> SurfacePaths::straight(const FigureTable& figures, std::uint32_t row, PointD p,
@@ -244,7 +241,7 @@ std::optional<Spacing> SurfacePaths::shortest(std::vector<Corner>& corners, doub
             keepShorter(best, Spacing{whole, nearest->start, nearest->end});
         }
         for (Corner& corner : corners) {
-            const double way = nearest->fromA + distanceOf(nearest->at, corner.at);
+            const double way = nearest->fromA + distance(nearest->at, corner.at);
             if (!corner.isDone && way < corner.fromA && way < limit && isClear(nearest->at, corner.at)) {
                 corner.fromA = way;
                 corner.start = nearest->start;

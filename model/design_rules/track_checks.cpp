@@ -6,6 +6,7 @@
 
 #include "model/design_rules/bridged.h"
 #include "model/figures/distance.h"
+#include "model/geometry/vectors.h"
 
 namespace model {
 
@@ -50,17 +51,13 @@ struct Arm {
     [[nodiscard]] PointD at(double along) const { return pointAt(*edge, isOnwards ? start + along : start - along); }
 };
 
-double distanceOf(PointD a, PointD b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-
 /// The edge from `along` nm after its start, onwards or back.
 Arm armOf(const Edge& edge, double along, bool isOnwards) {
     const double length = lengthOf(edge);
     const double step = std::min(1000.0, length / 4);
     const PointD from = pointAt(edge, along);
     const PointD to = pointAt(edge, along + (isOnwards ? step : -step));
-    const double d = std::max(distanceOf(from, to), 1e-9);
+    const double d = std::max(distance(from, to), 1e-9);
     return {{(to.x - from.x) / d, (to.y - from.y) / d},
             isOnwards ? length - along : along,
             edge.pen,
@@ -71,7 +68,7 @@ Arm armOf(const Edge& edge, double along, bool isOnwards) {
 
 /// The arms of an edge that leave a point on it: one at its ends, two in between.
 std::vector<Arm> armsAt(const Edge& edge, PointD p) {
-    if (edge.isFullCircle() || distanceOf(nearestOn(edge, p), p) > kMeetNm) {
+    if (edge.isFullCircle() || distance(nearestOn(edge, p), p) > kMeetNm) {
         return {};
     }
     const double length = lengthOf(edge);
@@ -105,7 +102,7 @@ struct Opening {
 /// So far along the first arm; none beyond the end of the second one.
 std::optional<Opening> openingAt(const Arm& a, const Arm& b, double along) {
     constexpr int kHalves = 24;
-    const auto beside = [](const Arm& arm, PointD p) { return distanceOf(nearestOn(*arm.edge, p), p) - arm.pen; };
+    const auto beside = [](const Arm& arm, PointD p) { return distance(nearestOn(*arm.edge, p), p) - arm.pen; };
     PointD near = a.at(along);
     const std::optional<PointD> other = nearestOnArm(b, near);
     if (!other) {
@@ -165,7 +162,7 @@ std::optional<PointD> notchOf(PointD p, const Arm& a, const Arm& b) {
     const double turn = a.direction.x * b.direction.y - a.direction.y * b.direction.x > 0 ? 1.0 : -1.0;
     const PointD corner{p.x + a.direction.x * along - turn * a.direction.y * a.pen,
                         p.y + a.direction.y * along + turn * a.direction.x * a.pen};
-    const double away = distanceOf(corner, p);
+    const double away = distance(corner, p);
     const double further = away > 0 ? (away + kBesideNotch) / away : 1.0;
     return PointD{p.x + (corner.x - p.x) * further, p.y + (corner.y - p.y) * further};
 }

@@ -29,6 +29,10 @@ inline double distance(PointD a, PointD b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
+inline double distance(Point a, Point b) {
+    return distance(toDouble(a), toDouble(b));
+}
+
 inline Nm toNm(double value) {
     return static_cast<Nm>(std::llround(value));
 }

@@ -21,10 +21,6 @@ constexpr std::size_t kMostChains = 100;    ///< an outline has gaps, a drawing 
 constexpr double kClearer = 1.5;            ///< another end is at least so many times as far away
 constexpr double kMostOpen = 0.5;           ///< of what is drawn
 
-double distance(Point a, Point b) {
-    return model::distance(base::toDouble(a), base::toDouble(b));
-}
-
 double widthOf(const OutlineGap& gap) {
     return distance(gap.from, gap.to);
 }

@@ -12,6 +12,7 @@
 #include "model/formats/common/painting.h"
 #include "model/geometry/edges.h"
 #include "model/geometry/outlines.h"
+#include "model/geometry/vectors.h"
 #include "model/solids/shells/area_shell.h"
 
 namespace model::formats {
@@ -22,10 +23,6 @@ namespace {
 constexpr double kTouch = 3e9;
 /// Programs round the ends of paths, and the paths along an outline, by less than this.
 constexpr double kRounding = 5'000.0;
-
-double distance(Point a, Point b) {
-    return std::hypot(double(a.x) - b.x, double(a.y) - b.y);
-}
 
 double areaOf(const std::vector<EdgeLoops>& regions) {
     return std::accumulate(regions.begin(), regions.end(), 0.0,

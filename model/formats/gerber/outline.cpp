@@ -1,7 +1,6 @@
 #include "model/formats/gerber/outline.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include "model/formats/common/outline_gaps.h"
 #include "model/geometry/edges.h"
+#include "model/geometry/vectors.h"
 
 namespace model::gerber {
 
@@ -39,10 +39,6 @@ PathNode reversedNode(const Track& track) {
     return node;
 }
 
-double distanceOf(Point a, Point b) {
-    return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y);
-}
-
 /// Finds numbered points near a point.
 class Places {
 public:
@@ -64,8 +60,8 @@ public:
                     continue;
                 }
                 for (const auto& [point, number] : found->second) {
-                    if (distanceOf(point, p) < least && counts(number)) {
-                        least = distanceOf(point, p);
+                    if (distance(point, p) < least && counts(number)) {
+                        least = distance(point, p);
                         best = number;
                     }
                 }
@@ -166,7 +162,7 @@ private:
         const Point end = isForward ? track.to : track.from.point;
         std::vector<Point>& centres = m_drawn[{start.point, end, start.edge}];
         const bool isThere = std::ranges::any_of(
-            centres, [&](Point centre) { return distanceOf(centre, track.from.centre) <= kSameCentre; });
+            centres, [&](Point centre) { return distance(centre, track.from.centre) <= kSameCentre; });
         if (!isThere) {
             centres.push_back(track.from.centre);
         }
@@ -185,7 +181,7 @@ private:
             if (next) {
                 Track& track = m_tracks[*next];
                 track.isUsed = true;
-                const bool isForward = distanceOf(track.from.point, at) <= distanceOf(track.to, at);
+                const bool isForward = distance(track.from.point, at) <= distance(track.to, at);
                 starts.add((isForward ? track.from : reversedNode(track)).point,
                            static_cast<std::uint32_t>(nodes.size()));
                 chain.push_back(*next);
@@ -211,13 +207,13 @@ private:
     /// Takes the loop out that begins with the node `begin` and ends at `at`; gives back where the rest of the walk is.
     Point close(std::uint32_t begin, Point at, std::vector<std::uint32_t>& chain, Loop& nodes, Places& starts) {
         Loop loop(nodes.begin() + begin, nodes.end());
-        double joint = distanceOf(at, loop.front().point);
+        double joint = distance(at, loop.front().point);
         for (std::size_t i = begin; i < chain.size(); ++i) {
             m_tracks[chain[i]].isClosed = true;
             if (i > begin) {
                 const Track& before = m_tracks[chain[i - 1]];
                 const Point end = nodes[i - 1].point == before.from.point ? before.to : before.from.point;
-                joint = std::max(joint, distanceOf(end, nodes[i].point));
+                joint = std::max(joint, distance(end, nodes[i].point));
             }
         }
         m_widestJoint = std::max(m_widestJoint, static_cast<Nm>(joint));

@@ -6,6 +6,7 @@
 #include "model/formats/gerber/drills/drill_parser.h"
 #include "model/formats/gerber/text/words.h"
 #include "model/geometry/outlines.h"
+#include "model/geometry/vectors.h"
 
 namespace model::gerber {
 
@@ -16,10 +17,6 @@ namespace {
 
 constexpr Nm kNoSize = 10;              ///< of a tool without one: the hole stays a hole, and nothing is invented
 constexpr double kRounding = 20'000.0;  ///< nm: what coarse formats make of a radius
-
-double distance(PointD a, PointD b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
 
 /// False, and not moved as a whole, if it would lie beyond any board.
 bool isMoved(DrawnFeature& feature, PointD by) {

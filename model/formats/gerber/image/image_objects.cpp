@@ -9,19 +9,14 @@
 #include "model/formats/gerber/text/words.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/slits.h"
+#include "model/geometry/vectors.h"
 
 namespace model::gerber {
 
 using formats::DrawnFeature;
 using formats::DrawnKind;
 
-namespace {
-
-double distance(PointD a, PointD b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 // ---- operations ----
 

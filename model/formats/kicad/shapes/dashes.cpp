@@ -8,6 +8,7 @@
 
 #include "model/base/point.h"
 #include "model/geometry/outlines.h"
+#include "model/geometry/vectors.h"
 
 namespace model::kicad {
 
@@ -38,12 +39,6 @@ Point onGrid(PointD p) {
     return rounded({std::clamp(p.x, -kFarthest, kFarthest), std::clamp(p.y, -kFarthest, kFarthest)});
 }
 
-double distanceOf(Point a, Point b) {
-    const PointD from = base::toDouble(a);
-    const PointD to = base::toDouble(b);
-    return std::hypot(to.x - from.x, to.y - from.y);
-}
-
 double angleOf(Point centre, Point on) {
     const PointD from = base::toDouble(centre);
     const PointD to = base::toDouble(on);
@@ -55,7 +50,7 @@ class Walk {
 public:
     explicit Walk(const ChainEdge& edge) : m_from(edge.from), m_to(edge.to) {
         if (m_from.edge == EdgeKind::Line) {
-            m_length = distanceOf(m_from.point, m_to);
+            m_length = distance(m_from.point, m_to);
             return;
         }
         if (m_from.edge == EdgeKind::ArcCounterClockwise) {
@@ -63,7 +58,7 @@ public:
             m_from.edge = EdgeKind::ArcClockwise;
         }
         const Point c = m_from.centre;
-        m_radius = distanceOf(c, m_from.point);
+        m_radius = distance(c, m_from.point);
         const bool isCircle = m_from.point == m_to;
         m_angle = isCircle ? 0.0 : angleOf(c, m_from.point);
         double swept = isCircle ? 0.0 : m_angle - angleOf(c, m_to);

@@ -10,16 +10,13 @@
 #include "model/geometry/outlines.h"
 #include "model/geometry/region.h"
 #include "model/geometry/slits.h"
+#include "model/geometry/vectors.h"
 
 namespace model::kicad {
 
 namespace {
 
 using base::toDouble;
-
-double distance(PointD a, PointD b) {
-    return std::hypot(b.x - a.x, b.y - a.y);
-}
 
 EdgeLoops circle(PointD centre, double radius) {
     EdgeLoops loops;
