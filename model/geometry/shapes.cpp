@@ -118,10 +118,10 @@ struct Rotation {
 
 /// Cosine and sine of a clockwise angle; quarter turns are exact, so that pads at 90° stay on the grid.
 Rotation rotationOf(double clockwiseDeg) {
-    const double quarters = clockwiseDeg / 90.0;
+    const double quarters = std::fmod(clockwiseDeg / 90.0, 4.0);  // files may say any number
     if (quarters == std::floor(quarters)) {
         constexpr Rotation kExact[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-        return kExact[((static_cast<long long>(quarters) % 4) + 4) % 4];
+        return kExact[(static_cast<int>(quarters) + 4) % 4];
     }
     const double radians = clockwiseDeg * std::numbers::pi / 180.0;
     return {std::cos(radians), std::sin(radians)};

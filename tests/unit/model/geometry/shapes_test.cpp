@@ -24,6 +24,15 @@ private slots:
         QVERIFY((Placement{{}, 450.0, false}.apply(p) == Point{300, -1000}));
     }
 
+    /// Files may say any number of degrees.
+    void manyTurnsAreAsGoodAsNone() {
+        for (const double turns : {1e3, -1e3, 1e12}) {
+            QCOMPARE((Placement{{5, 5}, 360.0 * turns + 90.0, false}.apply(Point{10, 0})), (Point{5, -5}));
+        }
+        const Point far = Placement{{5, 5}, 9e108, false}.apply(Point{10, 0});
+        QVERIFY(std::abs(far.x) <= 15 && std::abs(far.y) <= 15);
+    }
+
     void mirrorComesAfterRotation() {
         // Clockwise by 90° takes (1000, 300) to (300, -1000); the mirror then turns x around.
         QVERIFY((Placement{{5, 7}, 90.0, true}.apply(Point{1000, 300}) == Point{5 - 300, 7 - 1000}));
