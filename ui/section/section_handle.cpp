@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/section/section_ink.h"
+
 namespace ui {
 
 namespace {
@@ -12,9 +14,7 @@ namespace {
 constexpr double kHalf = 20.0;  // of the arrow, pixels
 constexpr double kHead = 8.0;
 constexpr double kGripPixels = 8.0;
-constexpr QColor kInk(255, 120, 200);
 constexpr QColor kInkHovered(255, 190, 230);
-constexpr QColor kRim(20, 20, 24, 200);
 
 /// Seen straight from the front the plane would leave the pointer behind: a pixel moves it by as much as this share of
 /// a pixel, seen from the side, at most.
@@ -97,6 +97,10 @@ bool SectionHandle::move(const QMouseEvent& event) {
         setHovered(event.buttons() == Qt::NoButton && isAt(event.position()));
         return m_isHovered;
     }
+    if (!m_plane.isOn()) {  // a key has taken it away
+        m_drag.reset();
+        return false;
+    }
     const QPointF way = m_drag->pixelsPerNm;
     const double nm = QPointF::dotProduct(event.position() - m_drag->from, way) / QPointF::dotProduct(way, way);
     m_plane.put({m_drag->through.x + nm * m_drag->forward.x, m_drag->through.y + nm * m_drag->forward.y});
@@ -132,8 +136,8 @@ void SectionHandle::paint(QPainter& painter) const {
     const QPolygonF ahead = headAt(*middle + kHalf * way, way);
     const QPolygonF back = headAt(*middle - kHalf * way, -way);
     const QLineF shaft(*middle - (kHalf - kHead) * way, *middle + (kHalf - kHead) * way);
-    const QColor ink = m_isHovered || m_drag ? kInkHovered : kInk;
-    for (const auto& [colour, wider] : {std::pair(kRim, 2.0), std::pair(ink, 0.0)}) {
+    const QColor ink = m_isHovered || m_drag ? kInkHovered : kSectionInk;
+    for (const auto& [colour, wider] : {std::pair(kSectionRim, 2.0), std::pair(ink, 0.0)}) {
         painter.setPen(QPen(colour, 4.0 + wider));
         painter.drawLine(shaft);
         painter.setPen(QPen(colour, 1.0 + wider));

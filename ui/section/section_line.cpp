@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/measure/snapping.h"
+#include "ui/section/section_ink.h"
 
 namespace ui {
 
@@ -16,8 +17,6 @@ namespace {
 constexpr double kGripPixels = 8.0;
 constexpr double kCornerPixels = 4.0;
 constexpr double kHandlesApart = 24.0;  // three of their diameters: what lies under them can be seen
-constexpr QColor kInk(255, 120, 200);
-constexpr QColor kRim(20, 20, 24, 200);
 
 }  // namespace
 
@@ -221,12 +220,12 @@ void SectionLine::paint(QPainter& painter) const {
     }
     // Rulers and what else covers the rim of the view lie above.
     painter.setClipRect(QRectF({}, m_view.controller().viewport()).marginsRemoved(m_view.controller().margins()));
-    painter.setPen(QPen(kRim, 4.0));
+    painter.setPen(QPen(kSectionRim, 4.0));
     painter.drawPolyline(corners);
-    painter.setPen(QPen(kInk, 2.0));
+    painter.setPen(QPen(kSectionInk, 2.0));
     painter.drawPolyline(corners);
-    painter.setBrush(kInk);
-    painter.setPen(QPen(kRim, 1.0));
+    painter.setBrush(kSectionInk);
+    painter.setPen(QPen(kSectionRim, 1.0));
     for (const std::size_t corner : handles()) {
         painter.drawEllipse(*m_view.screenOf(m_line[corner]), kCornerPixels, kCornerPixels);
     }

@@ -171,8 +171,12 @@ private slots:
         QVERIFY(y >= double(board.min.y) - 1.0 && y <= double(board.max.y) + 1.0);
         mouseIn3D(QEvent::MouseButtonRelease, from + QPointF(12'000, -7'000));
         QVERIFY(window().views().solid().controller().camera().pose() == pose);  // the board was not turned
+        mouseIn3D(QEvent::MouseButtonPress, handle.place().value());
         window().actions()[ActionId::SectionPlane].trigger();
         QVERIFY(!handle.place());
+        mouseIn3D(QEvent::MouseMove, from);
+        mouseIn3D(QEvent::MouseButtonRelease, from);
+        QVERIFY(window().views().solid().cut() == nullptr);
         window().views().setArrangement(ui::Arrangement::SideBySide);
     }
 
