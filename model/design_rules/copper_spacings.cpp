@@ -89,21 +89,32 @@ bool areMeantConcentric(const RuleContext& context, const DrilledHole& a, const 
     return isSameHole || isStack || a.isIntoAnother() || b.isIntoAnother();
 }
 
+DrilledHole drilledHole(const Document& document, const LayerGeometry& holes, std::uint32_t row) {
+    const ElementId element = holes.elementOf(row);
+    return {element, holes.figures().box(row), document.layer(document.elements.layer[element.row()]),
+            isPlatedHole(document.elements.flags[element.row()])};
+}
+
 /// Two holes that have to keep apart: they pass some layer both, and are not meant to have one middle.
 bool areApart(const RuleContext& context, const LayerGeometry& holes, std::uint32_t a, std::uint32_t b) {
-    const Document& document = context.document();
-    const auto holeOf = [&](std::uint32_t row) {
-        const ElementId element = holes.elementOf(row);
-        return DrilledHole{element, holes.figures().box(row), document.layer(document.elements.layer[element.row()]),
-                           isPlatedHole(document.elements.flags[element.row()])};
-    };
-    const DrilledHole holeA = holeOf(a);
-    const DrilledHole holeB = holeOf(b);
+    const DrilledHole holeA = drilledHole(context.document(), holes, a);
+    const DrilledHole holeB = drilledHole(context.document(), holes, b);
     const bool isStacked =
         holeA.hasSpan() && holeB.hasSpan() &&
         (holeA.layer.spanBottom < holeB.layer.spanTop || holeB.layer.spanBottom < holeA.layer.spanTop);
     return holeA.element != holeB.element && !isStacked &&
            !(areConcentric(holeA.box, holeB.box) && areMeantConcentric(context, holeA, holeB));
+}
+
+/// Are two holes that touch milled as one opening, as a slot with a corner is, or one whose ends are wider? No drill
+/// bit runs off into what a milling cutter left. The same slot twice is a mistake, as the same drilled hole is.
+bool areOneOpening(const RuleContext& context, const DrilledHole& a, const DrilledHole& b) {
+    const auto isMilled = [&](const DrilledHole& hole) {
+        return context.document().elements.kind[hole.element.row()] != ElementKind::Circle;
+    };
+    const bool isOfOnePlating =
+        a.isPlated == b.isPlated && (!a.isPlated || context.owners().of(a.element) == context.owners().of(b.element));
+    return isMilled(a) && isMilled(b) && isOfOnePlating && !(areConcentric(a.box, b.box) && areOfOneSize(a.box, b.box));
 }
 
 LayerGeometry allHoles(const Document& document) {
@@ -425,6 +436,9 @@ void checkHoles(RuleContext& context) {
         const ElementId b = holes.elementOf(rowB);
         return areApart(context, holes, rowA, rowB) && context.isBetween(a, b) && isOnLayer(a) && isOnLayer(b) &&
                rule(a, b);
+    };
+    request.mayTouch = [&](std::uint32_t a, std::uint32_t b) {
+        return !areOneOpening(context, drilledHole(document, holes, a), drilledHole(document, holes, b));
     };
     for (const FigurePair& pair : closestPairs(holes, holes, request, context.progress())) {
         const ElementId a = holes.elementOf(pair.a);

@@ -1,4 +1,5 @@
-// Copper beyond the edge of a board, holes that have one middle, tracks that bend, and copper without a net in between.
+// Copper beyond the edge of a board, holes that have one middle or make one opening, tracks that bend, and copper
+// without a net in between.
 #include "model/design_rules/copper_spacings.h"
 
 #include <QtTest>
@@ -231,6 +232,29 @@ private slots:
             TwoHoles wider(use, false);
             QVERIFY(wider.first(300 * kUm, wider.a(), kWall).second(500 * kUm, {}, kBare).arePassed());
         }
+    }
+
+    /// An L of two slots is one opening; a drilled hole at the end of one, another plating or net, the same slot twice
+    /// and slots with a web between them are not.
+    void milledSlotsMayMakeOneOpening() {
+        const auto arePassed = [](Nm upTo, int flags, bool isOneNet, bool isTwice = false) {
+            Board board;
+            board.builder.beginLayer(board.drill);
+            board.builder.addLine({{0, 0}, {5 * kMm, 0}, kMm, 0}, of(board.a, kWall));
+            const Point end = isTwice ? Point{5 * kMm, 0} : Point{0, 5 * kMm};
+            board.builder.addLine({{0, upTo}, end, kMm, 0}, of(isOneNet ? board.a : board.b, flags));
+            return check(*board.builder.finish(), RuleKind::HoleToHole, 200 * kUm).isPassed();
+        };
+        QVERIFY(arePassed(0, kWall, true));
+        QVERIFY(!arePassed(0, kWall, false));
+        QVERIFY(!arePassed(0, kBare, true));
+        QVERIFY(!arePassed(0, kWall, true, true));
+        QVERIFY(!arePassed(kMm + 100 * kUm, kWall, true));
+        Board board;
+        board.builder.beginLayer(board.drill);
+        board.builder.addLine({{0, 0}, {5 * kMm, 0}, kMm, 0}, of({}, kBare));
+        board.builder.addCircle({{5 * kMm, 0}, 2 * kMm, 2 * kMm}, of({}, kBare));
+        QVERIFY(!check(*board.builder.finish(), RuleKind::HoleToHole, 200 * kUm).isPassed());
     }
 
     void viasMayBeStackedOnALayer() {
