@@ -137,7 +137,7 @@ FlatBoard flatten(const Document& board, Point shift) {
 std::vector<LayerId> boardCopper(const Document& board) {
     std::vector<LayerId> copper;
     for (std::size_t row = 0; row < board.layers.size(); ++row) {
-        if (board.layers[row].isCopper() && board.layers[row].context == LayerContext::Board) {
+        if (board.layers[row].isBoardCopper()) {
             copper.emplace_back(row);
         }
     }

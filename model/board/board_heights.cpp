@@ -15,7 +15,7 @@ struct OuterCopper {
 OuterCopper outermost(const Document& document) {
     OuterCopper outer;
     for (const Layer& layer : document.layers) {
-        if (layer.isCopper() && layer.context == LayerContext::Board) {
+        if (layer.isBoardCopper()) {
             outer.bottom = outer.bottom == nullptr || layer.z < outer.bottom->z ? &layer : outer.bottom;
             outer.top = outer.top == nullptr || layer.z > outer.top->z ? &layer : outer.top;
         }

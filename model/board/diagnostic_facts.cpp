@@ -15,9 +15,4 @@ const Diagnostic* firstError(const Diagnostics& diagnostics) {
     return first != entries.end() ? &*first : nullptr;
 }
 
-bool isOutlineAssumed(const Diagnostics& diagnostics) {
-    return std::ranges::any_of(diagnostics.entries(),
-                               [](const Diagnostic& entry) { return entry.text.ends_with(kBoxAsOutline); });
-}
-
 }  // namespace model

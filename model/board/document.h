@@ -101,6 +101,8 @@ struct Layer {
     [[nodiscard]] bool isCopper() const {
         return type == LayerType::Signal || type == LayerType::PowerGround || type == LayerType::Mixed;
     }
+    /// Copper of the stackup, not of a drawing.
+    [[nodiscard]] bool isBoardCopper() const { return isCopper() && context == LayerContext::Board; }
     /// Does the span of a drill layer hold this one? Layers are in physical order, so a span is a run of rows.
     [[nodiscard]] bool spans(LayerId id) const {
         return spanTop.isValid() && spanBottom.isValid() && spanTop <= id && id <= spanBottom;
@@ -489,8 +491,10 @@ struct Document {
     base::Table<Zone> zones;
 
     ShapeId profile;  ///< the step's outline; none if the job has none and it could not be derived
-    Box board;        ///< extent of the profile
-    Box extent;       ///< of everything on board layers, copies included, bodies of components left out
+    /// Source::Assumed: the box around all copper. It can be shown, but nothing can be held against it.
+    Source profileSource = Source::Job;
+    Box board;   ///< extent of the profile
+    Box extent;  ///< of everything on board layers, copies included, bodies of components left out
     Nm boardThickness = 0;
     Stackup stackup;
     Diagnostics diagnostics;

@@ -53,7 +53,10 @@ public:
     /// `group.elements` is filled in.
     void addGroup(ElementGroup group, std::span<const ElementId> elements);
     void addNetPoint(const NetPoint& point) { m_document->netPoints.push_back(point); }
-    void setProfile(ShapeId shape) { m_document->profile = shape; }
+    void setProfile(ShapeId shape, Source source = Source::Job) {
+        m_document->profile = shape;
+        m_document->profileSource = source;
+    }
     void addZone(Zone zone) { m_document->zones.push_back(std::move(zone)); }
     /// A step to place copies of; it must have the same layer rows. Returns its row.
     std::uint32_t addStep(std::shared_ptr<const Document> step);

@@ -30,7 +30,7 @@ bool isOuter(const Document& document, LayerId layer) {
 
 bool isCopperBetween(const Document& document, LayerId top, LayerId bottom) {
     for (std::size_t row = top.row() + 1; row < bottom.row(); ++row) {
-        if (document.layers[row].isCopper() && document.layers[row].context == LayerContext::Board) {
+        if (document.layers[row].isBoardCopper()) {
             return true;
         }
     }
@@ -38,9 +38,7 @@ bool isCopperBetween(const Document& document, LayerId top, LayerId bottom) {
 }
 
 bool isOnlyCopper(const Document& document, LayerId layer) {
-    const auto isOther = [&](const Layer& other) {
-        return other.isCopper() && other.context == LayerContext::Board && &other != &document.layer(layer);
-    };
+    const auto isOther = [&](const Layer& other) { return other.isBoardCopper() && &other != &document.layer(layer); };
     return std::ranges::none_of(document.layers, isOther);
 }
 

@@ -1,6 +1,7 @@
 #include "model/board/laser_via.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "model/board/holes.h"
 
@@ -8,13 +9,9 @@ namespace model {
 
 namespace {
 
-bool isOfBoard(const Layer& layer) {
-    return layer.isCopper() && layer.context == LayerContext::Board;
-}
-
 std::ptrdiff_t copperBetween(const Document& document, std::size_t first, std::size_t end) {
     const auto at = [&](std::size_t row) { return document.layers.begin() + static_cast<std::ptrdiff_t>(row); };
-    return first < end ? std::count_if(at(first), at(end), isOfBoard) : 0;
+    return first < end ? std::count_if(at(first), at(end), std::mem_fn(&Layer::isBoardCopper)) : 0;
 }
 
 }  // namespace

@@ -47,16 +47,12 @@ bool isSurface(const Layer& layer) {
     }
 }
 
-bool isBoardCopper(const Layer& layer) {
-    return layer.isCopper() && layer.context == LayerContext::Board;
-}
-
 bool isBoardDielectric(const Layer& layer) {
     return layer.type == LayerType::Dielectric && layer.context == LayerContext::Board;
 }
 
 bool isPhysical(const Layer& layer) {
-    return isBoardCopper(layer) || isBoardDielectric(layer) || isSurface(layer);
+    return layer.isBoardCopper() || isBoardDielectric(layer) || isSurface(layer);
 }
 
 bool namesBottom(const Layer& layer) {
@@ -116,7 +112,7 @@ private:
     void findCopper() {
         m_first = m_last = m_layers.size();
         for (std::size_t i = 0; i < m_layers.size(); ++i) {
-            if (isBoardCopper(m_layers[i])) {
+            if (m_layers[i].isBoardCopper()) {
                 m_first = std::min(m_first, i);
                 m_last = i;
             }
@@ -124,7 +120,7 @@ private:
         m_isAlone = m_first < m_layers.size() && m_first == m_last;
         m_isBottomAlone = m_isAlone && isBottom(m_layers[m_first]);
         for (std::size_t i = m_first; i < m_layers.size(); ++i) {
-            if (isBoardCopper(m_layers[i])) {
+            if (m_layers[i].isBoardCopper()) {
                 m_layers[i].side = sideOfCopper(i);
             }
         }
@@ -169,7 +165,7 @@ private:
 
     void collectParts() {
         for (std::size_t i = 0; i < m_layers.size(); ++i) {
-            if (isBoardCopper(m_layers[i])) {
+            if (m_layers[i].isBoardCopper()) {
                 addDielectricBefore();
                 addLayer(i, kMostCopper);
             } else if (isRow(i)) {
@@ -183,7 +179,7 @@ private:
 
     void addLayer(std::size_t i, double most) {
         const Layer& layer = m_layers[i];
-        const bool isCopper = isBoardCopper(layer);
+        const bool isCopper = layer.isBoardCopper();
         const bool isCore = isCopper || (isBoardDielectric(layer) && isWithin(i));
         StackupRow row{layer.name, LayerId{i}, layer.type, 0, 0, Source::Job, m_facts.layers[i].material};
         addPart({std::move(row), isCopper, isCore, false}, statedThickness(i), std::min(most, m_most));
@@ -447,10 +443,10 @@ private:
         const std::size_t row = part.row.layer.row();
         std::size_t above = row;
         std::size_t below = row;
-        while (!isBoardCopper(m_layers[above])) {
+        while (!m_layers[above].isBoardCopper()) {
             --above;
         }
-        while (!isBoardCopper(m_layers[below])) {
+        while (!m_layers[below].isBoardCopper()) {
             ++below;
         }
         const bool isOnLower = m_layers[below].use == LayerUse::Flex || m_layers[above].use != LayerUse::Flex;

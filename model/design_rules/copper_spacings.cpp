@@ -6,7 +6,6 @@
 #include <optional>
 #include <set>
 
-#include "model/board/diagnostic_facts.h"
 #include "model/design_rules/bridged.h"
 #include "model/geometry/discretise.h"
 #include "model/solids/region_distance.h"
@@ -410,8 +409,8 @@ void checkToHoles(RuleContext& context, LayerId layer) {
 }
 
 void checkToEdge(RuleContext& context, LayerId layer, const LayerGeometry& copper) {
-    const bool hasEdge =
-        context.document().profile.isValid() && !isOutlineAssumed(context.document().diagnostics);  // else: unchecked
+    const Document& document = context.document();
+    const bool hasEdge = document.profile.isValid() && document.profileSource != Source::Assumed;  // else: unchecked
     if (!hasEdge || !context.isWanted(RuleKind::CopperToEdge, layer)) {
         return;
     }

@@ -158,7 +158,7 @@ private:
 
     void addEdges() {
         const bool hasOutline = m_document.profile.isValid();
-        if (!hasOutline || isOutlineAssumed(m_document.diagnostics)) {
+        if (!hasOutline || m_document.profileSource == Source::Assumed) {
             const char* why = hasOutline ? "the outline of the board is assumed" : "the board has no outline";
             add(RuleKind::Creepage, copperCount(), "copper element", "copper elements", why);
             add(RuleKind::CopperToEdge, copperCount(), "copper element", "copper elements", why);

@@ -21,8 +21,7 @@ std::uint64_t keyOf(Point p) {
 }
 
 bool isOnCopper(const Document& document, ElementId id) {
-    const Layer& layer = document.layer(document.elements.layer[id.row()]);
-    return layer.isCopper() && layer.context == LayerContext::Board;
+    return document.layer(document.elements.layer[id.row()]).isBoardCopper();
 }
 
 std::optional<Nm> widthOf(const Document& document, ElementId id) {

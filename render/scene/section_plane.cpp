@@ -67,7 +67,7 @@ model::LayerId copperBeside(const model::Document& board, const model::SectionPi
     for (std::size_t row = 0; row < board.layers.size(); ++row) {
         const model::Layer& layer = board.layers[row];
         const bool isThere = layer.z == mask.bottom || layer.z + layer.thickness == mask.top;
-        if (layer.isCopper() && layer.context == model::LayerContext::Board && layer.thickness > 0 && isThere) {
+        if (layer.isBoardCopper() && layer.thickness > 0 && isThere) {
             return model::LayerId{row};
         }
     }

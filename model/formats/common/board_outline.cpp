@@ -3,7 +3,6 @@
 #include <numeric>
 #include <string>
 
-#include "model/board/diagnostic_facts.h"
 #include "model/formats/common/element_regions.h"
 #include "model/geometry/outlines.h"
 #include "model/solids/shells/area_shell.h"
@@ -12,14 +11,10 @@ namespace model::formats {
 
 namespace {
 
-bool isBoardCopper(const Layer& layer) {
-    return layer.isCopper() && layer.context == LayerContext::Board;
-}
-
 std::uint64_t copperElements(const Document& step) {
     std::uint64_t count = 0;
     for (const Layer& layer : step.layers) {
-        if (isBoardCopper(layer)) {
+        if (layer.isBoardCopper()) {
             count = std::accumulate(layer.countsWithCopies.begin(), layer.countsWithCopies.end(), count);
         }
     }
@@ -30,7 +25,7 @@ std::uint64_t copperElements(const Document& step) {
 template <class Visit>
 void forEachCopper(const Document& document, Visit visit) {
     for (const Layer& layer : document.layers) {
-        for (std::uint32_t i = 0; i < layer.elements.count && isBoardCopper(layer); ++i) {
+        for (std::uint32_t i = 0; i < layer.elements.count && layer.isBoardCopper(); ++i) {
             visit(document.boxOf(ElementId{layer.elements.first + i}), 1);
         }
     }
@@ -98,15 +93,17 @@ std::optional<ShapeSketch> outlineOfCopper(const Document& soFar) {
 
 void setOutline(DocumentBuilder& builder, std::optional<ShapeSketch> sketch, std::string_view whyNone,
                 std::string_view file) {
+    Source source = Source::Job;
     if (!sketch || !fitsCopper(*sketch, builder.soFar())) {
         const std::string why = sketch ? "the profile does not enclose the copper" : std::string(whyNone);
+        source = Source::Assumed;
         sketch = outlineOfCopper(builder.soFar());
-        builder.diagnostics().report(
-            Severity::Warning, file, 0,
-            why + "; " + (sketch ? std::string(kBoxAsOutline) : std::string("the board has no outline")));
+        builder.diagnostics().report(Severity::Warning, file, 0,
+                                     why + (sketch ? "; the box around all copper is used as the board's outline"
+                                                   : "; the board has no outline"));
     }
     if (sketch) {
-        builder.setProfile(builder.addShape(*sketch));
+        builder.setProfile(builder.addShape(*sketch), source);
     }
 }
 

@@ -33,10 +33,6 @@ double overlap(const std::vector<EdgeLoops>& piece, const std::vector<EdgeLoops>
     return areaOf(piece) - areaOf(differenceOf(piece, with).regions);
 }
 
-bool isBoardCopper(const Layer& layer) {
-    return layer.isCopper() && layer.context == LayerContext::Board;
-}
-
 class RoutedPieces {
 public:
     explicit RoutedPieces(const Document& board)
@@ -66,7 +62,7 @@ public:
         return layer.type == LayerType::Rout && layer.use == LayerUse::Plain &&
                std::ranges::all_of(m_board.layers, [&](const Layer& copper) {
                    const auto row = static_cast<std::size_t>(&copper - m_board.layers.data());
-                   return !isBoardCopper(copper) || layer.spans(LayerId{row});
+                   return !copper.isBoardCopper() || layer.spans(LayerId{row});
                });
     }
 
@@ -114,7 +110,7 @@ private:
     /// Areas take longest, so they are looked at last.
     [[nodiscard]] bool holdsCopper(const std::vector<EdgeLoops>& piece, const Box& box, bool areas) const {
         for (const Layer& layer : m_board.layers) {
-            for (std::uint32_t i = 0; i < layer.elements.count && isBoardCopper(layer); ++i) {
+            for (std::uint32_t i = 0; i < layer.elements.count && layer.isBoardCopper(); ++i) {
                 const ElementId id{layer.elements.first + i};
                 const bool isLookedAt = (m_board.elements.kind[id.row()] == ElementKind::Area) == areas;
                 if (isLookedAt && box.meets(m_board.boxOf(id)) &&
@@ -330,7 +326,7 @@ void takeOutRouted(DocumentBuilder& builder, std::span<const RoutedLayer> waitin
         }
     }
     if (!taken.empty()) {
-        builder.setProfile(builder.addShape(sketchOf(pieces.without(taken).regions)));
+        builder.setProfile(builder.addShape(sketchOf(pieces.without(taken).regions)), board.profileSource);
     }
 }
 

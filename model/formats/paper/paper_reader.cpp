@@ -387,7 +387,7 @@ void assumeOutline(DocumentBuilder& out, const std::string& file) {
     }
     ShapeSketch sketch;
     addBox(sketch, extent);
-    out.setProfile(out.addShape(sketch));
+    out.setProfile(out.addShape(sketch), Source::Assumed);
     out.diagnostics().report(Severity::Info, file, 0,
                              "the format has no board outline: the box around all elements is used");
 }

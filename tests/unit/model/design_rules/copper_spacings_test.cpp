@@ -5,7 +5,6 @@
 #include <QtTest>
 #include <numbers>
 
-#include "model/board/diagnostic_facts.h"
 #include "tests/unit/model/design_rules/rule_board.h"
 #include "tests/unit/model/hand_made.h"
 
@@ -120,8 +119,7 @@ private slots:
     void nothingIsHeldAgainstAnOutlineThatIsAssumed() {
         Board board;
         addOutline(board);
-        board.builder.diagnostics().report(model::Severity::Warning, "", 0,
-                                           "none is drawn; " + std::string(model::kBoxAsOutline));
+        board.builder.setProfile(board.builder.soFar().profile, model::Source::Assumed);
         board.builder.beginLayer(board.top);
         board.builder.addCircle({{20 * kMm, 8 * kMm}, 100 * kUm, 0}, of(board.a));
         const RuleReport report = check(*board.builder.finish(), RuleKind::CopperToEdge, 200 * kUm);

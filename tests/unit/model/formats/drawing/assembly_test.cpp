@@ -3,7 +3,6 @@
 #include <QtTest>
 #include <algorithm>
 
-#include "model/board/diagnostic_facts.h"
 #include "tests/unit/model/formats/drawing/drawn_testing.h"
 
 using namespace drawn_testing;
@@ -314,7 +313,7 @@ private slots:
         const auto d = assembled(job);
         QCOMPARE(d->board, (model::Box{mm(10, 10), mm(20, 30)}));
         QVERIFY(findMessage(*d, "draws no outline of the board; the box around all copper") != nullptr);
-        QVERIFY(isOutlineAssumed(d->diagnostics));
+        QVERIFY(d->profileSource == model::Source::Assumed);
     }
 
     void copiesAreLaidOutAndBadOnesLeftOut() {
