@@ -84,6 +84,7 @@ std::vector<Clearance> search(const Document& document, const CopperNets& nets, 
     const double farthest = std::hypot(static_cast<double>(extent.width()), static_cast<double>(extent.height()));
     const double last = std::min(request.below, farthest);
     for (double reach = std::min(kFirstReach, last);; reach = std::min(2 * reach, last)) {
+        progress.beginPhase("Measuring clearances");
         std::vector<Clearance> found;
         for (std::size_t i = 0; i < layers.size(); ++i) {
             search(nets, layers[i], request, reach, progress, found);
@@ -100,7 +101,6 @@ std::vector<Clearance> search(const Document& document, const CopperNets& nets, 
 base::Result<std::vector<Clearance>> smallestClearances(const Document& document, const ClearanceRequest& request,
                                                         base::Progress& progress) {
     ASSIGN_OR_RETURN(const CopperNets nets, CopperNets::of(document, progress));
-    progress.beginPhase("Measuring clearances");
     std::vector<Clearance> clearances = search(document, nets, request, progress);
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};

@@ -88,6 +88,7 @@ public:
             }
             m_context.progress().setFraction(static_cast<float>(row + 1) / static_cast<float>(layers.size()));
         }
+        m_context.progress().beginPhase("Checking holes and floating copper");
         checkHoles(m_context);
         m_rings.finish();
         RETURN_IF_ERROR(checkFloatingCopper(m_context));

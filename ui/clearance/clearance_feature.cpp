@@ -111,7 +111,7 @@ void ClearanceFeature::connectFiles(FeatureContext& context) {
                          [this](const QString& path) { return exportReport(path); });
     });
     connect(m_panel, &ClearancePanel::rulesAsked, this, [this, &context] {
-        context.openFile(tr("Open rules"), tr("Rules (*.json *.kicad_dru);;All files (*)"),
+        context.openFile(tr("Open rules"), tr("Rules (*.json *.kicad_dru *.kicad_pro *.kicad_pcb);;All files (*)"),
                          context.settings.lastFolder(m_workspace.boardFolder()), [this](const QString& path) {
                              const base::Result<QString> opened = openRules(path);
                              opened ? m_workspace.report(*opened) : m_workspace.reportSaved(opened.error(), path);

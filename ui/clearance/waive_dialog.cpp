@@ -13,6 +13,9 @@ WaiveDialog::WaiveDialog(const QString& location, const QString& author, QWidget
     setWindowTitle(tr("Waive"));
     m_reason->setObjectName(QStringLiteral("reason"));
     m_author->setObjectName(QStringLiteral("author"));
+    // OK waits for both.
+    m_reason->setPlaceholderText(tr("Needed: why it is no failure"));
+    m_author->setPlaceholderText(tr("Needed: who says so"));
     auto* where = new QLabel(location);
     where->setObjectName(QStringLiteral("location"));
     where->setTextFormat(Qt::PlainText);
