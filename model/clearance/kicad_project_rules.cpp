@@ -286,12 +286,13 @@ struct FileOfProject {
 };
 
 /// None if it is not there.
-std::optional<FileOfProject> readFile(const fs::path& path, base::Result<RuleFile> (*parse)(std::string_view)) {
+std::optional<FileOfProject> readFile(const fs::path& path, base::Result<RuleFile> (*parse)(std::string_view),
+                                      std::uint64_t most = base::kMostSettingBytes) {
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
         return {};
     }
-    const base::Result<std::string> text = readWholeFile(path);
+    const base::Result<std::string> text = readWholeFile(path, most);
     base::Result<RuleFile> file = text ? parse(*text) : base::Result<RuleFile>(text.error());
     if (!file) {
         FileOfProject damaged;
@@ -363,7 +364,8 @@ ClassOfNets classFrom(const SExpression& list) {
 /// what a newer KiCad made of it without saving the board: KiCad goes by the board until that is saved, too.
 std::optional<FileOfProject> boardAndProject(const fs::path& board) {
     const fs::path project = fs::path(board).replace_extension(".kicad_pro");
-    std::optional<FileOfProject> own = isOldBoard(board) ? readFile(board, parseKicadBoardRules) : std::nullopt;
+    std::optional<FileOfProject> own =
+        isOldBoard(board) ? readFile(board, parseKicadBoardRules, base::kMostFileBytes) : std::nullopt;
     if (!own || (!own->damage && own->rules.table.rules.empty())) {
         std::optional<FileOfProject> beside = readFile(project, parseKicadProjectRules);
         return beside ? std::move(beside) : std::move(own);
@@ -388,7 +390,7 @@ void leaveOutOwnClearances(FileOfProject& project, const fs::path& board) {
 
 /// Custom rules of checks that the project ignores are off: KiCad makes such a check for no rule.
 void switchOffIgnored(RuleFile& custom, const fs::path& project) {
-    const base::Result<std::string> text = readWholeFile(project);
+    const base::Result<std::string> text = readWholeFile(project, base::kMostSettingBytes);
     const base::Result<json> read = text ? readJson<json>(*text) : base::Result<json>(text.error());
     const json root = read ? *read : json();
     const json& severities = memberOf(memberOf(memberOf(root, "board"), "design_settings"), "rule_severities");
