@@ -70,7 +70,7 @@ public:
     /// Open holes whose boxes share a point with it.
     [[nodiscard]] std::vector<ElementId> openNear(const Box& box) const {
         std::vector<ElementId> holes = m_holes.near(box);
-        std::erase_if(holes, [this](ElementId hole) { return !isOpen(hole); });
+        std::erase_if(holes, [this](ElementId hole) { return !isHole(hole) || !isOpen(hole); });
         return holes;
     }
 
@@ -88,6 +88,10 @@ private:
                faceOf(m_document, id) == side;
     }
 
+    /// Not what a layer of routed paths holds beside: the edge of what stays, or a drawing.
+    [[nodiscard]] bool isHole(ElementId element) const {
+        return (m_document.elements.flags[element.row()] & kHole) != 0;
+    }
     [[nodiscard]] bool isOpen(ElementId hole) const {
         if (m_openings.isEmpty() || !isTented(m_document, hole)) {
             return true;
@@ -145,6 +149,9 @@ private:
     }
     [[nodiscard]] bool meets(const PolygonSet& hole) const {
         constexpr double kMeeting = 1.0;  // nm
+        if (hole.points.empty()) {
+            return false;  // a routed path without a width
+        }
         return m_edges.comesNear(hole, hole.polygons, boxOf(hole.points), kMeeting) || covers(hole.points.front()) ||
                contains(hole, hole.polygons, m_region.points.front());
     }

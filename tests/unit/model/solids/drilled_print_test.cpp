@@ -88,6 +88,18 @@ private slots:
         QCOMPARE(board.found().size(), 0U);
     }
 
+    /// The edge of what stays is drawn on a layer of routed paths, and is no hole; a path without a width opens
+    /// nothing.
+    void whatIsNoHoleOpensNothing() {
+        Board board;
+        auto& drills = board.on(Drill);
+        drills.addLine({{-5 * kMm, 0}, {5 * kMm, 0}, kMm, 0}, {});
+        drills.addLine({{-5 * kMm, 0}, {5 * kMm, 0}, 0, 0}, flagged(model::kHole));
+        board.on(Silk);
+        board.print(0);
+        QCOMPARE(board.found().size(), 0U);
+    }
+
     /// A frame has holes of the board within, and a logo may cover one altogether.
     void areasAreCutByWhatTheyMeetOnly() {
         Board board;
