@@ -112,8 +112,10 @@ bool UnusedPads::isTouched(const Waiting& pad) const {
         const Owner& other = m_owners[*i];
         const bool isSibling = own.component != formats::kNoRow && own.component == other.component;
         const bool doBothWait = own.isPad && other.isPad && own.waits && other.waits;
-        if (*i != pad.owner && own.net != formats::kNoRow && !isSibling && !doBothWait && isOn(other, pad.row) &&
-            touch(own, other)) {
+        const double most = farthestOf(own) + farthestOf(other);
+        const bool isFar = std::abs(other.at.x - own.at.x) > most || std::abs(other.at.y - own.at.y) > most;
+        if (!isFar && *i != pad.owner && own.net != formats::kNoRow && !isSibling && !doBothWait &&
+            isOn(other, pad.row) && touch(own, other)) {
             return true;
         }
     }
