@@ -62,16 +62,20 @@ void show(const Found& found, const BoardSearch& search, Workspace& workspace, P
 /// Of the selected elements, or of those of the highlighted nets; each once.
 std::vector<model::LayerId> layersOf(const SelectionModel& selection) {
     std::vector<model::LayerId> layers;
-    const auto add = [&](std::uint32_t step, model::ElementId element) {
-        layers.push_back(selection.tree().steps[step]->elements.layer[element.row()]);
-    };
     for (const model::BoardElement& at : selection.selected()) {
-        add(selection.tree().copies[at.copy].step, at.element);
+        layers.push_back(selection.layerOf(at));
     }
-    if (layers.empty()) {
-        for (const model::BoardNet& net : selection.nets()) {
+    const bool isOfNets = layers.empty();
+    const std::vector<model::StepCopy>& copies = selection.tree().copies;
+    for (const model::BoardNet& net : isOfNets ? selection.nets() : std::vector<model::BoardNet>()) {
+        for (const bool isFlipped : {false, true}) {
+            const auto copy = std::ranges::find_if(copies, [&](const model::StepCopy& each) {
+                return each.step == net.step && each.isFlipped == isFlipped;
+            });
             for (const model::ElementId element : selection.tree().steps[net.step]->elementsOf(net.net)) {
-                add(net.step, element);
+                if (copy != copies.end()) {
+                    layers.push_back(selection.layerOf({static_cast<std::uint32_t>(copy - copies.begin()), element}));
+                }
             }
         }
     }
