@@ -194,12 +194,7 @@ private:
                     others.push_back(&m_files[other].image);
                 }
             }
-            if (file.role.source != RoleSource::Told && areSameHoles(others, file.image)) {
-                file.diagnostics.report(Severity::Info, file.path, 0,
-                                        "another file drills the same holes; this one is shown as a document");
-                file.role = FileRole{FileRole::Kind::Document};
-                file.role.source = RoleSource::Content;
-            } else {
+            if (file.role.source == RoleSource::Told || !drillOnce(others, file)) {
                 seen.push_back(row);
             }
         }

@@ -108,6 +108,22 @@ void reportUnit(ReadFile& drills, bool isProven) {
     }
 }
 
+/// What a file drills that others do not.
+std::vector<formats::DrawnFeature> ownHoles(std::span<const Image* const> others, const Image& image) {
+    std::vector<IndexedPad> places;
+    for (const Image* other : others) {
+        for (const formats::DrawnFeature& feature : other->features) {
+            places.push_back({middleOf(feature), 0, 0});
+        }
+    }
+    const PadIndex index(std::move(places));
+    std::vector<formats::DrawnFeature> own;
+    std::ranges::copy_if(image.features, std::back_inserter(own), [&](const formats::DrawnFeature& feature) {
+        return !index.has(middleOf(feature), kSameHole);
+    });
+    return own;
+}
+
 }  // namespace
 
 std::optional<Point> originShift(const ReadFile& drills, const PadIndex& pads, const Box& copper) {
@@ -220,17 +236,25 @@ std::optional<double> shareOnPads(const Image& image, const PadIndex& pads) {
                                   : std::optional(static_cast<double>(onPads) / static_cast<double>(count));
 }
 
-bool areSameHoles(std::span<const Image* const> others, const Image& image) {
-    std::vector<IndexedPad> places;
-    for (const Image* other : others) {
-        for (const formats::DrawnFeature& feature : other->features) {
-            places.push_back({middleOf(feature), 0, 0});
-        }
+bool drillOnce(std::span<const Image* const> others, ReadFile& file) {
+    std::vector<formats::DrawnFeature>& all = file.image.features;
+    std::vector<formats::DrawnFeature> own = ownHoles(others, file.image);
+    const std::size_t shared = all.size() - own.size();
+    if (shared == 0 || shared * 10 < all.size() * 9) {
+        return false;
     }
-    const PadIndex index(std::move(places));
-    const auto same = std::ranges::count_if(
-        image.features, [&](const formats::DrawnFeature& feature) { return index.has(middleOf(feature), kSameHole); });
-    return !image.features.empty() && static_cast<std::size_t>(same) * 10 >= image.features.size() * 9;
+    if (own.empty()) {
+        file.diagnostics.report(Severity::Info, file.path, 0,
+                                "another file drills the same holes; this one is shown as a document");
+        file.role = FileRole{FileRole::Kind::Document};
+        file.role.source = RoleSource::Content;
+        return true;
+    }
+    file.diagnostics.report(Severity::Info, file.path, 0,
+                            "another file drills " + std::to_string(shared) + " of the " + std::to_string(all.size()) +
+                                " holes, too; they are drilled once");
+    all = std::move(own);
+    return false;
 }
 
 }  // namespace model::gerber

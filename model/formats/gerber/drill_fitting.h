@@ -24,7 +24,9 @@ bool fitToCopper(ReadFile& drills, const PadIndex& pads, const Box& copper);
 void fitAsSibling(ReadFile& drills, const std::optional<CoordinateFormat>& sibling, const Box& copper);
 /// How many holes that may be plated lie in the middle of pads, as a share; nothing if there are too few to tell.
 [[nodiscard]] std::optional<double> shareOnPads(const Image& image, const PadIndex& pads);
-/// Does a file drill the same holes as others together? Files round places, and the origin they count from.
-[[nodiscard]] bool areSameHoles(std::span<const Image* const> others, const Image& image);
+/// Leaves out of a file what others drill too, if that is nine of ten holes or more: then it lists the same board.
+/// Files round places, and the origin they count from. True if nothing is left to drill: then the file is a document.
+/// Both are reported.
+bool drillOnce(std::span<const Image* const> others, ReadFile& file);
 
 }  // namespace model::gerber

@@ -354,6 +354,27 @@ private slots:
         QCOMPARE(holesOf(**board, 800'000, model::HoleKind::Plated), 3U);
     }
 
+    /// A file with all holes beside one with the plated ones: what only the former has is drilled too.
+    void holesThatOnlyOneOfTwoFilesHasStay() {
+        const auto drills = [](const char* type, bool isAll) {
+            std::string text = std::string("M48\n") + type + "METRIC\nT1C0.8\n%\nT1\n";
+            for (int i = 0; i < 19; ++i) {
+                text += "X" + std::to_string(2 + i % 5) + ".0Y" + std::to_string(2 + i / 5) + ".0\n";
+            }
+            return text + (isAll ? "X9.0Y9.0\n" : "") + "M30\n";
+        };
+        const Job job({{"b.GTL", image(kCopper)},
+                       {"b.GBL", image(kCopper)},
+                       {"all.drl", drills("", true)},
+                       {"plated.drl", drills(";TYPE=PLATED\n", false)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QVERIFY(isReported(**board, "nother file drills 19 of the 20 holes, too"));
+        QCOMPARE(
+            holesOf(**board, 800'000, model::HoleKind::NonPlated) + holesOf(**board, 800'000, model::HoleKind::Plated),
+            20U);
+    }
+
     /// Allegro writes routs without sizes of tools; its netlist has the holes.
     void aNetlistTellsTheSizesOfTools() {
         const std::string netlist =
