@@ -470,15 +470,29 @@ private:
     }
 
     /// Counted from the top, of the ending that Altium gives by itself, which it writes also where all files end in
-    /// ".gbr": GTL, G1, G2, GBL. 0 if there is no such layer.
+    /// ".gbr": GTL, G1, G2, GBL. 0 if there is no such layer, or if nothing tells which: signals and planes (GP1) are
+    /// counted each by themselves, and the names of the images no longer say how they alternate.
     [[nodiscard]] int copperOfAltium(const std::string& ending) const {
         const std::optional<FileRole> role = roleOfName("x." + ending);
         if (!role || role->kind != FileRole::Kind::Copper) {
             return 0;
         }
         const int count = static_cast<int>(m_layers.copper.size());
-        const int inner = role->order > 0 && role->order < count - 1 ? role->order + 1 : 0;
+        const bool isOfOneKind =
+            (role->isNegative || !arePlanesNamed()) &&
+            std::all_of(m_layers.copper.begin() + 1, m_layers.copper.begin() + std::max(1, count - 1),
+                        [&](std::int32_t row) {
+                            return m_layers.layers[static_cast<std::size_t>(row)].isNegative == role->isNegative;
+                        });
+        const int inner = isOfOneKind && role->order > 0 && role->order < count - 1 ? role->order + 1 : 0;
         return role->side == LayerSide::Top ? 1 : role->side == LayerSide::Bottom ? count : inner;
+    }
+
+    /// By a layer pair of the job.
+    [[nodiscard]] bool arePlanesNamed() const {
+        return std::ranges::any_of(m_files, [](const ReadFile& file) {
+            return std::ranges::any_of(file.layerPairs, &LayerPair::namesPlanes);
+        });
     }
 
     /// Counted from the top; 0 if no copper layer's file is named so.

@@ -1,8 +1,19 @@
 #include "model/formats/gerber/naming/layer_pairs.h"
 
+#include <algorithm>
+#include <optional>
+
+#include "model/formats/gerber/naming/file_role.h"
 #include "model/formats/gerber/text/words.h"
 
 namespace model::gerber {
+
+bool LayerPair::namesPlanes() const {
+    return std::ranges::any_of(endings, [](const std::string& ending) {
+        const std::optional<FileRole> role = roleOfName("x." + ending);
+        return role && role->isNegative;
+    });
+}
 
 bool looksLikeLayerPairs(std::string_view head) {
     return head.find("DrillFile=") != std::string_view::npos && head.find("DrillLayers=") != std::string_view::npos;

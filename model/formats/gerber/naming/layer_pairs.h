@@ -10,6 +10,9 @@ namespace model::gerber {
 struct LayerPair {
     std::string drillFile;             ///< without folders, upper case
     std::vector<std::string> endings;  ///< of the images of those layers, upper case, from the first to the last
+
+    /// Is one of them an internal plane (GP1), which Altium counts by themselves?
+    [[nodiscard]] bool namesPlanes() const;
 };
 
 /// "LayersSetName=Top_Bot|DrillFile=b-roundholes.txt|DrillLayers=gtl,g1,gbl": is there such a row at the beginning?

@@ -261,25 +261,30 @@ private slots:
         QVERIFY(!isReported(**board, "no part of a Gerber job"));
     }
 
-    /// The endings that it writes are those that it gives by itself, also where all files end in ".gbr".
+    /// The endings that it writes are those that it gives by itself, also where all files end in ".gbr". Planes are
+    /// counted by themselves: beside them nothing tells which file is meant.
     void layerPairsCountFilesThatAllEndAlike() {
-        const std::string pairs = "LayersSetName=Buried|DrillFile=b-buried.txt|DrillLayers=g1,g2\r\n";
+        const std::string buried = "LayersSetName=Buried|DrillFile=b-buried.txt|DrillLayers=g1,g2\r\n";
         const auto copper = [](int number) {
             return "G04 Layer_Physical_Order=" + std::to_string(number) + "*\n" + image(kCopper);
         };
-        const Job job({{"b_One.gbr", copper(1)},
-                       {"b_Two.gbr", copper(2)},
-                       {"b_Three.gbr", copper(3)},
-                       {"b_Four.gbr", copper(4)},
-                       {"b-Buried.TXT", kDrills},
-                       {"b.LDP", pairs}});
-        const Board board = job.open();
-        QVERIFY(board.ok());
-        QVERIFY(!isReported(**board, "of which the job has no image"));
-        const auto drills = std::ranges::find((*board)->layers, "b-Buried.TXT", &model::Layer::file);
-        QVERIFY(drills != (*board)->layers.end());
-        QCOMPARE((*board)->layer(drills->spanTop).file, std::string("b_Two.gbr"));
-        QCOMPARE((*board)->layer(drills->spanBottom).file, std::string("b_Three.gbr"));
+        for (const bool arePlanesNamed : {false, true}) {
+            const std::string planes = "LayersSetName=Lost|DrillFile=b-lost.txt|DrillLayers=gtl,gp1\r\n";
+            const Job job({{"b_One.gbr", copper(1)},
+                           {"b_Two.gbr", copper(2)},
+                           {"b_Three.gbr", copper(3)},
+                           {"b_Four.gbr", copper(4)},
+                           {"b-Buried.TXT", kDrills},
+                           {"b.LDP", buried + (arePlanesNamed ? planes : "")}});
+            const Board board = job.open();
+            QVERIFY(board.ok());
+            QCOMPARE(isReported(**board, "of which the job has no image"), arePlanesNamed);
+            const auto drills = std::ranges::find((*board)->layers, "b-Buried.TXT", &model::Layer::file);
+            QVERIFY(drills != (*board)->layers.end());
+            QCOMPARE((*board)->layer(drills->spanTop).file, std::string(arePlanesNamed ? "b_One.gbr" : "b_Two.gbr"));
+            QCOMPARE((*board)->layer(drills->spanBottom).file,
+                     std::string(arePlanesNamed ? "b_Four.gbr" : "b_Three.gbr"));
+        }
     }
 
     /// Allegro says the format of neither. A slot that meets no pads would lie on the board ten times smaller, too.
