@@ -111,8 +111,8 @@ public:
             report(*m_named->file, m_named->outline);
             best = BoardOutline{std::move(m_named->outline.shape), m_named->file->path};
         }
-        for (const Named& rest : best ? std::vector<Named>() : m_open) {
-            report(*rest.file, rest.outline);
+        for (const Named& open : m_named ? std::vector<Named>() : m_open) {
+            report(*open.file, open.outline);
         }
         return best ? std::move(best) : ofFilms();
     }
@@ -138,7 +138,8 @@ private:
                 m_open.push_back(std::move(named));
                 continue;
             }
-            named.isCertain = named.isCertain || isAround(named.outline.box.grownBy(kBeyondOutline), m_padBox);
+            const Box& within = m_padBox.isEmpty() ? m_copper.box : m_padBox;
+            named.isCertain = named.isCertain || isAround(named.outline.box.grownBy(kBeyondOutline), within);
             if (named.isCertain || !m_named) {
                 m_named = std::move(named);
             }
@@ -156,10 +157,7 @@ private:
             }
             Outline outline = withoutParts(outlineOf(file.image, m_copper.pads));
             if (!outline.shape.isEmpty() && fits(outline.box)) {
-                assume(file.path, m_named ? "the file that is named as the board's outline does not enclose all pads; "
-                                            "the outline is taken from this one, whose loops enclose the copper closely"
-                                          : "no file is named as the board's outline; taken from this one, whose loops "
-                                            "enclose the copper closely");
+                assume(file.path, "taken from this one, whose loops enclose the copper closely");
                 return BoardOutline{std::move(outline.shape), file.path};
             }
         }
@@ -186,11 +184,9 @@ private:
                 return other.file->role.kind != frame.file->role.kind && isSame(other.outline.box, frame.outline.box);
             });
             if (isAlike || frame.file->role.kind == Kind::Legend) {
-                assume(frame.file->path, isAlike
-                                             ? "no file is named as the board's outline; taken from the loop around "
-                                               "the pads that this film and others draw alike"
-                                             : "no file is named as the board's outline; taken from the loop around "
-                                               "the pads that the silkscreen draws");
+                assume(frame.file->path,
+                       isAlike ? "taken from the loop around the pads that this film and others draw alike"
+                               : "taken from the loop around the pads that the silkscreen draws");
                 return BoardOutline{std::move(frame.outline.shape), frame.file->path};
             }
         }
@@ -249,7 +245,15 @@ private:
         }
     }
 
-    void assume(const std::string& path, const char* text) { m_diagnostics.report(Severity::Info, path, 0, text); }
+    /// `what`: how the sentence goes on that says why no named file has the outline.
+    void assume(const std::string& path, const char* what) {
+        const char* why = m_named ? "the file that is named as the board's outline does not enclose all pads; "
+                          : m_open.empty()
+                              ? "no file is named as the board's outline; "
+                              : "the file that is named as the board's outline draws no closed loop of its "
+                                "size; ";
+        m_diagnostics.report(Severity::Info, path, 0, std::string(why) + what);
+    }
 
     std::span<const ReadFile> m_files;
     const BoardFiles& m_board;

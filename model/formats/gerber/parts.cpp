@@ -98,7 +98,7 @@ std::optional<PartList::Fit> PartList::fitOf(const PlacementFile& file, const Pa
     const std::size_t units = file.saysUnit ? 1 : kUnits.size();
     for (std::size_t i = 0; i < units; ++i) {
         if (const std::optional<Point> shift = shiftOf(file, kUnits[i].factor)) {
-            return Fit{kUnits[i].factor, *shift};
+            return Fit{kUnits[i].factor, *shift, true};
         }
     }
     for (std::size_t i = 0; i < units; ++i) {
@@ -126,7 +126,9 @@ void PartList::place(const PlacementFile& file, std::string_view path, const Pad
         diagnostics.report(Severity::Info, path, file.parts.front().line,
                            "the table of places does not say its unit; taken as " +
                                std::string(std::ranges::find(kUnits, fit->factor, &Unit::factor)->name) +
-                               (fit->factor == 1.0 ? "" : ", as places in mm would lie beyond the board"));
+                               (fit->factor == 1.0 ? ""
+                                : fit->isByPins    ? ", as components then lie on their pins"
+                                                   : ", as places in mm would lie beyond the board"));
     }
     if (fit->shift != Point{}) {
         diagnostics.report(Severity::Info, path, 0,

@@ -48,6 +48,7 @@ private:
     struct Fit {
         double factor = 1.0;
         Point shift;
+        bool isByPins = false;  ///< the components lie on their pins then; else their places are on the board
     };
 
     [[nodiscard]] std::optional<Fit> fitOf(const PlacementFile& file, const PadIndex& pads, const Box& board) const;

@@ -183,6 +183,20 @@ private slots:
         QVERIFY(isReported(**board, "does not enclose all pads"));
     }
 
+    /// What is wrong with the named file is said although a drawing has the outline.
+    void aNamedOutlineThatIsOpenYieldsToADrawingAroundTheCopper() {
+        const std::string open = "%ADD10C,0.1*%D10*X0Y0D02*X10000000D01*X0Y10000000D02*X10000000D01*";
+        const Job job({{"b.GTL", image(kWideCopper)},
+                       {"b.GBL", image(kWideCopper)},
+                       {"b.GKO", image(open)},
+                       {"x_Mechanical_1.gbr", image(kOutline)}});
+        const Board board = job.open();
+        QVERIFY(board.ok());
+        QCOMPARE((*board)->board, (model::Box{{0, 0}, {10'000'000, 10'000'000}}));
+        QVERIFY(isReported(**board, "draws no closed loop of its size; taken from this one"));
+        QVERIFY(isReported(**board, "do not close"));
+    }
+
     /// Films of negative planes have frames of drawings around them.
     void negativesDoNotTellHowLargeABoardIs() {
         const std::string plane =
