@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "model/base/ascii.h"
+
 namespace app {
 
 namespace {
@@ -19,7 +21,7 @@ std::string trimmed(std::string_view text) {
 }
 
 bool isDecimal(std::string_view digits) {
-    return !digits.empty() && std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+    return !digits.empty() && std::ranges::all_of(digits, base::isDigit);
 }
 
 /// Zeros that lead a number, which the parser would take for the sign of another base.

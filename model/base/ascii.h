@@ -4,9 +4,22 @@
 #include <string>
 #include <string_view>
 
-/// Small and capital letters of ASCII. All other bytes stay as they are, whatever the locale: what a job means must not
-/// depend on the language of who opens it.
+/// Letters, digits and blanks of ASCII. All other bytes stay as they are and are none of these, whatever the locale:
+/// what a job means must not depend on the language of who opens it.
 namespace base {
+
+[[nodiscard]] constexpr bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+[[nodiscard]] constexpr bool isLetter(char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+/// What lies between words, ends of lines too.
+[[nodiscard]] constexpr bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
 
 [[nodiscard]] constexpr char lowerAscii(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;

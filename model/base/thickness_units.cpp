@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "model/base/ascii.h"
+
 namespace model {
 
 using base::Error;
@@ -53,10 +55,6 @@ std::pair<double, const LengthUnit*> numberAndUnit(std::string_view text) {
     return {value, number.ec == std::errc() ? findUnit(rest) : nullptr};
 }
 
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 }  // namespace
 
 std::string withDecimalPoint(std::string_view text) {
@@ -64,15 +62,15 @@ std::string withDecimalPoint(std::string_view text) {
     const std::size_t comma = out.find(',');
     const bool isAlone =
         comma != std::string::npos && out.find_first_of(".,", comma + 1) == std::string::npos && out.find('.') > comma;
-    if (!isAlone || comma == 0 || !isDigit(out[comma - 1])) {
+    if (!isAlone || comma == 0 || !base::isDigit(out[comma - 1])) {
         return out;
     }
     std::size_t end = comma + 1;
-    while (end < out.size() && isDigit(out[end])) {
+    while (end < out.size() && base::isDigit(out[end])) {
         ++end;
     }
     std::size_t begin = comma;
-    while (begin > 0 && isDigit(out[begin - 1])) {
+    while (begin > 0 && base::isDigit(out[begin - 1])) {
         --begin;
     }
     const std::size_t behind = end - comma - 1;

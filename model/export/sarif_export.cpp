@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "model/base/ascii.h"
 #include "model/base/units.h"
 #include "model/export/rule_items.h"
 #include "model/text/formatting.h"
@@ -18,8 +19,8 @@ namespace {
 std::string uriOf(const std::filesystem::path& path) {
     std::string uri = path.is_absolute() ? "file://" : "";
     for (const char c : path.lexically_normal().generic_string()) {
-        const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                             std::string_view("-._~/").find(c) != std::string_view::npos;
+        const bool isPlain =
+            base::isLetter(c) || base::isDigit(c) || std::string_view("-._~/").find(c) != std::string_view::npos;
         uri += isPlain ? std::string(1, c) : formatted("%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
     }
     return uri;

@@ -29,14 +29,6 @@ constexpr std::size_t kMadeUpDigits = 4;   // "N1234" is no name that people giv
 
 constexpr std::string_view kDigits = "0123456789";
 
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-bool isLetter(char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
 bool beginsWith(std::string_view text, std::string_view start) {
     return text.size() >= start.size() && base::equalsIgnoringCase(text.substr(0, start.size()), start);
 }
@@ -68,8 +60,9 @@ bool isSignAt(std::string_view name, std::size_t at) {
         return at > 0;
     }
     const char before = name[at - 1];
-    const bool isOwnWord = !isLetter(before) && !isDigit(before) && !isLetter(name[behind]) && !isDigit(name[behind]);
-    return isOwnWord && isLetter(name[at]);
+    const bool isOwnWord = !base::isLetter(before) && !base::isDigit(before) && !base::isLetter(name[behind]) &&
+                           !base::isDigit(name[behind]);
+    return isOwnWord && base::isLetter(name[at]);
 }
 
 /// Nets gathered under names, in the order they come.
@@ -273,7 +266,8 @@ std::vector<std::string_view> wordsOf(std::string_view name) {
     std::vector<std::string_view> words;
     std::size_t first = 0;
     for (std::size_t at = 0; at <= name.size(); ++at) {
-        const bool isPart = at < name.size() && (isLetter(name[at]) || isDigit(name[at]) || name[at] == '.');
+        const bool isPart =
+            at < name.size() && (base::isLetter(name[at]) || base::isDigit(name[at]) || name[at] == '.');
         if (!isPart) {
             if (at > first) {
                 words.push_back(name.substr(first, at - first));
@@ -304,7 +298,7 @@ bool isVoltage(std::string_view word) {
 /// "VCC", "VDDIO", "V5", "VBAT2".
 bool isRail(std::string_view word) {
     constexpr std::string_view kRails[] = {"VCC", "VDD", "VEE", "VBAT", "VBUS", "VIN", "VSYS", "VPP", "VAA", "PWR"};
-    const bool isNumbered = word.size() > 1 && base::upperAscii(word[0]) == 'V' && isDigit(word[1]);
+    const bool isNumbered = word.size() > 1 && base::upperAscii(word[0]) == 'V' && base::isDigit(word[1]);
     return isNumbered || isVoltage(word) ||
            std::ranges::any_of(kRails, [&](std::string_view rail) { return beginsWith(word, rail); });
 }

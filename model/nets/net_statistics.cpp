@@ -13,14 +13,10 @@ namespace {
 
 constexpr std::size_t kPiece = 256;  // nets per task
 
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// Takes a run of digits off the front, without leading zeros.
 std::string_view takeNumber(std::string_view& text) {
     std::size_t end = 0;
-    while (end < text.size() && isDigit(text[end])) {
+    while (end < text.size() && base::isDigit(text[end])) {
         ++end;
     }
     std::string_view number = text.substr(0, end);
@@ -33,7 +29,7 @@ std::string_view takeNumber(std::string_view& text) {
 /// alike.
 std::size_t commonPrefix(std::string_view a, std::string_view b) {
     auto size = static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
-    while (size > 0 && isDigit(a[size - 1])) {
+    while (size > 0 && base::isDigit(a[size - 1])) {
         --size;
     }
     return size;
@@ -45,7 +41,7 @@ int compareNames(std::string_view a, std::string_view b) {
     a.remove_prefix(alike);
     b.remove_prefix(alike);
     while (!a.empty() && !b.empty()) {
-        if (isDigit(a.front()) && isDigit(b.front())) {
+        if (base::isDigit(a.front()) && base::isDigit(b.front())) {
             const std::string_view m = takeNumber(a);
             const std::string_view n = takeNumber(b);
             if (m.size() != n.size()) {

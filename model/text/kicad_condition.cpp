@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/base/ascii.h"
+
 namespace model {
 
 namespace {
 
 using Alternatives = std::vector<ConditionTerms>;
 
-bool isSpace(char c) {
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
 bool isOfName(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    return base::isLetter(c) || base::isDigit(c) || c == '_';
 }
 
 /// "A.Type": what is named, and of which side.
@@ -36,7 +34,7 @@ public:
 
 private:
     void skipSpace() {
-        while (m_at < m_text.size() && isSpace(m_text[m_at])) {
+        while (m_at < m_text.size() && base::isBlank(m_text[m_at])) {
             ++m_at;
         }
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/base/ascii.h"
 #include "model/base/limits.h"
 
 namespace model {
@@ -9,10 +10,6 @@ namespace model {
 namespace {
 
 const std::string kNothing;
-
-bool isBlank(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
 
 class Parser {
 public:
@@ -38,7 +35,7 @@ private:
     void step() { m_line += m_text[m_at++] == '\n' ? 1 : 0; }
 
     void skip() {
-        while (m_at < m_text.size() && (isBlank(m_text[m_at]) || m_text[m_at] == '#')) {
+        while (m_at < m_text.size() && (base::isBlank(m_text[m_at]) || m_text[m_at] == '#')) {
             const bool isComment = m_text[m_at] == '#';
             while (isComment && m_at < m_text.size() && m_text[m_at] != '\n') {
                 step();
@@ -91,7 +88,7 @@ private:
 
     base::Status parseWord() {
         SExpression word{{}, false, {}, m_line};
-        while (m_at < m_text.size() && !isBlank(m_text[m_at]) && m_text[m_at] != '(' && m_text[m_at] != ')') {
+        while (m_at < m_text.size() && !base::isBlank(m_text[m_at]) && m_text[m_at] != '(' && m_text[m_at] != ')') {
             word.atom += m_text[m_at];
             step();
         }

@@ -57,8 +57,7 @@ bool looksLikeDrills(std::string_view head) {
             tools += holds(line, "Holesize") ? 1 : 0;
             continue;
         }
-        const bool isCode =
-            line.size() > 1 && line[1] >= '0' && line[1] <= '9' && line.find(' ') == std::string_view::npos;
+        const bool isCode = line.size() > 1 && base::isDigit(line[1]) && line.find(' ') == std::string_view::npos;
         tools += isCode && line[0] == 'T' ? 1 : 0;
         const bool isHit = line.find_first_not_of("XYIJAGRM0123456789+-.") == std::string_view::npos;
         hits += isHit ? 1 : 0;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/base/ascii.h"
 #include "model/base/units.h"
 #include "model/formats/gerber/drills/drill_file.h"
 #include "model/formats/gerber/text/words.h"
@@ -8,10 +9,6 @@
 namespace model::gerber {
 
 namespace {
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 /// What the digits of the coordinates show.
 struct Digits {
@@ -45,7 +42,8 @@ void look(std::string_view line, DrillHead& head, Digits& digits) {
 /// "4:4", "3.3" or "2,4".
 void readDigits(std::string_view text, DrillHead& head) {
     for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-        const bool isPair = (text[i] == ':' || text[i] == '.') && isDigit(text[i - 1]) && isDigit(text[i + 1]);
+        const bool isPair =
+            (text[i] == ':' || text[i] == '.') && base::isDigit(text[i - 1]) && base::isDigit(text[i + 1]);
         if (isPair) {
             head.integers = text[i - 1] - '0';
             head.decimals = text[i + 1] - '0';

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "model/base/ascii.h"
 #include "model/base/units.h"
 #include "model/formats/gerber/drills/drill_functions.h"
 #include "model/formats/gerber/text/words.h"
@@ -44,7 +45,7 @@ bool areToolsChangedByStop(std::string_view text) {
     Lines lines(text);
     while (lines.next()) {
         const std::string_view line = trimmed(lines.line());
-        if (line.size() > 1 && line[0] == 'T' && line[1] >= '0' && line[1] <= '9') {
+        if (line.size() > 1 && line[0] == 'T' && base::isDigit(line[1])) {
             return false;
         }
         isAnySize = isAnySize || (line.starts_with(';') && holds(line, "Holesize"));
@@ -175,7 +176,7 @@ void DrillParser::record(std::string_view text) {
         m_isIncremental = holds(text, "ON");
         return;
     }
-    if (text.front() == 'R' && text.size() > 1 && text[1] >= '0' && text[1] <= '9') {
+    if (text.front() == 'R' && text.size() > 1 && base::isDigit(text[1])) {
         return repeat(values(text));
     }
     const std::string_view letters = "XYGMNIJASFCZHBT";

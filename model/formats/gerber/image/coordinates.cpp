@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "model/base/ascii.h"
 #include "model/base/units.h"
 
 namespace model::gerber {
@@ -23,7 +24,7 @@ std::size_t headSize(std::string_view text) {
 }
 
 int digit(std::string_view text, std::size_t at) {
-    return at < text.size() && text[at] >= '0' && text[at] <= '9' ? text[at] - '0' : -1;
+    return at < text.size() && base::isDigit(text[at]) ? text[at] - '0' : -1;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/base/ascii.h"
 #include "model/formats/gerber/text/words.h"
 
 namespace model::gerber {
@@ -10,14 +11,6 @@ namespace model::gerber {
 namespace {
 
 constexpr std::size_t kMostComments = 100;
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-bool isBlank(char c) {
-    return c == ' ' || c == '\n' || c == '\r' || c == '\t';
-}
 
 /// Room for this many objects is made before reading: growing step by step would copy them, and have the system hand
 /// out memory, twice over, which took most of the time of reading.
@@ -80,7 +73,7 @@ Image ImageParser::run() {
 }
 
 void ImageParser::skipBlanks() {
-    while (m_at != m_end && isBlank(*m_at)) {
+    while (m_at != m_end && base::isBlank(*m_at)) {
         m_line += *m_at == '\n' ? 1 : 0;
         ++m_at;
     }
@@ -89,7 +82,7 @@ void ImageParser::skipBlanks() {
 int ImageParser::readInteger() {
     int value = 0;
     skipBlanks();
-    while (m_at != m_end && isDigit(*m_at)) {
+    while (m_at != m_end && base::isDigit(*m_at)) {
         value = std::min(value * 10 + (*m_at - '0'), 100'000'000);
         ++m_at;
     }
@@ -107,7 +100,7 @@ double ImageParser::readLength() {
     int digits = 0;
     int behindPoint = -1;
     for (; m_at != m_end; ++m_at) {
-        if (isDigit(*m_at)) {
+        if (base::isDigit(*m_at)) {
             if (digits < 18) {
                 value = value * 10 + (*m_at - '0');
                 ++digits;

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <vector>
 
+#include "model/base/ascii.h"
 #include "model/formats/gerber/naming/file_role.h"
 #include "model/formats/gerber/text/words.h"
 
@@ -200,16 +200,12 @@ struct SideWord {
 
 constexpr std::array kSideWords = {SideWord{"FRONT", kTop}, SideWord{"BACK", kBottom}, SideWord{"COMPONENT", kTop}};
 
-bool isLetter(char c) {
-    return c >= 'A' && c <= 'Z';
-}
-
 /// A word that stands alone: no letter before it, unless it begins with a joint, or behind it.
 bool hasAlone(std::string_view text, std::string_view word) {
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
         const std::size_t end = at + word.size();
-        const bool begins = at == 0 || !isLetter(word.front()) || !isLetter(text[at - 1]);
-        if (begins && (end == text.size() || !isLetter(text[end]))) {
+        const bool begins = at == 0 || !base::isLetter(word.front()) || !base::isLetter(text[at - 1]);
+        if (begins && (end == text.size() || !base::isLetter(text[end]))) {
             return true;
         }
     }
@@ -230,7 +226,7 @@ bool hasWord(std::string_view text, std::string_view word) {
 /// A word that may be part of a longer one, but begins where no letter stands before it: "F_", but not that of "ELF_".
 bool hasBeginning(std::string_view text, std::string_view word) {
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-        if (at == 0 || !isLetter(text[at - 1])) {
+        if (at == 0 || !base::isLetter(text[at - 1])) {
             return true;
         }
     }
@@ -263,11 +259,11 @@ LayerSide sideOfName(std::string_view name) {
 /// The number of an inner layer: behind L, LAYER, IN, INNER, G, GROUP or at the end.
 int numberIn(std::string_view name) {
     for (std::size_t i = name.size(); i > 0; --i) {
-        if (std::isdigit(static_cast<unsigned char>(name[i - 1])) == 0) {
+        if (!base::isDigit(name[i - 1])) {
             continue;
         }
         std::size_t begin = i - 1;
-        while (begin > 0 && std::isdigit(static_cast<unsigned char>(name[begin - 1])) != 0) {
+        while (begin > 0 && base::isDigit(name[begin - 1])) {
             --begin;
         }
         const int number = parseInteger(name.substr(begin, i - begin)).value_or(0);
@@ -283,7 +279,7 @@ int numberIn(std::string_view name) {
 int layerNumber(std::string_view name) {
     for (const std::string_view word : {"LAYER", "LYR", "L", "CONDUCTIVE"}) {
         for (std::size_t at = name.find(word); at != std::string_view::npos; at = name.find(word, at + 1)) {
-            if (at > 0 && isLetter(name[at - 1])) {
+            if (at > 0 && base::isLetter(name[at - 1])) {
                 continue;
             }
             std::string_view rest = name.substr(at + word.size());

@@ -5,6 +5,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "model/base/ascii.h"
 #include "model/base/units.h"
 #include "model/formats/gerber/text/words.h"
 
@@ -18,8 +19,7 @@ constexpr double kMetricUnit = base::kNmPerMm / 1'000;   ///< CUST 1, SI
 constexpr std::string_view kAlias = "NNAME";
 
 bool isRecord(std::string_view line) {
-    return line.size() >= 40 && (line[0] == '3' || line[0] == '0') && line[1] >= '0' && line[1] <= '9' &&
-           line[2] == '7';
+    return line.size() >= 40 && (line[0] == '3' || line[0] == '0') && base::isDigit(line[1]) && line[2] == '7';
 }
 
 class Parser {

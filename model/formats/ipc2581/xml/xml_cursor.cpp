@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/base/ascii.h"
+
 namespace model::ipc2581 {
 
 namespace {
@@ -9,12 +11,8 @@ namespace {
 /// More attributes than any element of the standard has; the rest is not kept.
 constexpr std::size_t kMostAttributes = 64;
 
-constexpr bool isBlank(char c) {
-    return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
-
 constexpr bool endsName(char c) {
-    return isBlank(c) || c == '>' || c == '/' || c == '=' || c == '<' || c == '"' || c == '\'';
+    return base::isBlank(c) || c == '>' || c == '/' || c == '=' || c == '<' || c == '"' || c == '\'';
 }
 
 std::string_view localName(std::string_view name) {
@@ -87,7 +85,7 @@ XmlCursor::Token XmlCursor::readStart() {
         return broken("a tag without a name");
     }
     while (true) {
-        while (at < m_text.size() && isBlank(m_text[at])) {
+        while (at < m_text.size() && base::isBlank(m_text[at])) {
             ++at;
         }
         if (at == m_text.size()) {
@@ -110,7 +108,7 @@ bool XmlCursor::readAttribute(std::size_t& at) {
     const std::size_t nameEnd = endOfName(at);
     std::size_t quote = nameEnd;
     bool hasEqual = false;
-    while (quote < m_text.size() && (isBlank(m_text[quote]) || (m_text[quote] == '=' && !hasEqual))) {
+    while (quote < m_text.size() && (base::isBlank(m_text[quote]) || (m_text[quote] == '=' && !hasEqual))) {
         hasEqual = hasEqual || m_text[quote] == '=';
         ++quote;
     }

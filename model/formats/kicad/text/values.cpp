@@ -6,16 +6,14 @@
 #include <cstdint>
 #include <utility>
 
+#include "model/base/ascii.h"
+
 namespace model::kicad {
 
 namespace {
 
 constexpr double kFarthest = 1e12;
 constexpr int kMostDigits = 15;
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 /// The plain form, at most six digits behind the point: nearly all of a board.
 std::optional<double> plainLength(std::string_view word) {
@@ -29,7 +27,7 @@ std::optional<double> plainLength(std::string_view word) {
             behind = 0;
             continue;
         }
-        if (!isDigit(word[at]) || behind == 6 || digits == kMostDigits - 6) {
+        if (!base::isDigit(word[at]) || behind == 6 || digits == kMostDigits - 6) {
             return {};
         }
         value = value * 10 + (word[at] - '0');

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "model/base/ascii.h"
 #include "model/formats/odb/components/eda.h"
 #include "model/formats/odb/text/records.h"
 
@@ -50,7 +51,7 @@ std::optional<formats::NetlistPoint> pointOf(std::string_view line, std::uint32_
 constexpr std::size_t kBytesPerName = 5;
 
 bool startsPoint(char c) {
-    return (c >= '0' && c <= '9') || c == '-';
+    return base::isDigit(c) || c == '-';
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/base/ascii.h"
 #include "model/formats/odb/text/records.h"
 
 namespace model::odb {
@@ -15,7 +16,7 @@ constexpr std::int32_t kMaxTableNumber = 1'000'000;
 std::size_t endOfEntry(std::string_view set) {
     for (std::size_t i = 0; i < set.size(); ++i) {
         const std::size_t next = set.find_first_not_of(" \t", i);
-        const bool isNextNumber = next != std::string_view::npos && next > i && set[next] >= '0' && set[next] <= '9';
+        const bool isNextNumber = next != std::string_view::npos && next > i && base::isDigit(set[next]);
         if (set[i] == ',' || (isNextNumber && i > 0 && set[i - 1] != '=')) {
             return i;
         }

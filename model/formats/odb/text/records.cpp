@@ -5,22 +5,19 @@
 #include <charconv>
 #include <cmath>
 
+#include "model/base/ascii.h"
 #include "model/text/utf8.h"
 
 namespace model::odb {
 
 namespace {
 
-constexpr bool isBlank(char c) {
+constexpr bool isSpaceOrTab(char c) {
     return c == ' ' || c == '\t';
 }
 
-constexpr bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 constexpr bool endsField(char c) {
-    return isBlank(c) || c == ';';
+    return isSpaceOrTab(c) || c == ';';
 }
 
 constexpr std::array<std::int64_t, 13> kPowersOfTen = {
@@ -44,13 +41,13 @@ Decimal scanDecimal(const char*& at, const char* end) {
     d.isNegative = at != end && *at == '-';
     at += (at != end && (*at == '-' || *at == '+')) ? 1 : 0;
     const char* const first = at;
-    for (; at != end && isDigit(*at) && d.mantissa < kMaxMantissa; ++at) {
+    for (; at != end && base::isDigit(*at) && d.mantissa < kMaxMantissa; ++at) {
         d.mantissa = d.mantissa * 10 + (*at - '0');
     }
     std::ptrdiff_t digits = at - first;
     if (at != end && *at == '.') {
         const char* const point = ++at;
-        for (; at != end && isDigit(*at) && d.mantissa < kMaxMantissa; ++at) {
+        for (; at != end && base::isDigit(*at) && d.mantissa < kMaxMantissa; ++at) {
             d.mantissa = d.mantissa * 10 + (*at - '0');
         }
         d.decimals = static_cast<int>(at - point);
@@ -86,7 +83,7 @@ bool LineReader::next() {
         if (m_line.ends_with('\r')) {
             m_line.remove_suffix(1);
         }
-        while (!m_line.empty() && isBlank(m_line.front())) {
+        while (!m_line.empty() && isSpaceOrTab(m_line.front())) {
             m_line.remove_prefix(1);
         }
         if (!m_line.empty() && m_line.front() != '#') {
@@ -97,7 +94,7 @@ bool LineReader::next() {
 }
 
 void Fields::skipBlanks() {
-    while (m_at != m_end && isBlank(*m_at)) {
+    while (m_at != m_end && isSpaceOrTab(*m_at)) {
         ++m_at;
     }
 }
@@ -164,7 +161,7 @@ std::string_view Fields::quoted() {
     const char* const start = ++m_at;
     for (const char* at = start; at != m_end; ++at) {
         const char* behind = at + 1;
-        while (*at == '\'' && behind != m_end && (isBlank(*behind) || isDigit(*behind))) {
+        while (*at == '\'' && behind != m_end && (isSpaceOrTab(*behind) || base::isDigit(*behind))) {
             ++behind;
         }
         if (*at == '\'' && (behind == m_end || *behind == ';')) {

@@ -6,6 +6,20 @@ class AsciiTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Of all bytes: those of other alphabets, in UTF-8 or Latin-1, are none of them.
+    void lettersDigitsAndBlanksAreThoseOfAscii() {
+        const auto bytesThatAre = [](bool (*isWanted)(char)) {
+            std::string found;
+            for (int byte = 0; byte < 256; ++byte) {
+                found.append(isWanted(static_cast<char>(byte)) ? 1 : 0, static_cast<char>(byte));
+            }
+            return found;
+        };
+        QCOMPARE(bytesThatAre(base::isLetter), std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"));
+        QCOMPARE(bytesThatAre(base::isDigit), std::string("0123456789"));
+        QCOMPARE(bytesThatAre(base::isBlank), std::string("\t\n\r "));
+    }
+
     void onlyLettersOfAsciiChange() {
         QCOMPARE(base::lowerCase("Top_CU-1@[`{"), std::string("top_cu-1@[`{"));
         QCOMPARE(base::upperCase("Top_CU-1@[`{"), std::string("TOP_CU-1@[`{"));
