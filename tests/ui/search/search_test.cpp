@@ -98,6 +98,26 @@ private slots:
         QVERIFY(window().statusBar()->currentMessage().startsWith("A is on layers that are hidden: F.Cu"));
     }
 
+    /// A flipped copy has at the bottom what the others have on top.
+    void whatAFlippedCopyShowsIsNotHidden() {
+        QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/panel"));
+        window().layers().showOnly({"BOTTOM"});
+        type("a");
+        QListWidget& list = box().list();
+        const QList<QListWidgetItem*> ofCard = list.findItems("card", Qt::MatchContains);
+        QVERIFY2(!ofCard.isEmpty(), qPrintable(list.item(0)->text()));
+        list.setCurrentItem(ofCard.front());
+        take();
+        QCOMPARE(window().selection().nets().size(), std::size_t{1});
+        QVERIFY2(!window().statusBar()->currentMessage().contains("hidden"),
+                 qPrintable(window().statusBar()->currentMessage()));
+        window().layers().showOnly({"DRILL"});
+        type("a");
+        list.setCurrentItem(list.findItems("card", Qt::MatchContains).front());
+        take();
+        QCOMPARE(window().statusBar()->currentMessage(), "A is on layers that are hidden: TOP, BOTTOM");
+    }
+
     void aComponentsPadsAreSelected() {
         type("u1");
         take();
