@@ -6,8 +6,8 @@
 #include <QSizeF>
 #include <functional>
 #include <optional>
-#include <vector>
 #include <utility>
+#include <vector>
 
 #include "model/base/units.h"
 #include "render/scene/camera.h"
