@@ -1,11 +1,16 @@
 #include "model/measure/net_graph.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "model/figures/distance.h"
 #include "model/geometry/vectors.h"
 
 namespace model {
+
+bool isClosed(std::span<const Edge> track) {
+    return distance(track.front().a, track.back().b) < 1.0;
+}
 
 NetGraph::NetGraph(const BoardIndex& index, NetOfCopy net) : m_index(index), m_pieces(connectedPiecesOf(index, net)) {
     for (std::size_t row = 0; row < m_pieces.pieces.size(); ++row) {
@@ -213,9 +218,11 @@ void NetGraph::linkAlong(std::uint32_t row) {
         link(nodes[i], nodes[i + 1], m_nodes[nodes[i + 1]].along - m_nodes[nodes[i]].along, PathLeg::Kind::Track);
     }
     const std::span<const Edge> edges = m_pieces.figures.edges(row);
-    if (edges.size() == 1 && edges[0].isFullCircle() && nodes.size() > 1) {
+    if (isClosed(edges) && nodes.size() > 1) {
         const double open = m_nodes[nodes.back()].along - m_nodes[nodes.front()].along;
-        link(nodes.back(), nodes.front(), lengthOf(edges[0]) - open, PathLeg::Kind::Track);
+        const double around = std::accumulate(edges.begin(), edges.end(), 0.0,
+                                              [](double sum, const Edge& edge) { return sum + lengthOf(edge); });
+        link(nodes.back(), nodes.front(), around - open, PathLeg::Kind::Track);
     }
 }
 

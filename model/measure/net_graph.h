@@ -32,6 +32,9 @@ struct NetLink {
     PathLeg::Kind kind = PathLeg::Kind::Track;
 };
 
+/// Does a track end where it begins, as a full circle or a ring of several edges does?
+[[nodiscard]] bool isClosed(std::span<const Edge> track);
+
 /// A net's copper as a graph: nodes where pieces meet, links along the pieces. Join, ask for the ends, finish; then
 /// read.
 class NetGraph {

@@ -157,7 +157,7 @@ std::vector<PointD> between(std::span<const Edge> track, const PathLeg& leg) {
     const double high = std::max(leg.fromAlong, leg.toAlong);
     std::vector<PointD> course;
     bool isBackwards = leg.toAlong < leg.fromAlong;
-    if (track.front().isFullCircle() && leg.length < high - low - 1.0) {  // the other way round
+    if (isClosed(track) && leg.length < high - low - 1.0) {  // the other way round
         addBetween(track, high, std::numeric_limits<double>::infinity(), course);
         addBetween(track, 0.0, low, course);
         isBackwards = !isBackwards;

@@ -217,6 +217,27 @@ private slots:
         QVERIFY(isNear(b.path(from, to)->length, 12e6 + std::numbers::pi * 1e6 + 2e6));
     }
 
+    /// A guard ring drawn from a corner: its ends lie between the two pads, and are one place.
+    void ringsOfSeveralTracksAreFollowedTheShortWayRound() {
+        NetBoard b;
+        b.on(Top);
+        const Nm side = 10 * kMm;
+        const std::array<PathNode, 5> ring = {
+            PathNode{{0, 0}, {}, EdgeKind::Line}, PathNode{{side, 0}, {}, EdgeKind::Line},
+            PathNode{{side, side}, {}, EdgeKind::Line}, PathNode{{0, side}, {}, EdgeKind::Line},
+            PathNode{{0, 0}, {}, EdgeKind::Line}};
+        b.builder.addTrail(ring, 200'000, of(b.net));
+        const ElementId from = b.pad({2 * kMm, 0});
+        const ElementId to = b.pad({0, 3 * kMm});
+        const NetPath path = *b.path(from, to);
+        QVERIFY2(isNear(path.length, 5e6), qPrintable(QString::number(path.length)));
+        const auto track = std::ranges::find(path.legs, PathLeg::Kind::Track, &PathLeg::kind);
+        QVERIFY(track != path.legs.end());
+        const std::vector<PointD> course = courseOf(*b.index, *track);
+        QCOMPARE(course.size(), std::size_t{3});
+        QVERIFY2(std::hypot(course[1].x, course[1].y) < 1.0, "over the corner where the ring begins");
+    }
+
     void coursesFollowBendsAndArcs() {
         NetBoard b;
         b.on(Top);
