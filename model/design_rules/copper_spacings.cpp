@@ -157,6 +157,15 @@ public:
         : m_context(context), m_layer(layer), m_copper(copper) {}
 
     void check() {
+        for (const RuleSearch& search : m_context.searchesOf(RuleKind::CopperToCopper)) {
+            m_search = search;
+            m_apart.clear();
+            checkSearch();
+        }
+    }
+
+private:
+    void checkSearch() {
         std::vector<FigurePair> pairs = closestPairs(m_copper, m_copper, request(), m_context.progress());
         if (addAccepted(pairs)) {
             pairs = closestPairs(m_copper, m_copper, request(), m_context.progress());
@@ -171,9 +180,9 @@ public:
         }
     }
 
-private:
     [[nodiscard]] std::optional<std::size_t> rule(std::uint32_t a, std::uint32_t b) const {
-        return ruleOf(m_context, RuleKind::CopperToCopper, m_layer, m_copper.elementOf(a), m_copper.elementOf(b));
+        return m_context.ruleOf(m_search, RuleKind::CopperToCopper, m_layer, m_context.partyOf(m_copper.elementOf(a)),
+                                m_context.partyOf(m_copper.elementOf(b)));
     }
 
     [[nodiscard]] PairRequest request() const {
@@ -227,6 +236,7 @@ private:
     RuleContext& m_context;
     LayerId m_layer;
     const LayerGeometry& m_copper;
+    RuleSearch m_search;
     NetPairs m_apart;  ///< nets with a location for each two elements
 };
 

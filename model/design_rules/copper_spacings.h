@@ -5,8 +5,9 @@
 /// What copper keeps: distances to other nets, to its own, to holes and to the edge; and holes among each other.
 namespace model {
 
-/// RuleKind::CopperToCopper between nets, one location for each two nets; of nets with an accepted location (RuleScope)
-/// up to one for each two elements. Elements that a net tie joins keep none.
+/// RuleKind::CopperToCopper between nets, one location for each two nets, of rules that name objects one for each rule
+/// (RuleSearch); of nets with an accepted location (RuleScope) up to one for each two elements. Elements that a net tie
+/// joins keep none.
 void checkNetSpacings(RuleContext& context, LayerId layer, const LayerGeometry& copper);
 /// The same within a net: spacings between elements that do not touch each other, unless other copper of the net lies
 /// in the middle.

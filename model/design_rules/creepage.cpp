@@ -21,6 +21,19 @@ public:
         : m_context(context), m_layer(layer), m_copper(copper) {}
 
     void run() {
+        for (const RuleSearch& search : m_context.searchesOf(RuleKind::Creepage)) {
+            m_search = search;
+            m_best.clear();
+            m_around.clear();
+            runSearch();
+        }
+        noteFloating();
+    }
+
+private:
+    using Around = std::map<NetPair, std::optional<FigurePair>>;
+
+    void runSearch() {
         for (const FigurePair& pair : pairsOf({}, [this](auto a, auto b) { return netsOf(a, b); })) {
             const SurfacePaths& paths = pathsOf(*ruleOf(pair.a, pair.b));
             if (paths.isClear(pair.spacing.from, pair.spacing.to)) {
@@ -45,12 +58,9 @@ public:
         }
     }
 
-private:
-    using Around = std::map<NetPair, std::optional<FigurePair>>;
-
     [[nodiscard]] std::optional<std::size_t> ruleOf(std::uint32_t a, std::uint32_t b) const {
-        return m_context.choice().of(RuleKind::Creepage, m_layer, m_context.partyOf(m_copper.elementOf(a)),
-                                     m_context.partyOf(m_copper.elementOf(b)));
+        return m_context.ruleOf(m_search, RuleKind::Creepage, m_layer, m_context.partyOf(m_copper.elementOf(a)),
+                                m_context.partyOf(m_copper.elementOf(b)));
     }
 
     [[nodiscard]] NetPair netsOf(std::uint32_t a, std::uint32_t b) const {
@@ -110,20 +120,22 @@ private:
         }
         const double reach = m_context.choice().reachOf(RuleKind::Creepage);
         const FloatingLinks links(m_context, m_copper, reach);
-        std::size_t count = 0;
         for (const Nm slot : slots) {
             for (const FloatingLinks::Path& path :
                  links.paths([&](const FigurePair& pair) { return lengthOf(pair, slot, reach); })) {
                 const bool isOfSlot = isHeld(path.a, path.b) && slotOf(*ruleOf(path.a, path.b)) == slot;
                 const bool isBelow = isOfSlot && isBroken(m_context.table().rules[*ruleOf(path.a, path.b)],
                                                           m_context.table().tolerance, path.spacing.distance);
-                count += isBelow && keep({path.a, path.b, path.spacing}) ? 1 : 0;
+                m_floating += isBelow && keep({path.a, path.b, path.spacing}) ? 1 : 0;
             }
         }
-        if (count > 0) {
+    }
+
+    void noteFloating() {
+        if (m_floating > 0) {
             m_context.report().notes.push_back(
                 "creepage on layer " + m_context.document().layer(m_layer).name +
-                ", locations that lead over copper of no net, which adds no distance: " + std::to_string(count));
+                ", locations that lead over copper of no net, which adds no distance: " + std::to_string(m_floating));
         }
     }
 
@@ -150,6 +162,8 @@ private:
     RuleContext& m_context;
     LayerId m_layer;
     const LayerGeometry& m_copper;
+    RuleSearch m_search;
+    std::size_t m_floating = 0;            ///< locations that lead over copper of no net
     std::map<NetPair, FigurePair> m_best;  ///< the shortest ways
     Around m_around;                       ///< nets that see each other across an opening, and their shortest way
     std::map<Nm, SurfacePaths> m_paths;    ///< by least slot

@@ -102,6 +102,54 @@ std::set<std::uint32_t> ownersIn(const RuleContext& context, const LayerGeometry
     return {};
 }
 
+/// The distances of a mask's openings to copper of other nets than those they are for.
+class ForeignCopper {
+public:
+    ForeignCopper(RuleContext& context, LayerId mask, LayerId layer)
+        : m_context(context),
+          m_mask(mask),
+          m_openings(layerGeometry(context.document(), mask)),
+          m_copper(copperGeometry(context.document(), layer, context.isThere())) {
+        for (const std::set<std::uint32_t>& touching : touchingOf(m_openings, m_copper)) {
+            m_owners.push_back(ownersIn(context, m_copper, touching));
+        }
+    }
+
+    /// Of each opening and net the closest location that falls under a rule of the search.
+    void check(RuleSearch search) const {
+        PairRequest request;
+        request.reach = m_context.choice().reachOf(RuleKind::MaskToForeign);
+        request.isWanted = [&](std::uint32_t opening, std::uint32_t row) {
+            return isForeign(opening, row) && ruleOf(search, row);
+        };
+        request.groupOf = [&](std::uint32_t opening, std::uint32_t row) {
+            return std::uint64_t{m_openings.elementOf(opening).value} << 32U |
+                   m_context.owners().of(m_copper.elementOf(row));
+        };
+        for (const FigurePair& pair : closestPairs(m_openings, m_copper, request, m_context.progress())) {
+            m_context.add(*ruleOf(search, pair.b), m_mask, m_openings.elementOf(pair.a), m_copper.elementOf(pair.b),
+                          pair.spacing);
+        }
+    }
+
+private:
+    [[nodiscard]] std::optional<std::size_t> ruleOf(RuleSearch search, std::uint32_t row) const {
+        return m_context.ruleOf(search, RuleKind::MaskToForeign, m_mask, m_context.partyOf(m_copper.elementOf(row)));
+    }
+    [[nodiscard]] bool isForeign(std::uint32_t opening, std::uint32_t row) const {
+        const ElementId element = m_copper.elementOf(row);
+        const bool isCopperOfSome = m_context.netOf(element).isValid() || m_context.isLand(element);
+        return !m_owners[opening].empty() && isCopperOfSome &&
+               !m_owners[opening].contains(m_context.owners().of(element));
+    }
+
+    RuleContext& m_context;
+    LayerId m_mask;
+    LayerGeometry m_openings;
+    LayerGeometry m_copper;
+    std::vector<std::set<std::uint32_t>> m_owners;  ///< by opening, whose copper it is for
+};
+
 /// The layer of solder mask on a face; none if the job has none.
 LayerId maskOn(const Document& document, LayerSide face) {
     for (std::size_t row = 0; row < document.layers.size(); ++row) {
@@ -192,29 +240,9 @@ void checkMaskToForeign(RuleContext& context, LayerId mask) {
     if (!layer.isValid() || !context.isWanted(RuleKind::MaskToForeign, mask)) {
         return;
     }
-    const LayerGeometry openings = layerGeometry(context.document(), mask);
-    const LayerGeometry copper = copperGeometry(context.document(), layer, context.isThere());
-    const Touching touching = touchingOf(openings, copper);
-    std::vector<std::set<std::uint32_t>> owners(openings.size());
-    for (std::size_t row = 0; row < owners.size(); ++row) {
-        owners[row] = ownersIn(context, copper, touching[row]);
-    }
-    const auto rule = [&](std::uint32_t row) {
-        return context.choice().of(RuleKind::MaskToForeign, mask, context.partyOf(copper.elementOf(row)));
-    };
-    PairRequest request;
-    request.reach = context.choice().reachOf(RuleKind::MaskToForeign);
-    request.isWanted = [&](std::uint32_t opening, std::uint32_t row) {
-        const ElementId element = copper.elementOf(row);
-        const bool isCopperOfSome = context.netOf(element).isValid() || context.isLand(element);
-        return !owners[opening].empty() && isCopperOfSome && !owners[opening].contains(context.owners().of(element)) &&
-               rule(row);
-    };
-    request.groupOf = [&](std::uint32_t opening, std::uint32_t row) {
-        return std::uint64_t{openings.elementOf(opening).value} << 32U | context.owners().of(copper.elementOf(row));
-    };
-    for (const FigurePair& pair : closestPairs(openings, copper, request, context.progress())) {
-        context.add(*rule(pair.b), mask, openings.elementOf(pair.a), copper.elementOf(pair.b), pair.spacing);
+    const ForeignCopper foreign(context, mask, layer);
+    for (const RuleSearch& search : context.searchesOf(RuleKind::MaskToForeign)) {
+        foreign.check(search);
     }
 }
 

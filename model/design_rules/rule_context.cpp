@@ -14,6 +14,10 @@ RulePlane planeOf(const Layer& layer) {
     return layer.isCopper() ? RulePlane::Copper : isMask(layer) ? RulePlane::SolderMask : RulePlane::Silkscreen;
 }
 
+bool namesObjects(const Rule& rule) {
+    return rule.objects != std::array<CopperObject, 2>{};
+}
+
 bool isBetweenNets(RuleKind kind) {
     return kind == RuleKind::CopperToCopper || kind == RuleKind::CopperToHole || kind == RuleKind::HoleToHole ||
            kind == RuleKind::Creepage;
@@ -51,6 +55,23 @@ std::string RuleContext::whyBeyond(std::size_t rule) const {
 
 bool RuleContext::isWanted(RuleKind kind, LayerId layer) const {
     return m_choice.isOn(kind, layer) && whyBeyond(kind).empty();
+}
+
+std::vector<RuleSearch> RuleContext::searchesOf(RuleKind kind) const {
+    std::vector<RuleSearch> searches{std::nullopt};
+    for (const std::size_t row : m_choice.rowsOf(kind)) {
+        if (namesObjects(m_table.rules[row]) && !m_table.rules[row].isSameNet) {
+            searches.emplace_back(row);
+        }
+    }
+    return searches;
+}
+
+std::optional<std::size_t> RuleContext::ruleOf(RuleSearch search, RuleKind kind, LayerId layer, const RuleParty& a,
+                                               const RuleParty& b) const {
+    const std::optional<std::size_t> rule = m_choice.of(kind, layer, a, b);
+    const bool isOfSearch = rule && (namesObjects(m_table.rules[*rule]) ? rule == search : !search);
+    return isOfSearch ? rule : std::nullopt;
 }
 
 const std::vector<bool>& RuleContext::textStrokes() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "model/base/progress.h"
@@ -10,6 +11,11 @@
 #include "model/design_rules/design_rule_check.h"
 
 namespace model {
+
+/// Rules of a kind that one search for closest pairs is for: those that name no objects (none), or one that does. Of
+/// two nets on a layer all pairs of a search then fall under one rule, and no closer pair that another rule lets pass
+/// hides one that breaks it.
+using RuleSearch = std::optional<std::size_t>;
 
 /// What all checks of rules share: the board, which rule holds for what, and where findings go. A check of a kind is a
 /// function that takes it (copper_spacings.h, mask_checks.h, …).
@@ -37,6 +43,11 @@ public:
     [[nodiscard]] bool isWanted(LayerId layer) const { return !m_scope.layer.isValid() || m_scope.layer == layer; }
     /// Are they of the two nets of the scope, if it names any?
     [[nodiscard]] bool isBetween(ElementId a, ElementId b) const;
+    /// The searches of a kind; a single one where no rule names objects.
+    [[nodiscard]] std::vector<RuleSearch> searchesOf(RuleKind kind) const;
+    /// RuleChoice::of, if it is a rule of the search.
+    [[nodiscard]] std::optional<std::size_t> ruleOf(RuleSearch search, RuleKind kind, LayerId layer, const RuleParty& a,
+                                                    const RuleParty& b = {}) const;
     [[nodiscard]] bool isOfAllNets() const { return m_scope.between == std::pair<NetId, NetId>(); }
     [[nodiscard]] const RuleScope& scope() const { return m_scope; }
     [[nodiscard]] LayerId scopeLayer() const { return m_scope.layer; }

@@ -64,6 +64,20 @@ private:
     LayerId m_begun;  ///< the last one
 };
 
+/// What holds for any copper, and for tracks to planes.
+model::RuleTable tableOfObjects(RuleKind kind, Nm any, Nm trackToPlane) {
+    model::Rule toPlanes{kind, trackToPlane, {}};
+    toPlanes.objects = {model::CopperObject::Track, model::CopperObject::Plane};
+    return {{}, {{kind, any, {}}, toPlanes}};
+}
+
+/// One finding, of the second rule.
+void verifyOfSecondRule(const RuleReport& report, Nm distance) {
+    QCOMPARE(report.findings.size(), std::size_t{1});
+    QCOMPARE(report.findings.front().rule, std::size_t{1});
+    QVERIFY(std::abs(report.findings.front().spacing.distance - static_cast<double>(distance)) < 1.0);
+}
+
 /// How many tracks meet acutely: one to the left, and one that leaves their common end at 45 degrees above it and
 /// bends with a radius of 4 mm.
 std::size_t anglesWithArc(bool bendsDown) {
@@ -277,6 +291,35 @@ private slots:
     void arcsMeetTracksAcutelyWhicheverWayTheyBend() {
         QCOMPARE(anglesWithArc(true), std::size_t{1});
         QCOMPARE(anglesWithArc(false), std::size_t{1});
+    }
+
+    /// Tracks of two nets are closer to each other than one of them to a plane, and may be.
+    void aCloserPairThatPassesHidesNone() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addLine({{0, 0}, {kMm, 0}, 100 * kUm, 0}, of(board.a));
+        board.builder.addLine({{0, 220 * kUm}, {kMm, 220 * kUm}, 100 * kUm, 0}, of(board.b));
+        const auto plane = board.builder.addShape(rectangle({0, -kMm}, {kMm, -180 * kUm}));
+        board.builder.addArea({plane, {}}, of(board.b));
+        const auto document = board.builder.finish();
+        verifyOfSecondRule(check(*document, tableOfObjects(RuleKind::CopperToCopper, 100 * kUm, 150 * kUm)), 130 * kUm);
+        const RuleReport both = check(*document, tableOfObjects(RuleKind::CopperToCopper, 121 * kUm, 150 * kUm));
+        QCOMPARE(both.counts, (std::vector<std::size_t>{1, 1}));
+    }
+
+    void aShorterCreepageThatPassesHidesNone() {
+        Board board;
+        board.builder.layer(board.top).side = model::LayerSide::Top;
+        board.builder.layer(board.bottom).side = model::LayerSide::Bottom;
+        board.builder.setProfile(board.builder.addShape(rectangle({-9 * kMm, -9 * kMm}, {9 * kMm, 9 * kMm})));
+        board.builder.beginLayer(board.top);
+        const auto plane = [&](Nm from, Nm to, NetId net) {
+            board.builder.addArea({board.builder.addShape(rectangle({from, 0}, {to, kMm})), {}}, of(net));
+        };
+        plane(0, kMm, board.a);
+        plane(2500 * kUm, 3500 * kUm, board.b);
+        board.builder.addLine({{-2100 * kUm, 0}, {-2100 * kUm, kMm}, 200 * kUm, 0}, of(board.b));
+        verifyOfSecondRule(check(*board.builder.finish(), tableOfObjects(RuleKind::Creepage, kMm, 3 * kMm)), 2 * kMm);
     }
 
     /// 2 mm between two nets, 1 mm of them over copper of no net.

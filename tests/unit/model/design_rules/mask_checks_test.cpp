@@ -68,6 +68,25 @@ private slots:
         }
     }
 
+    /// A track that may be as close as it is lies nearer to the opening than a plane of its net.
+    void closerCopperThatPassesHidesNone() {
+        Board board;
+        board.builder.beginLayer(board.mask);
+        board.builder.addCircle({{0, 0}, 400 * kUm, 0}, of({}));
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 0}, of(board.a, model::kPad));
+        board.builder.addLine({{310 * kUm, -kMm}, {310 * kUm, kMm}, 100 * kUm, 0}, of(board.b));
+        const auto plane = board.builder.addShape(rectangle({-kMm, -kMm}, {-290 * kUm, kMm}));
+        board.builder.addArea({plane, {}}, of(board.b));
+        model::Rule toPlanes{RuleKind::MaskToForeign, 100 * kUm, {}};
+        toPlanes.objects[0] = model::CopperObject::Plane;
+        const RuleReport report =
+            check(*board.builder.finish(), RuleTable{{}, {{RuleKind::MaskToForeign, 50 * kUm, {}}, toPlanes}});
+        QCOMPARE(report.findings.size(), std::size_t{1});
+        QCOMPARE(report.findings.front().rule, std::size_t{1});
+        QVERIFY(std::abs(report.findings.front().spacing.distance - 90e3) < 1.0);
+    }
+
     /// Whatever the shape: a mask that leaves exactly the pad free leaves no margin.
     void openingsAsLargeAsTheirPadsHaveNoMargin() {
         for (const Nm more : {-2 * kUm, Nm{0}, 2 * kUm}) {
