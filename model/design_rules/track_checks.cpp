@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "model/design_rules/bridged.h"
@@ -36,6 +37,25 @@ Spacing narrowestOf(std::span<const Edge> edges) {
     return {2 * edge.pen,
             {middle.x - across.x * edge.pen, middle.y - across.y * edge.pen},
             {middle.x + across.x * edge.pen, middle.y + across.y * edge.pen}};
+}
+
+/// Of the copper that an axis-parallel square pen leaves along a line, in the middle of the line.
+Spacing acrossSquarePen(const LineGeometry& line) {
+    const PointD a = base::toDouble(line.a);
+    const PointD b = base::toDouble(line.b);
+    const double length = distance(a, b);
+    const PointD along = length > 0 ? PointD{(b.x - a.x) / length, (b.y - a.y) / length} : PointD{1.0, 0.0};
+    const double width = static_cast<double>(line.width) * (std::abs(along.x) + std::abs(along.y));
+    const PointD middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+    return {width,
+            {middle.x + along.y * width / 2, middle.y - along.x * width / 2},
+            {middle.x - along.y * width / 2, middle.y + along.x * width / 2}};
+}
+
+Spacing acrossTrack(const Document& document, const LayerGeometry& tracks, std::uint32_t row) {
+    const bool hasSquarePen = tracks.figures()[row].isFilled;
+    return hasSquarePen ? acrossSquarePen(document.lines[document.elements.geometry[tracks.elementOf(row).row()]])
+                        : narrowestOf(tracks.figures().edges(row));
 }
 
 /// An edge of a track that leaves a point.
@@ -219,6 +239,25 @@ private:
     const LayerGeometry& m_copper;
 };
 
+/// Angles are those of round pens alone.
+void reportSquarePens(RuleContext& context, LayerId layer, const LayerGeometry& copper) {
+    std::map<std::size_t, std::size_t> counts;  // by rule
+    for (std::uint32_t row = 0; row < copper.size(); ++row) {
+        const ElementId element = copper.elementOf(row);
+        const bool isMissed = isTrack(context, element) && copper.figures()[row].isFilled;
+        const auto rule = context.choice().of(RuleKind::AcuteAngle, layer, context.partyOf(element));
+        if (isMissed && rule && context.netOf(element).isValid()) {
+            ++counts[*rule];
+        }
+    }
+    for (const auto& [rule, count] : counts) {
+        context.report().unchecked.push_back({rule, count, count == 1 ? "track" : "tracks",
+                                              "drawn with a square pen on layer " +
+                                                  context.document().layer(layer).name +
+                                                  ", whose angles are not looked at"});
+    }
+}
+
 /// What is narrower than its rule asks tracks to be.
 class NarrowTracks {
 public:
@@ -269,8 +308,8 @@ void checkTrackWidths(RuleContext& context, LayerId layer) {
     for (std::uint32_t row = 0; row < tracks.size(); ++row) {
         const ElementId element = tracks.elementOf(row);
         const auto rule = context.choice().of(RuleKind::TrackWidth, layer, context.partyOf(element));
-        if (rule && !tracks.figures()[row].isFilled) {
-            narrow.add(*rule, element, narrowestOf(tracks.figures().edges(row)));
+        if (rule) {
+            narrow.add(*rule, element, acrossTrack(context.document(), tracks, row));
         }
     }
     narrow.report();
@@ -310,6 +349,7 @@ void checkAcuteAngles(RuleContext& context, LayerId layer, const LayerGeometry& 
             addAt(row, row);
         }
     }
+    reportSquarePens(context, layer, copper);
 }
 
 }  // namespace model

@@ -3,6 +3,8 @@
 #include <QtTest>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "tests/unit/model/design_rules/rule_board.h"
 #include "tests/unit/model/hand_made.h"
@@ -40,6 +42,36 @@ private slots:
                                     "2 lines of texts or of no net on layer top are narrower than "
                                     "tracks may be, and no tracks"),
                  1);
+    }
+
+    /// An axis-parallel square is as wide as its side along an axis, and as its diagonal at 45 degrees.
+    void tracksOfSquarePensHaveAWidth() {
+        for (const auto& [end, width] : {std::pair(model::Point{kMm, 0}, 50e3),
+                                         {{0, kMm}, 50e3},
+                                         {{kMm, -kMm}, 50e3 * std::numbers::sqrt2},
+                                         {{3 * kMm, 4 * kMm}, 70e3}}) {
+            Board board;
+            board.builder.beginLayer(board.top);
+            board.builder.addLine({{0, 0}, end, 50 * kUm, 0}, of(board.a, model::kSquarePen));
+            const auto document = board.builder.finish();
+            QVERIFY(check(*document, RuleKind::TrackWidth, 50 * kUm).isPassed());
+            const RuleReport report = check(*document, RuleKind::TrackWidth, 100 * kUm);
+            QCOMPARE(report.findings.size(), std::size_t{1});
+            const model::Spacing& across = report.findings.front().spacing;
+            QVERIFY(std::abs(across.distance - width) < 0.001);
+            QVERIFY(std::abs(std::hypot(across.to.x - across.from.x, across.to.y - across.from.y) - width) < 0.001);
+        }
+    }
+
+    void anglesOfSquarePensAreNotLookedAt() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        board.builder.addLine({{0, 0}, {kMm, 0}, 50 * kUm, 0}, of(board.a, model::kSquarePen));
+        board.builder.addLine({{0, 0}, {kMm, kMm / 2}, 50 * kUm, 0}, of(board.a, model::kSquarePen));
+        const RuleReport report = check(*board.builder.finish(), RuleKind::AcuteAngle, 0);
+        QVERIFY(report.isPassed() && !report.isComplete());
+        QCOMPARE(model::textOf(report.unchecked.at(0)),
+                 std::string("2 tracks: drawn with a square pen on layer top, whose angles are not looked at"));
     }
 
     /// Without nets nobody knows which strokes are tracks.
