@@ -15,6 +15,7 @@ void RingChecks::check(LayerId layer) {
             continue;
         }
         HoleRings& rings = m_rings[found.hole];
+        ++rings.layers;
         rings.rule = rings.first.isValid() ? rings.rule : *rule;
         rings.first = rings.first.isValid() ? rings.first : layer;
         rings.hasCopper = rings.hasCopper || found.ring.state != RingState::Apart;
@@ -34,10 +35,21 @@ Spacing RingChecks::middleOf(ElementId hole) const {
     return {0.0, middle, middle};
 }
 
+std::size_t RingChecks::layersOf(ElementId hole) const {
+    const Document& document = m_context.document();
+    const Layer& drill = document.layer(document.elements.layer[hole.row()]);
+    const PlatedSpan plated = document.platedSpanOf(hole);
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < document.layers.size(); ++row) {
+        const LayerId layer{row};
+        count += document.layers[row].isCopper() && drill.spans(layer) && plated.joins(layer) ? 1 : 0;
+    }
+    return count;
+}
+
 void RingChecks::finish() {
-    const auto areAllLayers = [](const Rule& rule) { return rule.layer.empty(); };
     for (const auto& [hole, rings] : m_rings) {
-        const bool isSeenWhole = !m_context.scopeLayer().isValid() && areAllLayers(m_context.table().rules[rings.rule]);
+        const bool isSeenWhole = !m_context.scopeLayer().isValid() && rings.layers == layersOf(hole);
         if (rings.removed) {
             m_context.add(*rings.removed);
         } else if (!rings.hasCopper && isSeenWhole) {

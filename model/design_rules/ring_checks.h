@@ -13,7 +13,8 @@ public:
     explicit RingChecks(RuleContext& context) : m_context(context) {}
 
     void check(LayerId layer);
-    /// Holes whose pad the drill takes, and those without a pad: once per hole, whatever the number of layers.
+    /// Holes whose pad the drill takes, and those without a pad, if rules hold for them on all copper layers that they
+    /// join: once per hole, whatever the number of layers.
     void finish();
 
 private:
@@ -21,11 +22,14 @@ private:
     struct HoleRings {
         std::optional<RuleFinding> removed;  ///< on the first layer where the drill takes the pad
         bool hasCopper = false;
-        std::size_t rule = 0;
-        LayerId first;  ///< the first layer that it passes
+        std::size_t rule = 0;    ///< of the first layer
+        std::size_t layers = 0;  ///< with a rule for it
+        LayerId first;           ///< the first one of these
     };
 
     [[nodiscard]] Spacing middleOf(ElementId hole) const;
+    /// How many copper layers the plating of a hole joins.
+    [[nodiscard]] std::size_t layersOf(ElementId hole) const;
 
     RuleContext& m_context;
     std::map<ElementId, HoleRings> m_rings;

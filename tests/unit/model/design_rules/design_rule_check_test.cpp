@@ -126,6 +126,22 @@ private slots:
         QCOMPARE(broken.findings.front().layer, board.bottom);
     }
 
+    /// As presets ask for rings, of inner and outer layers each by a rule of its own.
+    void aHoleWithoutAPadIsFoundByRulesOfAllItsLayers() {
+        Board board;
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));
+        const auto document = board.builder.finish();
+        model::Rule top{RuleKind::AnnularRing, 1, {}};
+        top.layer = "to*";
+        model::Rule bottom = top;
+        bottom.layer = "botto*";
+        const RuleReport report = check(*document, RuleTable{{}, {top, bottom}});
+        QCOMPARE(report.counts, (std::vector<std::size_t>{1, 0}));
+        QCOMPARE(report.findings.front().reason, model::FindingReason::NoPad);
+        QVERIFY(check(*document, RuleTable{{}, {top}}).isPassed());  // it may have one at the bottom
+    }
+
     /// A pad without a net that touches a net is part of it; one that lies alone keeps away from all, other such too.
     void copperWithoutANetBelongsToWhatItTouches() {
         Board board;
