@@ -39,6 +39,11 @@ bool areForeign(const RuleContext& context, ElementId a, ElementId b) {
     return context.owners().of(a) != context.owners().of(b) && (hasNet || context.isLand(a) || context.isLand(b));
 }
 
+/// Do two elements belong to different copper that no net tie brings together there?
+bool areOfOtherCopper(const RuleContext& context, ElementId a, ElementId b) {
+    return context.owners().of(a) != context.owners().of(b) && !context.nets().areTied(a, b);
+}
+
 /// Are both drawn by one record of the job, as a pad of KiCad draws its copper and its hole?
 bool areOfOneRecord(const Document& document, ElementId a, ElementId b) {
     const auto fileOf = [&](ElementId element) -> const std::string& {
@@ -410,7 +415,7 @@ void checkToHoles(RuleContext& context, LayerId layer) {
         const ElementId hole = holes.elementOf(b);
         const bool isPlated = isPlatedHole(context.document().elements.flags[hole.row()]);
         return rule(a, b) && context.isBetween(copper.elementOf(a), hole) &&
-               (isPlated ? context.owners().of(copper.elementOf(a)) != context.owners().of(hole)
+               (isPlated ? areOfOtherCopper(context, copper.elementOf(a), hole)
                          : !isInItsPad(context, hole, copper.elementOf(a)));
     };
     for (const FigurePair& pair : closestPairs(copper, holes, request, context.progress())) {

@@ -12,7 +12,8 @@ void checkNetSpacings(RuleContext& context, LayerId layer, const LayerGeometry& 
 /// The same within a net: spacings between elements that do not touch each other, unless other copper of the net lies
 /// in the middle.
 void checkOwnNet(RuleContext& context, LayerId layer, const LayerGeometry& copper);
-/// From copper to holes, but for the pad that an NPTH is drilled in, which touches it by design.
+/// From copper to holes, but for the pad that an NPTH is drilled in, which touches it by design, and for what a net tie
+/// joins.
 void checkToHoles(RuleContext& context, LayerId layer);
 /// Walls of holes count where no pad of theirs lies around them.
 void checkToEdge(RuleContext& context, LayerId layer, const LayerGeometry& copper);

@@ -78,8 +78,8 @@ private:
             const ElementId elementA = m_copper.elementOf(a);
             const ElementId elementB = m_copper.elementOf(b);
             return m_context.netOf(elementA).isValid() && m_context.netOf(elementB).isValid() &&
-                   m_context.netOf(elementA) != m_context.netOf(elementB) && m_context.isBetween(elementA, elementB) &&
-                   (nets.empty() || nets.contains(netsOf(a, b))) && ruleOf(a, b);
+                   m_context.netOf(elementA) != m_context.netOf(elementB) &&
+                   (nets.empty() || nets.contains(netsOf(a, b))) && isHeld(a, b);
         };
         request.groupOf = group;
         return closestPairs(m_copper, m_copper, request, m_context.progress());
@@ -108,8 +108,11 @@ private:
         return isShorter;
     }
 
+    /// Is there a rule for them, and no net tie that joins them?
     [[nodiscard]] bool isHeld(std::uint32_t a, std::uint32_t b) const {
-        return m_context.isBetween(m_copper.elementOf(a), m_copper.elementOf(b)) && ruleOf(a, b);
+        const ElementId elementA = m_copper.elementOf(a);
+        const ElementId elementB = m_copper.elementOf(b);
+        return m_context.isBetween(elementA, elementB) && ruleOf(a, b) && !m_context.nets().areTied(elementA, elementB);
     }
 
     /// Copper without a net shortens a path by what of it lies on that copper.

@@ -1,6 +1,7 @@
 #include "model/design_rules/design_rule_check.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include "model/board/layers.h"
@@ -93,7 +94,8 @@ public:
         m_rings.finish();
         RETURN_IF_ERROR(checkFloatingCopper(m_context));
         note(m_context);
-        if (m_context.choice().reachOf(RuleKind::CopperToCopper) > 0) {
+        constexpr std::array kKinds = {RuleKind::CopperToCopper, RuleKind::CopperToHole, RuleKind::Creepage};
+        if (std::ranges::any_of(kKinds, [&](RuleKind kind) { return m_context.choice().reachOf(kind) > 0; })) {
             m_context.report().netTies = m_context.nets().ties.ties();
         }
         finish(m_context.report());

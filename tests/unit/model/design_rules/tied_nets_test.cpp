@@ -136,6 +136,29 @@ private slots:
         QCOMPARE(model::smallestClearances(*document, closest, progress)->size(), static_cast<std::size_t>(shorts));
     }
 
+    /// A pad of a tie, and one beside it that a hole is drilled in.
+    void aTieKeepsNoDistanceByOtherRulesEither() {
+        for (const auto& [part, faults] : {std::pair("Net-Tie 2", 0), std::pair("R0", 1)}) {
+            Board board;
+            board.builder.layer(board.top).side = model::LayerSide::Top;
+            board.builder.layer(board.bottom).side = model::LayerSide::Bottom;
+            board.builder.setProfile(board.builder.addShape(rectangle({-kMm, -kMm}, {kMm, kMm})));
+            model::Component component;
+            component.refdes = "X1";
+            component.part = part;
+            board.builder.beginLayer(board.top);
+            addPart(board, component, {{board.a, {0, 0}}, {board.b, {90 * kUm, 0}}});
+            board.builder.beginLayer(board.drill);
+            board.builder.addCircle({{90 * kUm, 0}, 60 * kUm, 0}, of(board.b, model::kHole | model::kPlated));
+            const auto document = board.builder.finish();
+            for (const RuleKind kind : {RuleKind::CopperToCopper, RuleKind::CopperToHole, RuleKind::Creepage}) {
+                const RuleReport report = check(*document, kind, 20 * kUm);
+                QCOMPARE(report.findings.size(), static_cast<std::size_t>(faults));
+                QCOMPARE(report.netTies.size(), std::size_t{1} - report.findings.size());
+            }
+        }
+    }
+
     void padsOfOnePinAreNoShort_data() {
         QTest::addColumn<QString>("first");
         QTest::addColumn<QString>("second");
