@@ -1,9 +1,11 @@
 #include "model/design_rules/mask_checks.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
+#include "model/base/disjoint_sets.h"
 #include "model/base/parallel.h"
 #include "model/board/layers.h"
 #include "model/clearance/ring_width.h"
@@ -113,6 +115,7 @@ public:
         for (const std::set<std::uint32_t>& touching : touchingOf(m_openings, m_copper)) {
             m_owners.push_back(ownersIn(context, m_copper, touching));
         }
+        lendOwners();
     }
 
     /// Of each opening and net the closest location that falls under a rule of the search.
@@ -139,15 +142,34 @@ private:
     [[nodiscard]] bool isForeign(std::uint32_t opening, std::uint32_t row) const {
         const ElementId element = m_copper.elementOf(row);
         const bool isCopperOfSome = m_context.netOf(element).isValid() || m_context.isLand(element);
-        return !m_owners[opening].empty() && isCopperOfSome &&
-               !m_owners[opening].contains(m_context.owners().of(element));
+        return isCopperOfSome && !m_owners[opening].contains(m_context.owners().of(element));
+    }
+    /// Openings that touch no copper are for what those are for that they are one with: strokes of one that is drawn.
+    void lendOwners() {
+        DisjointSets pieces(m_openings.size());
+        PairRequest request;
+        request.reach = kTouchNm;
+        request.isWanted = [&](std::uint32_t a, std::uint32_t b) { return m_owners[a].empty() || m_owners[b].empty(); };
+        request.groupOf = [](std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} << 32U | b; };
+        for (const FigurePair& pair : closestPairs(m_openings, m_openings, request, m_context.progress())) {
+            pieces.join(pair.a, pair.b);
+        }
+        std::map<std::uint32_t, std::set<std::uint32_t>> owners;  // by piece
+        for (std::uint32_t row = 0; row < m_owners.size(); ++row) {
+            owners[pieces.find(row)].insert(m_owners[row].begin(), m_owners[row].end());
+        }
+        for (std::uint32_t row = 0; row < m_owners.size(); ++row) {
+            if (m_owners[row].empty()) {
+                m_owners[row] = owners[pieces.find(row)];
+            }
+        }
     }
 
     RuleContext& m_context;
     LayerId m_mask;
     LayerGeometry m_openings;
     LayerGeometry m_copper;
-    std::vector<std::set<std::uint32_t>> m_owners;  ///< by opening, whose copper it is for
+    std::vector<std::set<std::uint32_t>> m_owners;  ///< by opening, whose copper it is for; nobody's: all is foreign
 };
 
 /// The layer of solder mask on a face; none if the job has none.

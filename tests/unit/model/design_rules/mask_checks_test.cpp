@@ -87,6 +87,29 @@ private slots:
         QVERIFY(std::abs(report.findings.front().spacing.distance - 90e3) < 1.0);
     }
 
+    /// The opening of an NPTH, beside a track.
+    void openingsWithoutCopperKeepAwayFromAll() {
+        Board board;
+        board.builder.beginLayer(board.mask);
+        board.builder.addCircle({{0, 0}, 4 * kMm, 0}, of({}));
+        board.builder.beginLayer(board.top);
+        board.builder.addLine({{2060 * kUm, -kMm}, {2060 * kUm, kMm}, 100 * kUm, 0}, of(board.b));
+        board.builder.beginLayer(board.drill);
+        board.builder.addCircle({{0, 0}, 3 * kMm, 0}, of({}, model::kHole));
+        verifyNarrowest(*board.builder.finish(), RuleKind::MaskToForeign, 10 * kUm);
+    }
+
+    /// Of two strokes that make an opening one lies beside the pad.
+    void openingsThatMeetAreForOneCopper() {
+        Board board;
+        board.builder.beginLayer(board.mask);
+        board.builder.addLine({{-300 * kUm, 0}, {300 * kUm, 0}, 340 * kUm, 0}, of({}));
+        board.builder.addLine({{-300 * kUm, 220 * kUm}, {300 * kUm, 220 * kUm}, 100 * kUm, 0}, of({}));
+        board.builder.beginLayer(board.top);
+        board.builder.addCircle({{0, 0}, 300 * kUm, 0}, of(board.a, model::kPad));
+        QVERIFY(check(*board.builder.finish(), RuleKind::MaskToForeign, 50 * kUm).isPassed());
+    }
+
     /// Whatever the shape: a mask that leaves exactly the pad free leaves no margin.
     void openingsAsLargeAsTheirPadsHaveNoMargin() {
         for (const Nm more : {-2 * kUm, Nm{0}, 2 * kUm}) {
