@@ -1,7 +1,9 @@
 #include "model/design_rules/unchecked_items.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -211,22 +213,23 @@ private:
             "hole", "holes", "the job gives them no size");
     }
 
+    /// Each rule has a limit of its own: what is farther apart than that cannot break it.
     void addCopies() {
         constexpr std::array kKinds = {RuleKind::CopperToCopper, RuleKind::CopperToHole,  RuleKind::HoleToHole,
                                        RuleKind::MaskSliver,     RuleKind::MaskToForeign, RuleKind::Creepage};
-        double reach = 0.0;
-        for (const RuleKind kind : kKinds) {
-            reach = std::max(reach, m_choice.reachOf(kind));
-        }
-        const std::size_t pairs = reach > 0 ? pairsOfCopies(static_cast<Nm>(reach)) : 0;
-        if (pairs == 0) {
+        if (m_document.instances.empty()) {
             return;
         }
+        const std::vector<Box> boxes = boxesOfCopies();
+        const BoxIndex index(boxes);
         const std::vector<HoleClass> holes = holesOfAllSteps();
+        std::map<Nm, std::size_t> pairs;  // by limit
         for (const RuleKind kind : kKinds) {
             for (const std::size_t rule : m_choice.rowsOf(kind)) {
-                if (m_choice.whyUnused(rule, holes).empty()) {
-                    m_items.push_back({rule, pairs, pairs == 1 ? "pair" : "pairs",
+                const auto [known, isNew] = pairs.try_emplace(m_table.rules[rule].least, 0);
+                known->second = isNew ? pairsOfCopies(boxes, index, known->first) : known->second;
+                if (known->second > 0 && m_choice.whyUnused(rule, holes).empty()) {
+                    m_items.push_back({rule, known->second, known->second == 1 ? "pair" : "pairs",
                                        "copies of steps, or a copy and an element, may come closer than the limit"});
                 }
             }
@@ -242,8 +245,8 @@ private:
         return all;
     }
 
-    /// Copies whose boxes come within reach of each other, and elements within reach of a copy.
-    [[nodiscard]] std::size_t pairsOfCopies(Nm reach) const {
+    /// Around the copper and holes of each copy.
+    [[nodiscard]] std::vector<Box> boxesOfCopies() const {
         std::vector<Box> extents;
         for (const auto& step : m_document.steps) {
             extents.push_back(copperExtent(*step));
@@ -252,12 +255,16 @@ private:
         for (const StepInstance& copy : m_document.instances) {
             boxes.push_back(placed(extents[copy.step], copy.placement));
         }
-        const BoxIndex index(boxes);
+        return boxes;
+    }
+
+    /// Copies whose boxes come within reach of each other, and elements within reach of a copy.
+    [[nodiscard]] std::size_t pairsOfCopies(const std::vector<Box>& boxes, const BoxIndex& index, Nm reach) const {
         std::size_t pairs = 0;
         for (std::uint32_t i = 0; i < boxes.size(); ++i) {
             index.visit(boxes[i].grownBy(reach), [&](std::uint32_t other) { pairs += other > i ? 1 : 0; });
         }
-        for (std::uint32_t i = 0; i < m_document.elements.size() && !boxes.empty(); ++i) {
+        for (std::uint32_t i = 0; i < m_document.elements.size(); ++i) {
             if (keepsClearance(m_document, i)) {
                 index.visit(m_document.boxOf(ElementId{i}).grownBy(reach), [&](std::uint32_t) { ++pairs; });
             }

@@ -143,6 +143,27 @@ private slots:
         }
     }
 
+    /// What is nearer than the limit of another rule alone leaves a rule complete.
+    void copiesAreCountedByTheLimitOfEachRule() {
+        DocumentBuilder step;
+        step.beginLayer(addLayer(step, "top"));
+        step.addCircle({{0, 0}, kMm, 0}, of(step.addNet("A")));
+        DocumentBuilder panel;
+        panel.beginLayer(addLayer(panel, "top"));
+        panel.addCircle({{20 * kMm, 0}, kMm, 0}, of(panel.addNet("A")));
+        const std::uint32_t row = panel.addStep(step.finish());
+        panel.addInstance({row, {{0, 0}}, false});
+        panel.addInstance({row, {{3 * kMm, 0}}, false});  // 2 mm from the first
+        const RuleTable table{{}, {{RuleKind::CopperToCopper, 100 * kUm, {}}, {RuleKind::Creepage, 6400 * kUm, {}}}};
+        const RuleReport report = check(*panel.finish(), table);
+        QCOMPARE(model::verdictOf(table, report, 0), model::Verdict::Passed);
+        QCOMPARE(model::verdictOf(table, report, 1), model::Verdict::Incomplete);
+        QCOMPARE(std::ranges::count(report.unchecked,
+                                    "copies of steps, or a copy and an element, may come closer than the limit",
+                                    &model::Unchecked::why),
+                 1);
+    }
+
     /// Copies may hold holes that the step itself lacks; what none of them has cannot come too close.
     void copiesLeaveRulesForOtherHolesAlone() {
         DocumentBuilder step;
