@@ -83,12 +83,22 @@ std::set<std::pair<NetId, NetId>> netsOf(const Document& step, std::span<const W
 /// Sorts the findings of a report into those that are waived and the others, and says what is to be said.
 class Sorter {
 public:
-    Sorter(const Document& step, const RuleTable& table, std::span<const Waiver> waivers, const RuleScope& scope)
-        : m_step(step), m_table(table), m_waivers(waivers), m_scope(scope), m_match(step, table, waivers) {}
+    Sorter(const Document& step, const RuleTable& table, std::span<const Waiver> waivers, const RuleScope& scope,
+           const base::Progress& progress)
+        : m_step(step),
+          m_table(table),
+          m_waivers(waivers),
+          m_scope(scope),
+          m_progress(progress),
+          m_match(step, table, waivers) {}
 
+    /// Not all of it once the progress is cancelled.
     void sort(RuleReport& report) {
         std::vector<RuleFinding> left;
         for (const RuleFinding& finding : report.findings) {
+            if (m_progress.isCancelled()) {
+                return;
+            }
             const std::size_t holder = m_match.holderOf(finding);
             if (holder < m_waivers.size()) {
                 report.waived.push_back({finding, holder, reasonOf(m_waivers[holder])});
@@ -113,7 +123,7 @@ private:
         for (const WaivedFinding& waived : report.waived) {
             met[waived.waiver].held = &waived.found;
         }
-        for (std::size_t row = 0; row < m_waivers.size(); ++row) {
+        for (std::size_t row = 0; row < m_waivers.size() && !m_progress.isCancelled(); ++row) {
             if (m_waivers[row].step == m_step.job.step) {
                 look(row, report, met[row]);
                 note(row, met[row], report);
@@ -178,6 +188,7 @@ private:
     const RuleTable& m_table;
     std::span<const Waiver> m_waivers;
     const RuleScope& m_scope;
+    const base::Progress& m_progress;
     WaiverMatch m_match;
 };
 
@@ -187,21 +198,23 @@ WaiverMatch::WaiverMatch(const Document& step, const RuleTable& table, std::span
     : m_step(step), m_table(table), m_waivers(waivers) {
     for (std::size_t row = 0; row < waivers.size(); ++row) {
         const Waiver& waiver = waivers[row];
+        m_layers.push_back(step.findLayer(waiver.layer));
         if (waiver.step == step.job.step) {
-            m_rows[{waiver.kind, waiver.fault, step.findLayer(waiver.layer)}].push_back(row);
+            m_rows[{waiver.kind, waiver.fault, m_layers.back()}].push_back(row);
         }
     }
 }
 
+LayerId WaiverMatch::otherLayerOf(const RuleFinding& finding) const {
+    const bool isOfTwoHoles = m_table.rules[finding.rule].kind == RuleKind::HoleToHole && finding.b.isValid();
+    return isOfTwoHoles ? m_step.elements.layer[finding.b.row()] : finding.layer;
+}
+
 WaiverMatch::Rows WaiverMatch::rowsFor(const RuleFinding& finding) const {
-    const RuleKind kind = m_table.rules[finding.rule].kind;
-    std::set<LayerId> layers{finding.layer};
-    if (kind == RuleKind::HoleToHole && finding.b.isValid()) {
-        layers.insert(m_step.elements.layer[finding.b.row()]);  // either drill's
-    }
     Rows all;
-    for (const LayerId layer : layers) {
-        if (const auto rows = m_rows.find({kind, finding.reason, layer}); rows != m_rows.end()) {
+    for (const LayerId layer : std::set{finding.layer, otherLayerOf(finding)}) {
+        const auto rows = m_rows.find({m_table.rules[finding.rule].kind, finding.reason, layer});
+        if (rows != m_rows.end()) {
             all.insert(all.end(), rows->second.begin(), rows->second.end());
         }
     }
@@ -210,11 +223,9 @@ WaiverMatch::Rows WaiverMatch::rowsFor(const RuleFinding& finding) const {
 
 bool WaiverMatch::isAt(std::size_t waiver, const RuleFinding& finding) const {
     const Waiver& w = m_waivers[waiver];
-    if (w.kind != m_table.rules[finding.rule].kind || w.fault != finding.reason) {
-        return false;
-    }
-    const Rows rows = rowsFor(finding);
-    return std::ranges::find(rows, waiver) != rows.end() &&
+    const LayerId layer = m_layers[waiver];
+    return w.kind == m_table.rules[finding.rule].kind && w.fault == finding.reason && w.step == m_step.job.step &&
+           (layer == finding.layer || layer == otherLayerOf(finding)) &&
            (areNear(w, finding.spacing) || PassingPair(m_step, finding).passes(w));
 }
 
@@ -244,7 +255,13 @@ base::Result<RuleReport> checkRules(const Document& step, const RuleTable& table
         scope.mayBeAccepted = [&](NetId a, NetId b) { return named.contains(std::minmax(a, b)); };
     }
     ASSIGN_OR_RETURN(RuleReport report, checkRules(step, table, progress, scope));
-    Sorter(step, table, waivers, scope).sort(report);
+    if (!waivers.empty()) {
+        progress.beginPhase("Comparing with waivers");
+    }
+    Sorter(step, table, waivers, scope, progress).sort(report);
+    if (progress.isCancelled()) {
+        return base::Error{base::ErrorCode::Cancelled, "cancelled"};
+    }
     return report;
 }
 

@@ -31,13 +31,16 @@ private:
     using Rows = std::vector<std::size_t>;
     using Key = std::tuple<RuleKind, FindingReason, LayerId>;
 
+    /// Where the second drill is, of two holes that may be waived on either's layer; else that of the finding.
+    [[nodiscard]] LayerId otherLayerOf(const RuleFinding& finding) const;
     /// Of all waivers that may be at a finding.
     [[nodiscard]] Rows rowsFor(const RuleFinding& finding) const;
 
     const Document& m_step;
     const RuleTable& m_table;
     std::span<const Waiver> m_waivers;
-    std::map<Key, Rows> m_rows;  ///< of this step
+    std::vector<LayerId> m_layers;  ///< by waiver
+    std::map<Key, Rows> m_rows;     ///< of this step
 };
 
 /// checkRules, with findings that are waived apart from those that count, and what is to be said of the waivers of this
