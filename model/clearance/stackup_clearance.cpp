@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "model/clearance/layer_geometry.h"
+#include "model/nets/net_ties.h"
 
 namespace model {
 
@@ -27,8 +28,9 @@ enum class Named : std::uint8_t { No, First, Second };
 struct Copper {
     StepTree tree;
     std::vector<Slab> slabs;
-    std::vector<Named> named;  ///< by net: is it one of the two that are asked for?
-    double farthest = 0.0;     ///< nm; no two items are farther apart
+    std::vector<Named> named;   ///< by net: is it one of the two that are asked for?
+    std::vector<NetTies> ties;  ///< by step of the tree
+    double farthest = 0.0;      ///< nm; no two items are farther apart
 };
 
 ZRange heightsOf(const Document& board, LayerId top, LayerId bottom) {
@@ -96,6 +98,20 @@ private:
     std::uint32_t m_firstNet = 0;                        ///< of the copy that is added
 };
 
+/// By step.
+base::Result<std::vector<NetTies>> tiesOf(const StepTree& tree, base::Progress& progress) {
+    std::vector<NetTies> ties;
+    for (const Document* step : tree.steps) {
+        if (step->components.empty()) {
+            ties.emplace_back();
+            continue;
+        }
+        ASSIGN_OR_RETURN(const Connectivity connectivity, Connectivity::of(*step, progress));
+        ties.emplace_back(*step, connectivity);
+    }
+    return ties;
+}
+
 double heightBetween(const ZRange& a, const ZRange& b) {
     return std::max({0.0, double(a.bottom - b.top), double(b.bottom - a.top)});
 }
@@ -127,6 +143,16 @@ private:
         return a != b && (m_isAny || (first != Named::No && second != Named::No && first != second));
     }
 
+    /// Is it a net tie of their copy that brings them together?
+    [[nodiscard]] bool areTied(const Slab& a, std::uint32_t i, const Slab& b, std::uint32_t j) const {
+        const std::uint32_t step = m_copper.tree.copies[a.copies[i]].step;
+        const auto& nets = m_copper.tree.steps[step]->elements.net;
+        const ElementId first = a.copper.elementOf(i);
+        const ElementId second = b.copper.elementOf(j);
+        return a.copies[i] == b.copies[j] &&
+               m_copper.ties[step].joins(first, nets[first.row()], second, nets[second.row()]);
+    }
+
     void search(const Slab& a, const Slab& b, double reach, Found& found) const {
         const double height = heightBetween(a.z, b.z);
         if (height >= reach) {
@@ -134,7 +160,9 @@ private:
         }
         PairRequest request;
         request.reach = std::sqrt(reach * reach - height * height);
-        request.isWanted = [&](std::uint32_t i, std::uint32_t j) { return isWanted(a.nets[i], b.nets[j]); };
+        request.isWanted = [&](std::uint32_t i, std::uint32_t j) {
+            return isWanted(a.nets[i], b.nets[j]) && !areTied(a, i, b, j);
+        };
         request.groupOf = [&](std::uint32_t i, std::uint32_t j) {
             const auto [low, high] = std::minmax({a.nets[i], b.nets[j]});
             return std::uint64_t{low} << 32U | high;
@@ -187,8 +215,9 @@ base::Result<std::vector<StackupClearance>> smallestThroughStackup(const Documen
     if (std::ranges::none_of(board.layers, hasHeight)) {
         return base::Error{base::ErrorCode::BadInput, "no copper layer has a height to measure through the stackup"};
     }
+    Copper copper = Collector(board).run(request);
+    ASSIGN_OR_RETURN(copper.ties, tiesOf(copper.tree, progress));
     progress.beginPhase("Measuring through the stackup");
-    const Copper copper = Collector(board).run(request);
     const double last = std::min(request.below, copper.farthest);
     const Search search(copper, request, progress);
     Found found;

@@ -31,8 +31,9 @@ struct StackupClearanceRequest {
 };
 
 /// The smallest distances between nets of a board and of all copies of steps on it, in rising order. Copper layers and
-/// walls of plated holes take part, at the heights of the stackup; copper without a net does not. Errors: BadInput if
-/// no copper layer of the board has a height, Cancelled. The result does not depend on the number of threads.
+/// walls of plated holes take part, at the heights of the stackup; copper without a net does not, nor what a net tie
+/// brings together. Errors: BadInput if no copper layer of the board has a height, Cancelled. The result does not
+/// depend on the number of threads.
 [[nodiscard]] base::Result<std::vector<StackupClearance>> smallestThroughStackup(const Document& board,
                                                                                  const StackupClearanceRequest& request,
                                                                                  base::Progress& progress);

@@ -3,6 +3,7 @@
 
 #include "model/board/pad_group_names.h"
 #include "model/clearance/clearance.h"
+#include "model/clearance/stackup_clearance.h"
 #include "model/nets/net_check.h"
 #include "tests/unit/model/design_rules/rule_board.h"
 
@@ -156,6 +157,28 @@ private slots:
                 QCOMPARE(report.findings.size(), static_cast<std::size_t>(faults));
                 QCOMPARE(report.netTies.size(), std::size_t{1} - report.findings.size());
             }
+        }
+    }
+
+    /// Nor through the stackup, where what else is close of the two nets is found.
+    void aTieIsNotWhereItsNetsAreClosestInSpace() {
+        for (const auto& [part, distance] : {std::pair("Net-Tie 2", 300e3), std::pair("R0", 0.0)}) {
+            Board board;
+            for (const auto& [layer, z] : {std::pair(board.top, kMm), std::pair(board.bottom, 0)}) {
+                board.builder.layer(layer).z = z;
+                board.builder.layer(layer).thickness = 35 * kUm;
+            }
+            model::Component component;
+            component.refdes = "X1";
+            component.part = part;
+            board.builder.beginLayer(board.top);
+            addPart(board, component, {{board.a, {0, 0}}, {board.b, {90 * kUm, 0}}});
+            board.builder.addLine({{0, 3000 * kUm}, {kMm, 3000 * kUm}, 100 * kUm, 0}, of(board.a));
+            board.builder.addLine({{0, 3400 * kUm}, {kMm, 3400 * kUm}, 100 * kUm, 0}, of(board.b));
+            base::Progress progress;
+            const auto found = *model::smallestThroughStackup(*board.builder.finish(), {}, progress);
+            QCOMPARE(found.size(), std::size_t{1});
+            QVERIFY(std::abs(found.front().spacing.distance - distance) < 1.0);
         }
     }
 
