@@ -251,7 +251,9 @@ base::Result<RuleReport> checkRules(const Document& step, const RuleTable& table
     const WaiverMatch match(step, table, waivers);
     const auto named = netsOf(step, waivers);
     if (!waivers.empty()) {
-        scope.isAccepted = [&](const RuleFinding& finding) { return match.holderOf(finding) < waivers.size(); };
+        scope.isAccepted = [&, before = scope.isAccepted](const RuleFinding& finding) {
+            return (before && before(finding)) || match.holderOf(finding) < waivers.size();
+        };
         scope.mayBeAccepted = [&](NetId a, NetId b) { return named.contains(std::minmax(a, b)); };
     }
     ASSIGN_OR_RETURN(RuleReport report, checkRules(step, table, progress, scope));

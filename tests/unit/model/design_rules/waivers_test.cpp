@@ -178,6 +178,24 @@ private slots:
         QCOMPARE(first.findings[0].spacing.distance, 80.0 * kUm);
     }
 
+    /// Who accepts every location gets all of them, also beside waivers that are there.
+    void waiversLeaveAcceptedWhatWasAcceptedBefore() {
+        std::vector<Track> tracks{{"C", {0, 20 * kMm}, {kMm, 20 * kMm}},
+                                  {"D", {0, 20 * kMm + 170 * kUm}, {kMm, 20 * kMm + 170 * kUm}}};
+        const std::vector<Waiver> old = waiversOf(boardOf(tracks));
+        QCOMPARE(old.size(), std::size_t{1});
+        std::ranges::copy(sideBySide(80 * kUm), std::back_inserter(tracks));
+        for (const Nm x : {9 * kMm, 12 * kMm}) {
+            tracks.push_back({"A", {x, 0}, {x, kMm}});
+            tracks.push_back({"B", {x + 190 * kUm, 0}, {x + 190 * kUm, kMm}});
+        }
+        model::RuleScope scope;
+        scope.isAccepted = [](const model::RuleFinding&) { return true; };
+        const RuleReport report = check(boardOf(tracks), old, kRules, scope);
+        QCOMPARE(report.waived.size(), std::size_t{1});
+        QCOMPARE(report.findings.size(), std::size_t{3});
+    }
+
     void whatWasNotLookedAtIsSaid() {
         const Board board = boardOf(sideBySide(80 * kUm));
         std::vector<Waiver> waivers = waiversOf(board);
