@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 #include "model/figures/distance.h"
 
@@ -163,6 +165,15 @@ std::string titleOf(const Rule& rule) {
     title += rule.objects != std::array<CopperObject, 2>{} ? objectsText(rule) : "";
     title += rule.holes != std::array<HoleClass, 2>{} ? holesText(rule) : "";
     return rule.layer.empty() ? title : title + " on " + rule.layer;
+}
+
+std::size_t netClassCount(const RuleTable& table) {
+    std::set<std::string> named;
+    for (const Rule& rule : table.rules) {
+        std::ranges::copy_if(rule.classes, std::inserter(named, named.end()),
+                             [](const std::string& name) { return name.starts_with(kNetPrefix); });
+    }
+    return table.classes.size() + named.size();
 }
 
 bool isBroken(const Rule& rule, Nm tolerance, double distance) {

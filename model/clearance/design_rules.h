@@ -108,8 +108,10 @@ struct RuleTable {
 /// breaks out does in any case.
 [[nodiscard]] bool isBroken(const Rule& rule, Nm tolerance, double distance);
 
-inline constexpr std::size_t kMostNetClasses = 63;
-inline constexpr Nm kMostLeast = 100'000'000;  ///< nothing on a board is asked to stay a decimetre apart
+/// Of a table: net classes, and names of nets that stand for one ("net:CLK*").
+[[nodiscard]] std::size_t netClassCount(const RuleTable& table);
+inline constexpr std::size_t kMostNetClasses = 63;  ///< what a check can tell apart
+inline constexpr Nm kMostLeast = 100'000'000;       ///< nothing on a board is asked to stay a decimetre apart
 
 /// A rule of every kind, and of microvias those of their own, as common fabricators offer without extra cost. Those
 /// that many boards break for good reasons are off.

@@ -341,12 +341,11 @@ void append(RuleFile& file, RuleFile others, const fs::path& from) {
     std::ranges::move(others.unused, std::back_inserter(file.unused));
     for (NetClass& one : others.table.classes) {
         const bool isNew = std::ranges::find(file.table.classes, one.name, &NetClass::name) == file.table.classes.end();
-        if (isNew && file.table.classes.size() < kMostNetClasses) {
+        if (isNew) {
             file.table.classes.push_back(withNetsOf(classes, std::move(one)));
-        } else if (isNew) {
-            file.leftOut.push_back({tooMany(one.name), 0, from});
         }
     }
+    leaveOutExcessClasses(file, from);
 }
 
 /// Of boards of KiCad 4 and 5: `(net_class NAME "" (clearance 0.2) … (add_net GND))`.

@@ -36,6 +36,7 @@ public:
             }
         }
         m_file.isOfKicad = true;
+        leaveOutExcessClasses(m_file);
         return std::move(m_file);
     }
 

@@ -192,16 +192,6 @@ base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, c
     return rule;
 }
 
-/// What stands for a class without being one.
-std::set<std::string> namedNets(const RuleTable& table) {
-    std::set<std::string> names;
-    for (const Rule& rule : table.rules) {
-        std::ranges::copy_if(rule.classes, std::inserter(names, names.end()),
-                             [](const std::string& name) { return name.starts_with(kNetPrefix); });
-    }
-    return names;
-}
-
 base::Result<Nm> parseTolerance(const StrictJson& file) {
     const ordered_json value = file.json().value("tolerance_um", ordered_json(kTolerance / base::kNmPerUm));
     const double um = value.is_number() ? value.get<double>() : -1.0;
@@ -268,7 +258,7 @@ base::Result<RuleTable> parseRules(std::string_view text) {
         ASSIGN_OR_RETURN(Rule parsed, parseRule(rule, table, file));
         table.rules.push_back(parsed);
     }
-    if (table.classes.size() + namedNets(table).size() > kMostNetClasses) {
+    if (netClassCount(table) > kMostNetClasses) {
         return bad("there are more than " + std::to_string(kMostNetClasses) + " net classes and names of nets");
     }
     return table.rules.empty() ? base::Result<RuleTable>(bad("there are none")) : table;
@@ -316,6 +306,30 @@ std::string commentedJson(const RuleTable& table) {
 
 std::string textOf(const LeftOutRule& one) {
     return (one.line > 0 ? "line " + std::to_string(one.line) + ": " : "") + one.text;
+}
+
+void leaveOutExcessClasses(RuleFile& file, const std::filesystem::path& from) {
+    std::set<std::string> names;
+    std::vector<Rule> kept;
+    for (Rule& rule : file.table.rules) {
+        std::set<std::string> all = names;
+        std::ranges::copy_if(rule.classes, std::inserter(all, all.end()),
+                             [](const auto& name) { return !name.empty(); });
+        if (all.size() > kMostNetClasses) {
+            const std::string most = std::to_string(kMostNetClasses) + " net classes and names of nets";
+            file.leftOut.push_back({titleOf(rule) + ", beyond the first " + most + ", is left out", 0, from});
+        } else {
+            names = std::move(all);
+            kept.push_back(std::move(rule));
+        }
+    }
+    file.table.rules = std::move(kept);
+    std::size_t room = kMostNetClasses - names.size();
+    std::erase_if(file.table.classes, [&](const NetClass& one) {
+        const bool isKept = names.contains(one.name) || room > 0;
+        room -= isKept && !names.contains(one.name) ? 1 : 0;
+        return !isKept;
+    });
 }
 
 namespace {

@@ -46,6 +46,10 @@ struct RuleFile {
         unused{};            ///< which rules are off, which net classes and names no net fits, a sentence each
     bool isOfKicad = false;  ///< a project, board or custom rules of KiCad: see leaveOutUnusedClasses()
 };
+/// Takes away the rules that name what is beyond the first kMostNetClasses, which `leftOut` tells as of the file
+/// `from`, and classes without a rule that there is no room for: they ask for nothing. What makes tables of KiCad's
+/// files calls it; parseRules takes no more.
+void leaveOutExcessClasses(RuleFile& file, const std::filesystem::path& from = {});
 /// From a file, also one of KiCad's custom rules (.kicad_dru, see kicad_rules.h), a project of KiCad or a board that
 /// has one (.kicad_pro, .kicad_pcb, see kicad_project_rules.h), or by the name of a preset. Errors:
 /// BadInput, also where none of what the file asks for can be checked: all of that is named.

@@ -232,7 +232,7 @@ bool RuleModel::setClass(std::size_t row, const model::NetClass& netClass) {
     if (known != m_rules.classes.end() && static_cast<std::size_t>(known - m_rules.classes.begin()) != row) {
         return refuse(tr("There is a net class %1 already.").arg(QString::fromStdString(netClass.name)));
     }
-    if (isNew && row == model::kMostNetClasses) {
+    if (isNew && model::netClassCount(m_rules) >= model::kMostNetClasses) {
         return refuse(tr("There can be at most %1 net classes.").arg(model::kMostNetClasses));
     }
     model::RuleTable after = m_rules;

@@ -297,6 +297,26 @@ private slots:
             (model::LeftOutRule{"without a .kicad_pro beside it, the rules of the project are left out", 0, custom}));
     }
 
+    void theProjectAndCustomRulesShareTheMostNetClasses() {
+        QTemporaryDir folder;
+        const fs::path board = fs::path(folder.path().toStdString()) / "b.kicad_pcb";
+        const fs::path custom = fs::path(board).replace_extension(".kicad_dru");
+        write(board, "(kicad_pcb (version 20241229))");
+        write(fs::path(board).replace_extension(".kicad_pro"), kProject);
+        std::string rules;
+        for (std::size_t i = 1; i <= model::kMostNetClasses; ++i) {
+            rules +=
+                "(rule r (condition \"A.NetName == 'X" + std::to_string(i) + "'\") (constraint clearance (min 1mm)))\n";
+        }
+        write(custom, rules);
+        for (const auto& file : {model::readRules(board), base::Result<model::RuleFile>(*model::kicadRulesOf(board))}) {
+            QCOMPARE(model::netClassCount(file->table), model::kMostNetClasses);
+            QCOMPARE(file->leftOut.back().file, custom);
+            QVERIFY(
+                file->leftOut.back().text.starts_with("copper-copper between X63 and any net, beyond the first 63"));
+        }
+    }
+
     void classesThatNoNetFitsAskForNothing() {
         QTemporaryDir folder;
         const fs::path path = fs::path(folder.path().toStdString()) / "b.kicad_pcb";

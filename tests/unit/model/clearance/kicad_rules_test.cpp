@@ -188,6 +188,35 @@ private slots:
         QVERIFY(errorOf(many.c_str()).ends_with("line 20: (sheet) is left out; and 10 more"));
     }
 
+    /// What a check cannot tell apart would hold for every net.
+    void rulesBeyondTheLastNetClassAreLeftOut() {
+        const auto rulesOf = [](const char* property, int count) {
+            std::string text;
+            for (int i = 1; i <= count; ++i) {
+                text += "(rule r (condition \"A." + std::string(property) + " == 'X" + std::to_string(i) +
+                        "'\") (constraint clearance (min 1mm)))\n";
+            }
+            return text;
+        };
+        const std::string last = "(rule last (constraint clearance (min 0.1mm)))";
+        const model::RuleFile names = import(rulesOf("NetName", 65) + last);
+        QCOMPARE(names.table.rules.size(), std::size_t{64});
+        QCOMPARE(names.table.rules[62].classes[0], std::string("net:X63"));
+        QVERIFY(names.table.rules[63] == (Rule{RuleKind::CopperToCopper, 100 * kUm, {}}));
+        QCOMPARE(names.leftOut.size(), std::size_t{2});
+        QCOMPARE(model::textOf(names.leftOut[0]), std::string("copper-copper between X64 and any net, beyond the first "
+                                                              "63 net classes and names of nets, is left out"));
+        QVERIFY(model::parseRules(model::toJson(names.table)));
+
+        const model::RuleFile both = import(rulesOf("NetClass", 40) + rulesOf("NetName", 25));
+        QCOMPARE(both.table.rules.size(), std::size_t{63});
+        QCOMPARE(both.table.classes.size(), std::size_t{40});
+        QCOMPARE(both.leftOut.size(), std::size_t{2});
+        const model::RuleFile classes = import(rulesOf("NetClass", 65));
+        QCOMPARE(classes.table.classes.size(), model::kMostNetClasses);
+        QCOMPARE(classes.table.rules.size(), model::kMostNetClasses);
+    }
+
     void presetsAreRules() {
         QVERIFY(model::rulePresets().size() >= 5);
         for (const model::RulePreset& preset : model::rulePresets()) {
