@@ -70,6 +70,22 @@ std::optional<std::string> textIn(const fs::path& path, std::string& problem) {
     return *std::move(text);
 }
 
+/// Why it is not for this board; empty if it is.
+std::string otherJobIn(const Json& json, const Document& document) {
+    const std::string job = json.value(kJobKey, Json()).dump(-1, ' ', true);
+    return job == Json(document.job.name).dump(-1, ' ', true, Json::error_handler_t::replace)
+               ? ""
+               : "is the session of another board, " + job;
+}
+
+/// What the file holds, nothing when it is missing. `problem` says why it must stay as it is.
+Json heldBy(const fs::path& path, const Document& document, std::string& problem) {
+    const std::optional<std::string> text = textIn(path, problem);
+    const std::optional<Json> json = text ? jsonOf(*text, problem) : std::nullopt;
+    problem = json ? otherJobIn(*json, document) : problem;
+    return json.value_or(Json::object());
+}
+
 bool isThickness(const Json& value) {
     return value.is_number_integer() && value.get<std::int64_t>() >= kLeastSet && value.get<std::int64_t>() <= kMostSet;
 }
@@ -204,8 +220,7 @@ base::Status savePart(const fs::path& board, const Document& document, const Par
         return cannotWrite(path, "another program writes it, and does not end");
     }
     std::string problem;
-    const std::optional<std::string> before = textIn(path, problem);
-    Json json = before ? jsonOf(*before, problem).value_or(Json::object()) : Json::object();
+    Json json = heldBy(path, document, problem);
     if (!problem.empty()) {
         return cannotWrite(path, "the file there " + problem);
     }
@@ -264,9 +279,8 @@ LoadedSession parseSession(std::string_view text, const Document& document) {
         return out;
     }
     out.file = std::make_shared<const FileContent>(FileContent{*json});
-    const std::string job = json->value(kJobKey, Json()).dump(-1, ' ', true);
-    if (job != Json(document.job.name).dump(-1, ' ', true, Json::error_handler_t::replace)) {
-        out.ignored.push_back("it is the session of another board, " + job + "; it is ignored");
+    if (problem = otherJobIn(*json, document); !problem.empty()) {
+        out.ignored.push_back("it " + problem + "; it is ignored");
         return out;
     }
     for (const auto& [key, value] : json->items()) {

@@ -154,7 +154,7 @@ struct KnownPart {
 /// sets by name, views, measurements, sections and waivers one by one; rules and desk are replaced as a whole. With
 /// null all of the part is replaced.
 /// Errors: OutputFailed with the path and the reason when the folder or the disk refuses, or when the file there is of
-/// a later version or no session; it is then as before.
+/// another job, of a later version or no session; it is then as before.
 [[nodiscard]] base::Status saveThicknesses(const std::filesystem::path& board, const Document& document,
                                            const std::vector<ThicknessOverride>& thicknesses,
                                            KnownPart* known = nullptr);

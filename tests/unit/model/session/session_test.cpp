@@ -447,6 +447,10 @@ private slots:
         QVERIFY(found.session == Session());
         QCOMPARE(found.ignored.size(), std::size_t{1});
         QVERIFY(found.ignored[0].find("other") != std::string::npos);
+        const auto saved = location.save(kNoThickness);
+        QVERIFY(!saved);
+        QVERIFY2(saved.error().text.ends_with("the file there is the session of another board, \"other\""),
+                 saved.error().text.c_str());
     }
 
     void looksOfNetsAreKeptByName() {

@@ -27,6 +27,7 @@ private slots:
         QTest::addColumn<QString>("text");
         QTest::newRow("later version") << R"({"copperscope_session": 2, "job": "everything"})";
         QTest::newRow("huge version") << R"({"copperscope_session": 1e300})";
+        QTest::newRow("another job") << R"({"copperscope_session": 1, "job": "other", "thickness_nm": {"TOP": 70000}})";
         QTest::newRow("another file") << R"({"name": "something else"})";
         QTest::newRow("no JSON") << "hello";
         QTest::newRow("empty") << "";
