@@ -135,9 +135,9 @@ void addInfo(CLI::App& parent, Command& chosen) {
     addModellingOptions(command, arguments.board);
     command.add_flag("--json", arguments.asJson, "as JSON");
     command.add_flag("--check-nets", arguments.checkNets,
-                     "compare the nets with the copper; exit code 4 if there are opens or shorts");
+                     "compare the nets with the copper; exit code 4 if there are opens or shorts, or no nets");
     command.add_flag("--allow-incomplete", arguments.allowsIncomplete,
-                     "with --check-nets: exit code 0 also where not all of the job could be read");
+                     "with --check-nets: exit code 0 also where not everything could be checked");
     command.add_flag("--print-layer-map", arguments.printsLayerMap,
                      "only what the files of a Gerber job are taken to draw, and why, as a file for --layer-map");
     addInputOptions(command, arguments.board.request);

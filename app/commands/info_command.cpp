@@ -10,6 +10,7 @@
 #include "app/reports/info_json.h"
 #include "app/reports/stackup_report.h"
 #include "model/board/diagnostic_facts.h"
+#include "model/clearance/clearance.h"
 #include "model/formats/common/read_options.h"
 #include "model/formats/gerber/layer_proposals.h"
 #include "model/text/json_text.h"
@@ -168,6 +169,22 @@ int codeOf(const std::vector<StepCheck>& checks) {
     return isFaulty ? kTooClose : kDone;
 }
 
+/// Is there copper, and no step whose nets could be compared with it?
+bool isNothingCompared(const std::vector<StepCheck>& checks) {
+    const auto isLacking = [](const StepCheck& check) { return model::isCopperWithoutNets(*check.step); };
+    const auto hasNets = [](const StepCheck& check) { return !check.step->nets.empty(); };
+    return std::ranges::any_of(checks, isLacking) && std::ranges::none_of(checks, hasNets);
+}
+
+int verdictOf(const Document& board, const std::vector<StepCheck>& checks, bool allowsIncomplete) {
+    const Document* const jobs[] = {&board};
+    const int code =
+        isNothingCompared(checks)
+            ? incompleteCode(codeOf(checks), "nothing was compared: the board has copper but no nets", allowsIncomplete)
+            : codeOf(checks);
+    return verdictCode(code, jobs, allowsIncomplete);
+}
+
 }  // namespace
 
 Outcome runInfo(const InfoArguments& arguments) {
@@ -188,8 +205,7 @@ Outcome runInfo(const InfoArguments& arguments) {
     } else {
         printText(board, checked);
     }
-    const model::Document* const jobs[] = {board.document.get()};
-    return checks ? verdictCode(codeOf(*checks), jobs, arguments.allowsIncomplete) : int{kDone};
+    return checks ? verdictOf(*board.document, *checks, arguments.allowsIncomplete) : int{kDone};
 }
 
 }  // namespace app

@@ -13,13 +13,15 @@ bool areComplete(std::span<const model::Document* const> jobs) {
         jobs, [](const model::Document* job) { return model::firstError(job->diagnostics) == nullptr; });
 }
 
-int verdictCode(int code, std::span<const model::Document* const> jobs, bool allowsIncomplete) {
-    if (areComplete(jobs)) {
-        return code;
-    }
-    std::fprintf(stderr, "copperscope: not everything could be checked: not all of the job could be read%s\n",
-                 allowsIncomplete ? "" : " (--allow-incomplete accepts that)");
+int incompleteCode(int code, const char* why, bool allowsIncomplete) {
+    std::fprintf(stderr, "copperscope: %s%s\n", why, allowsIncomplete ? "" : " (--allow-incomplete accepts that)");
     return allowsIncomplete ? code : int{kTooClose};
+}
+
+int verdictCode(int code, std::span<const model::Document* const> jobs, bool allowsIncomplete) {
+    return areComplete(jobs) ? code
+                             : incompleteCode(code, "not everything could be checked: not all of the job could be read",
+                                              allowsIncomplete);
 }
 
 }  // namespace app

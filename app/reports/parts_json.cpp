@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/clearance/clearance.h"
 #include "model/index/pin_names.h"
 #include "model/nets/net_statistics.h"
 
@@ -152,8 +153,12 @@ ordered_json connectivityJson(const std::vector<StepCheck>& checks) {
     ordered_json shorts = ordered_json::array();
     ordered_json ties = ordered_json::array();
     ordered_json pinsOnNets = ordered_json::array();
+    ordered_json withoutNets = ordered_json::array();
     for (const StepCheck& check : checks) {
         islands += check.islandCount;
+        if (model::isCopperWithoutNets(*check.step)) {
+            withoutNets.push_back(check.step->job.step);
+        }
         for (const model::OpenNet& open : check.report.opens) {
             (model::hasSeveralPadIslands(check.report, open) ? opens : floating).push_back(openJson(check, open));
         }
@@ -167,13 +172,23 @@ ordered_json connectivityJson(const std::vector<StepCheck>& checks) {
             pinsOnNets.push_back(pinOnNetJson(check, entry));
         }
     }
-    return {{"islands", islands}, {"opens", opens},   {"floating", floating},          {"loose", floating},
-            {"shorts", shorts},   {"net_ties", ties}, {"pins_without_net", pinsOnNets}};
+    return {{"islands", islands},
+            {"opens", opens},
+            {"floating", floating},
+            {"loose", floating},
+            {"shorts", shorts},
+            {"net_ties", ties},
+            {"pins_without_net", pinsOnNets},
+            {"steps_without_nets", withoutNets}};
 }
 
 void printConnectivity(const std::vector<StepCheck>& checks) {
     std::printf("\nnets against copper\n");
     for (const StepCheck& check : checks) {
+        if (model::isCopperWithoutNets(*check.step)) {
+            std::printf("  %s: not compared: it has copper but no nets\n", check.step->job.step.c_str());
+            continue;
+        }
         for (const model::OpenNet& open : check.report.opens) {
             printOpen(check, open);
         }

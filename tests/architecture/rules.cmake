@@ -94,7 +94,7 @@ set(architecture_rows
     "ui/export                     | ui              | model/board model/export/files model/export/solids model/text render/scene ui/common ui/layers ui/views ui/workspace | qt widgets"
     "ui/shell                      | ui              | model/board model/formats model/opening render/calibration render/gpu render/scene ui/assignment ui/canvas ui/clearance ui/common ui/element ui/export ui/layers ui/measure ui/messages ui/netlist_check ui/nets ui/parts ui/saved_views ui/search ui/section ui/stackup ui/statistics ui/theme ui/views ui/workspace | qt widgets"
     "app/common                    | app             | model/board model/formats model/opening model/session model/solids model/text render/gpu render/modelling render/scene tri tri/gpu | json log"
-    "app/reports                   | app             | app/common model/board model/index model/nets model/statistics render/modelling render/standard | json"
+    "app/reports                   | app             | app/common model/board model/clearance model/index model/nets model/statistics render/modelling render/standard | json"
     "app/verify                    | app             | app/common model/board model/export/solids model/figures model/geometry model/geometry/loops model/solids/shells model/text render/frame render/gpu render/modelling render/scene render/standard | dl json"
     "app/step_reader               | app             | app/verify | occt"
     "app/bench                     | app tri::bench  | app/common model/board model/formats model/text render/backends render/calibration render/frame render/gpu render/modelling render/scene render/standard tri tri/gpu | json"

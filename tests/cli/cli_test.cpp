@@ -422,6 +422,26 @@ private slots:
         QVERIFY(!copperscope({"info", job}).out.contains("nets against copper"));
     }
 
+    /// "0 shorts" of a board without nets would be a pass that nobody looked for.
+    void nothingToCompareIsNoPass() {
+        const QString job = locations::kTestData + QStringLiteral("/odb/drills");
+        const Outcome run = copperscope({"info", job, "--check-nets", "--json"});
+        QCOMPARE(run.exitCode, 4);
+        QVERIFY2(run.err.contains("nothing was compared: the board has copper but no nets (--allow-incomplete"),
+                 run.err.constData());
+        const QJsonObject found = QJsonDocument::fromJson(run.out).object()["connectivity"].toObject();
+        QCOMPARE(found["steps_without_nets"].toArray(), QJsonArray{"BOARD"});
+        const Outcome text = copperscope({"info", job, "--check-nets", "--allow-incomplete"});
+        QCOMPARE(text.exitCode, 0);
+        QVERIFY2(text.out.contains("BOARD: not compared: it has copper but no nets"), text.out.constData());
+        // Frames of panels have no nets beside boards that do.
+        const Outcome panel = copperscope({"info", locations::kTestData + QStringLiteral("/odb/panel"), "--check-nets",
+                                           "--allow-incomplete", "--json"});
+        QVERIFY2(panel.exitCode == 0 && !panel.err.contains("nothing was compared"), panel.err.constData());
+        const QJsonObject steps = QJsonDocument::fromJson(panel.out).object()["connectivity"].toObject();
+        QCOMPARE(steps["steps_without_nets"].toArray(), QJsonArray{"PANEL"});
+    }
+
     void inferredNetsAreTheIslandsOfTheCopper() {
         const QString job = locations::kTestData + QStringLiteral("/odb/open_short");
         const Outcome run = copperscope({"info", job, "--infer-nets", "--check-nets", "--json"});
