@@ -15,6 +15,7 @@
 #include "model/clearance/rule_presets.h"
 #include "model/design_rules/waived_check.h"
 #include "model/export/clearance_export.h"
+#include "model/export/rule_items.h"
 #include "model/text/whole_file.h"
 
 namespace app {
@@ -208,7 +209,7 @@ Outlook outlookOf(const model::RuleTable& table, std::span<const StepRules> step
 /// "3 rules broken at 10 locations, 1 incomplete"; empty if there is nothing to say.
 std::string textOf(const Outlook& outlook) {
     if (outlook.checked == 0) {
-        return "nothing was checked: all rules are unused";
+        return model::kNothingChecked;
     }
     const std::string incomplete = std::to_string(outlook.incomplete) + " incomplete";
     if (outlook.broken > 0) {

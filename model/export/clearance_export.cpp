@@ -314,7 +314,8 @@ std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps,
         case ReportFormat::Html: return htmlReport(table, steps, most, context);
         default: break;
     }
-    return reportOf(
+    const bool isBare = format == ReportFormat::Text && isNothingChecked(table, steps);
+    const std::string report = reportOf(
         steps, format,
         "step,rule,least um,layer,clearance um,a,b,x mm on a,y mm on a,x mm on b,y mm on b,pin a,kind a,element a,pin "
         "b,kind b,element b,result,reason,tolerance "
@@ -322,6 +323,7 @@ std::string ruleReport(const RuleTable& table, std::span<const StepRules> steps,
         [&](const StepRules& step) { return jsonOf(table, step, most); },
         [&](const StepRules& step) { return csvOf(table, step, most); },
         [&](const StepRules& step) { return textOf(table, step, most); });
+    return isBare ? report + kNothingChecked + '\n' : report;
 }
 
 }  // namespace model

@@ -135,6 +135,9 @@ std::string stepHtml(const RuleTable& table, const StepRules& found, std::size_t
 
 /// "FAIL: 3 locations of 2 rules, 1 waived; 1 rule is incomplete"
 std::string summaryOf(const RuleTable& table, std::span<const StepRules> steps) {
+    if (isNothingChecked(table, steps)) {
+        return tag("p", kNothingChecked, classOf(Verdict::Incomplete));
+    }
     std::size_t count = 0;
     std::size_t waived = 0;
     for (const StepRules& found : steps) {

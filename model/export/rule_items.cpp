@@ -97,4 +97,15 @@ std::size_t rulesWith(const RuleTable& table, std::span<const StepRules> steps, 
     return count;
 }
 
+bool isNothingChecked(const RuleTable& table, std::span<const StepRules> steps) {
+    return std::ranges::none_of(steps, [&](const StepRules& step) {
+        for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
+            if (verdictOf(table, step.report, rule) > Verdict::Unused) {
+                return true;
+            }
+        }
+        return false;
+    });
+}
+
 }  // namespace model

@@ -30,5 +30,8 @@ namespace model {
 
 /// How many rules of all steps have this verdict.
 [[nodiscard]] std::size_t rulesWith(const RuleTable& table, std::span<const StepRules> steps, Verdict verdict);
+/// Are all rules of all steps unused or off? That is no pass, whatever a report lists.
+[[nodiscard]] bool isNothingChecked(const RuleTable& table, std::span<const StepRules> steps);
+inline constexpr const char* kNothingChecked = "nothing was checked: all rules are unused";
 
 }  // namespace model

@@ -79,6 +79,10 @@ public:
         addNotes(found);
     }
 
+    void notify(const char* level, const std::string& text) {
+        m_notes.push_back({{"level", level}, {"message", {{"text", text}}}});
+    }
+
 private:
     /// Of rules without locations.
     void addVerdict(const StepRules& found, std::size_t row) {
@@ -131,23 +135,20 @@ private:
     }
 
     void addNotes(const StepRules& found) {
-        const auto add = [&](const char* level, const std::string& text) {
-            m_notes.push_back({{"level", level}, {"message", {{"text", text}}}});
-        };
         for (const WaiverNote& note : found.report.waiverNotes) {
-            add("warning", note.text);
+            notify("warning", note.text);
         }
         for (const NetTie& tie : found.report.netTies) {
-            add("note", "net tie: " + textOf(*found.step, tie));
+            notify("note", "net tie: " + textOf(*found.step, tie));
         }
         for (const std::string& note : found.report.notes) {
-            add("note", note);
+            notify("note", note);
         }
         for (std::size_t row = 0; row < m_table.rules.size(); ++row) {
             const std::size_t listed = findingsOf(found, row, m_most).size();
             if (found.report.counts[row] > listed) {
-                add("warning", m_ids[row] + ": " + std::to_string(found.report.counts[row] - listed) +
-                                   " more locations are not listed");
+                notify("warning", m_ids[row] + ": " + std::to_string(found.report.counts[row] - listed) +
+                                      " more locations are not listed");
             }
         }
     }
@@ -167,6 +168,9 @@ std::string sarifReport(const RuleTable& table, std::span<const StepRules> steps
     Writer writer(table, most, context);
     for (const StepRules& found : steps) {
         writer.add(found);
+    }
+    if (isNothingChecked(table, steps)) {
+        writer.notify("warning", kNothingChecked);
     }
     ordered_json driver{{"name", "Copperscope"}};
     if (!context.version.empty()) {

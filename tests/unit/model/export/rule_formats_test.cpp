@@ -228,6 +228,36 @@ private slots:
         }
     }
 
+    /// The exit code is 4 then, and no report may look like a pass.
+    void reportsSayThatNothingWasChecked() {
+        const RuleTable unused{{}, {kRules.rules[2], kRules.rules[3]}};
+        const auto board = boardOf(1);
+        base::Progress progress;
+        const std::vector<model::StepRules> steps{{board.get(), *model::checkRules(*board, unused, progress)}};
+        QVERIFY(model::verdictOf(unused, steps[0].report, 0) == model::Verdict::Unused);
+        const auto report = [&](ReportFormat format) {
+            return QByteArray::fromStdString(model::ruleReport(unused, steps, format, 100, kContext));
+        };
+        const char* const said = "nothing was checked: all rules are unused";
+        QVERIFY(report(ReportFormat::Text).endsWith(QByteArray(said) + '\n'));
+        const QByteArray page = report(ReportFormat::Html);
+        QVERIFY2(page.contains("<p class=\"incomplete\">" + QByteArray(said)) && !page.contains("<p class=\"pass\">"),
+                 page.constData());
+        const QByteArray junit = report(ReportFormat::Junit);
+        QVERIFY2(junit.contains("errors=\"1\""), junit.constData());
+        QXmlStreamReader xml(junit);
+        const std::vector<Case> cases = casesOf(xml);
+        QVERIFY(!xml.hasError());
+        QCOMPARE(cases.back().result, QString("error"));
+        QCOMPARE(cases.back().message, QString(said));
+        const QJsonValue run = QJsonDocument::fromJson(report(ReportFormat::Sarif))["runs"][0];
+        const QJsonArray notes = run["invocations"][0]["toolExecutionNotifications"].toArray();
+        QCOMPARE(notes.last()["message"]["text"].toString(), QString(said));
+        for (const ReportFormat format : {ReportFormat::Text, ReportFormat::Html, ReportFormat::Junit}) {
+            QVERIFY(!Checked(1).report(format).contains(said));
+        }
+    }
+
     /// A plane that is far larger than the picture is cut to it.
     void picturesHoldWhatIsSeenAlone() {
         model::DocumentBuilder builder;
