@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <iterator>
 #include <span>
 
 #include "app/clearance/through_stackup.h"
@@ -31,20 +32,58 @@ base::Error unknown(const char* kind, const std::string& name) {
     return {base::ErrorCode::BadUsage, "the board has no " + std::string(kind) + " " + name};
 }
 
-/// None if no net is named.
-base::Result<std::pair<model::NetId, model::NetId>> netsOf(const Document& document,
-                                                           const std::vector<std::string>& names) {
+/// None if no net is named, or the step lacks it.
+std::pair<model::NetId, model::NetId> netsOf(const Document& step, const std::vector<std::string>& names) {
+    return names.empty() ? std::pair<model::NetId, model::NetId>()
+                         : std::pair(step.findNet(names.front()), step.findNet(names.back()));
+}
+
+/// Why no step has all of these nets.
+base::Error missing(std::span<const Document* const> steps, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        if (std::ranges::none_of(steps, [&](const Document* step) { return step->findNet(name).isValid(); })) {
+            return unknown("net", name);
+        }
+    }
+    return {base::ErrorCode::BadUsage,
+            "no step of the board has both net " + names.front() + " and net " + names.back()};
+}
+
+bool hasBoth(const Document& step, const std::vector<std::string>& names) {
+    const auto [first, second] = netsOf(step, names);
+    return first.isValid() && second.isValid();
+}
+
+/// Steps without nets have nothing between two anyway.
+void saySkipped(std::span<const Document* const> steps, const std::vector<std::string>& names) {
+    for (const Document* step : steps) {
+        if (!step->nets.empty() && !hasBoth(*step, names)) {
+            const std::string& lacking = step->findNet(names.front()).isValid() ? names.back() : names.front();
+            std::fprintf(stderr, "copperscope: step %s has no net %s; it was skipped\n", step->job.step.c_str(),
+                         lacking.c_str());
+        }
+    }
+}
+
+/// Steps that have both nets of --nets, and stderr says which are skipped; without --nets all. None of a board without
+/// nets. Errors: BadUsage where no step has both.
+base::Result<std::vector<const Document*>> stepsWith(const std::vector<std::string>& names, const Document& board) {
+    std::vector<const Document*> steps = model::distinctSteps(board);
     if (names.empty()) {
-        return std::pair<model::NetId, model::NetId>();
+        return steps;
     }
-    const std::pair nets(document.findNet(names.front()), document.findNet(names.back()));
-    if (!nets.first.isValid() || !nets.second.isValid()) {
-        return unknown("net", nets.first.isValid() ? names.back() : names.front());
-    }
-    if (nets.first == nets.second) {
+    if (names.front() == names.back()) {
         return base::Error{base::ErrorCode::BadUsage, "a net has no clearance to itself: --nets names two"};
     }
-    return nets;
+    std::vector<const Document*> having;
+    std::ranges::copy_if(steps, std::back_inserter(having),
+                         [&](const Document* step) { return hasBoth(*step, names); });
+    const bool hasNets = std::ranges::any_of(steps, [](const Document* step) { return !step->nets.empty(); });
+    if (having.empty() && hasNets) {
+        return missing(steps, names);
+    }
+    saySkipped(steps, names);
+    return having;
 }
 
 base::Result<model::ClearanceRequest> requestFor(const Document& document, const ClearanceArguments& arguments) {
@@ -61,7 +100,7 @@ base::Result<model::ClearanceRequest> requestFor(const Document& document, const
         }
         RETURN_IF_ERROR(checkOnlyOne(document, request.layer, arguments.layer));
     }
-    ASSIGN_OR_RETURN(request.between, netsOf(document, arguments.nets));
+    request.between = netsOf(document, arguments.nets);
     return request;
 }
 
@@ -74,7 +113,7 @@ base::Result<model::RuleScope> scopeFor(const Document& document, const Clearanc
         }
         RETURN_IF_ERROR(checkOnlyOne(document, scope.layer, arguments.layer));
     }
-    ASSIGN_OR_RETURN(scope.between, netsOf(document, arguments.nets));
+    scope.between = netsOf(document, arguments.nets);
     return scope;
 }
 
@@ -99,9 +138,8 @@ model::ReportFormat formatOf(const ClearanceArguments& arguments) {
 base::Result<std::vector<StepClearances>> measureSteps(const Document& board, const ClearanceArguments& arguments,
                                                        base::Progress& progress) {
     std::vector<StepClearances> found;
-    bool hasNets = false;
-    for (const Document* step : model::distinctSteps(board)) {
-        hasNets = hasNets || !step->nets.empty();
+    ASSIGN_OR_RETURN(const std::vector<const Document*> steps, stepsWith(arguments.nets, board));
+    for (const Document* step : steps) {
         if (step->nets.empty()) {
             continue;
         }
@@ -109,7 +147,7 @@ base::Result<std::vector<StepClearances>> measureSteps(const Document& board, co
         ASSIGN_OR_RETURN(std::vector<Clearance> clearances, model::smallestClearances(*step, request, progress));
         found.push_back({step, std::move(clearances)});
     }
-    if (!hasNets) {
+    if (found.empty()) {
         return base::Error{
             base::ErrorCode::BadInput,
             "the board has no nets, so there are no clearances; --infer-nets infers them from the copper"};
@@ -288,20 +326,13 @@ void waiveAll(const ClearanceArguments& arguments, const model::RuleTable& table
     }
 }
 
-/// Steps without nets have nothing between two.
-bool isLeftOut(const Document& step, const ClearanceArguments& arguments) {
-    return !arguments.nets.empty() && step.nets.empty();
-}
-
-/// All steps; with `acceptsAll` every location of two nets is a finding.
+/// All steps that have --nets; with `acceptsAll` every location of two nets is a finding.
 base::Result<std::vector<StepRules>> checkSteps(const ClearanceArguments& arguments, const Document& board,
                                                 const model::RuleTable& table, const Waivers& waivers, bool acceptsAll,
                                                 base::Progress& progress) {
     std::vector<StepRules> steps;
-    for (const Document* step : model::distinctSteps(board)) {
-        if (isLeftOut(*step, arguments)) {
-            continue;
-        }
+    ASSIGN_OR_RETURN(const std::vector<const Document*> wanted, stepsWith(arguments.nets, board));
+    for (const Document* step : wanted) {
         ASSIGN_OR_RETURN(model::RuleScope scope, scopeFor(*step, arguments));
         if (acceptsAll) {
             scope.isAccepted = [](const model::RuleFinding&) { return true; };

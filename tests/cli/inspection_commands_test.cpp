@@ -209,6 +209,21 @@ private slots:
         QCOMPARE(copperscope({"clearance", locations::kSample, "--print"}).exitCode, 1);
     }
 
+    /// Boards of a panel have nets of their own.
+    void netsOfOneStepOfAPanelAreEnough() {
+        const QString panel = QString(locations::kTestData) + "/odb/panel";
+        const Outcome both = copperscope({"clearance", panel, "--nets", "A,B"});
+        QVERIFY2(both.exitCode == 0 && both.err.contains("step CARD has no net B; it was skipped"),
+                 both.err.constData());
+        QVERIFY2(both.out.contains("step COUPON") && !both.out.contains("step CARD"), both.out.constData());
+        const Outcome rules = copperscope({"clearance", panel, "--nets", "A,B", "--rules", "default"});
+        QVERIFY2(rules.err.contains("step CARD has no net B; it was skipped"), rules.err.constData());
+        QVERIFY2(rules.out.contains("step COUPON") && !rules.out.contains("step CARD"), rules.out.constData());
+        const Outcome none = copperscope({"clearance", panel, "--nets", "A,nowhere"});
+        QVERIFY2(none.exitCode == 1 && none.err.contains("the board has no net nowhere"), none.err.constData());
+        QCOMPARE(copperscope({"clearance", panel, "--nets", "A,A"}).exitCode, 1);
+    }
+
     /// A rule that could not check something is no pass.
     void incompleteRulesTellABuildToo() {
         QTemporaryDir folder;
