@@ -398,10 +398,17 @@ base::Status checkUsage(const ClearanceArguments& arguments) {
     return base::Done{};
 }
 
-/// Without --below there is no verdict.
+/// Without --below there is no verdict. Steps without nets have nothing between two that are named.
 int limitCode(const ClearanceArguments& arguments, const Document& board, int code) {
+    if (arguments.below.empty()) {
+        return kDone;
+    }
+    if (arguments.nets.empty() && !model::unmeasuredSteps(board).empty()) {
+        code = incompleteCode(code, "not everything could be checked: steps with copper have no nets",
+                              arguments.allowsIncomplete);
+    }
     const Document* const jobs[] = {&board};
-    return arguments.below.empty() ? int{kDone} : verdictCode(code, jobs, arguments.allowsIncomplete);
+    return verdictCode(code, jobs, arguments.allowsIncomplete);
 }
 
 }  // namespace

@@ -209,6 +209,19 @@ private slots:
         QCOMPARE(copperscope({"clearance", locations::kSample, "--print"}).exitCode, 1);
     }
 
+    void aStepThatWasNotMeasuredIsNoPass() {
+        const QString panel = QString(locations::kTestData) + "/odb/panel";
+        const char* const why = "not everything could be checked: steps with copper have no nets";
+        for (const QStringList& how : {QStringList(), QStringList("--through")}) {
+            const QStringList below = QStringList{"clearance", panel, "--below", "1um"} + how;
+            const Outcome run = copperscope(below);
+            QVERIFY2(run.exitCode == 4 && run.err.contains(why), run.err.constData());
+            QCOMPARE(copperscope(below + QStringList("--allow-incomplete")).exitCode, 0);
+            const Outcome named = copperscope(below + QStringList{"--nets", "A,B"});
+            QVERIFY2(!named.err.contains(why), named.err.constData());
+        }
+    }
+
     /// Boards of a panel have nets of their own.
     void netsOfOneStepOfAPanelAreEnough() {
         const QString panel = QString(locations::kTestData) + "/odb/panel";
