@@ -139,6 +139,28 @@ void readNets(const Json& json, const Document& document, LoadedSession& out) {
     }
 }
 
+bool hasLayer(const Document& document, const std::string& name) {
+    return std::ranges::find(document.layers, name, &Layer::name) != document.layers.end();
+}
+
+/// Solder masks had other names in older versions, which layers of the job may have as well.
+void renameOldMask(const Document& document, std::string& layer) {
+    constexpr std::string_view kOld = " coat";
+    if (layer.ends_with(kOld) && !hasLayer(document, layer)) {
+        layer.replace(layer.size() - kOld.size(), kOld.size(), " solder mask");
+    }
+}
+
+/// Of what lists layers by name: views and layer sets.
+template <class List>
+void renameOldMasks(const Document& document, List& list) {
+    for (auto& item : list) {
+        for (std::string& layer : item.layers) {
+            renameOldMask(document, layer);
+        }
+    }
+}
+
 /// Layers that the board does not have are named and left out.
 void readDesk(const Json& json, const Document& document, LoadedSession& out) {
     std::optional<Desk> desk = tryRead(json, deskFrom);
@@ -147,8 +169,9 @@ void readDesk(const Json& json, const Document& document, LoadedSession& out) {
         return;
     }
     std::string missing;
+    std::ranges::for_each(desk->layers, [&](LayerState& state) { renameOldMask(document, state.layer); });
     std::erase_if(desk->layers, [&](const LayerState& state) {
-        const bool isThere = std::ranges::find(document.layers, state.layer, &Layer::name) != document.layers.end();
+        const bool isThere = hasLayer(document, state.layer);
         missing += isThere ? "" : (missing.empty() ? "" : ", ") + state.layer;
         return !isThere;
     });
@@ -288,6 +311,7 @@ LoadedSession parseSession(std::string_view text, const Document& document) {
             readThicknesses(value, document.stackup, out);
         } else if (key == kViews.key) {
             readList(value, "view", viewFrom, out.session.views, out.ignored);
+            renameOldMasks(document, out.session.views);
         } else if (key == kNets.key) {
             readNets(value, document, out);
         } else if (key == kDesk.key) {
@@ -298,6 +322,7 @@ LoadedSession parseSession(std::string_view text, const Document& document) {
             readList(value, "section", sectionFrom, out.session.sections, out.ignored);
         } else if (key == kLayerSets.key) {
             readList(value, "layer set", layerSetFrom, out.session.layerSets, out.ignored);
+            renameOldMasks(document, out.session.layerSets);
         } else if (key == kBoardColours.key) {
             if (const auto chosen = tryRead(value, boardColoursFrom)) {
                 out.session.boardColours = *chosen;

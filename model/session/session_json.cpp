@@ -101,11 +101,8 @@ std::optional<std::uint32_t> colourAt(const Json& json) {
     return colour;
 }
 
-/// Solder masks had other names in older versions.
 std::string layerNameFrom(const Json& json) {
-    std::string name = json.get<std::string>();
-    constexpr std::string_view kOld = " coat";
-    return name.ends_with(kOld) ? name.replace(name.size() - kOld.size(), kOld.size(), " solder mask") : name;
+    return json.get<std::string>();
 }
 
 LayerState layerFrom(const Json& json) {

@@ -7,7 +7,8 @@
 
 #include "model/session/session.h"
 
-/// Parts of a session as JSON and back. A reader throws a std::exception for JSON that is not as session.h shows it.
+/// Parts of a session as JSON and back, with the names of layers that the file has. A reader throws a std::exception
+/// for JSON that is not as session.h shows it.
 namespace model::session {
 
 using Json = nlohmann::ordered_json;

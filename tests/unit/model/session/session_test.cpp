@@ -389,6 +389,25 @@ private slots:
         QCOMPARE(location.load().session.desk->layers.front().layer, std::string("SMT solder mask"));
     }
 
+    void aLayerOfTheJobMayHaveANameThatMasksHad() {
+        Location location;
+        const auto board = std::make_shared<model::Document>(*location.document);
+        board->layers.front().name = "conformal coat";
+        location.document = board;
+        model::session::Desk styled = desk();
+        styled.layers.front().layer = "conformal coat";
+        QVERIFY(model::session::saveDesk(location.board, *board, styled).ok());
+        SavedView view = viewNamed("a");
+        view.layers = {"conformal coat", "SMT coat"};
+        QVERIFY(location.save(std::vector{view}).ok());
+        QVERIFY(model::session::saveLayerSets(location.board, *board, {{"Coats", view.layers}}).ok());
+        const Session found = location.load().session;
+        QCOMPARE(found.desk->layers.front().layer, std::string("conformal coat"));
+        const std::vector<std::string> now{"conformal coat", "SMT solder mask"};
+        QCOMPARE(found.views.front().layers, now);
+        QCOMPARE(found.layerSets.front().layers, now);
+    }
+
     void whatLacksItsPartsIsNoMeasurement() {
         const Location location;
         QVERIFY(saveMeasurements(location.board, *location.document, {measuredAngle(), measuredLength()}).ok());
