@@ -1,9 +1,19 @@
 #include "ui/layers/layer_step.h"
 
+#include "ui/workspace/step_ids.h"
+
 namespace ui {
 
+int LayerStep::id() const {
+    return m_edit.cell < 0 ? -1 : kLayerStep + m_edit.cell;
+}
+
 bool LayerStep::mergeWith(const QUndoCommand* next) {
-    m_edit.after = static_cast<const LayerStep&>(*next).m_edit.after;  // of one id, so of one class: others have none
+    const auto* later = dynamic_cast<const LayerStep*>(next);
+    if (later == nullptr) {
+        return false;
+    }
+    m_edit.after = later->m_edit.after;
     setObsolete(m_edit.after == m_edit.before);
     return true;
 }

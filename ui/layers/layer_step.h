@@ -15,7 +15,7 @@ public:
 
     void undo() override { m_layers.setSettings(m_edit.before); }
     void redo() override { m_layers.setSettings(m_edit.after); }
-    [[nodiscard]] int id() const override { return m_edit.cell; }
+    [[nodiscard]] int id() const override;
     /// What a drag changes is one step, and none if it ends where it began.
     bool mergeWith(const QUndoCommand* next) override;
 

@@ -5,14 +5,13 @@
 #include <utility>
 
 #include "ui/common/net_name.h"
+#include "ui/workspace/step_ids.h"
 
 namespace ui {
 
 namespace {
 
 using Nets = std::vector<model::BoardNet>;
-
-constexpr int kStepId = 1;  // QUndoCommand::id: steps of one kind may become one
 
 QString textOf(const SelectionModel& selection, const Nets& nets) {
     if (nets.size() == 1) {
@@ -32,14 +31,14 @@ public:
 
     void undo() override { m_apply(m_before); }
     void redo() override { m_apply(m_after); }
-    [[nodiscard]] int id() const override { return kStepId; }
+    [[nodiscard]] int id() const override { return kHighlightStep; }
     bool mergeWith(const QUndoCommand* next) override {
-        const auto& later = static_cast<const HighlightStep&>(*next);
-        if (!isStep() || !later.isStep()) {
+        const auto* later = dynamic_cast<const HighlightStep*>(next);
+        if (later == nullptr || !isStep() || !later->isStep()) {
             return false;
         }
-        m_after = later.m_after;
-        setText(later.text());
+        m_after = later->m_after;
+        setText(later->text());
         return true;
     }
 

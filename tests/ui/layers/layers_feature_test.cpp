@@ -46,6 +46,25 @@ private slots:
         QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
     }
 
+    /// Both steps merge with their like, and neither with the other.
+    void theColourOfALayerAndAHighlightAreTwoSteps() {
+        ui::LayerModel& layers = window().layers();
+        const auto colour = [&layers](int row) { return layers.index(row, ui::LayerModel::Colour).data(Qt::EditRole); };
+        for (int row = 0; row < 2; ++row) {
+            const QVariant before = colour(row);
+            QVERIFY(layers.setData(layers.index(row, ui::LayerModel::Colour), QColor(1, 2, 3), Qt::EditRole));
+            window().selection().setNets({{0, model::NetId{std::size_t{0}}}});
+            QVERIFY(layers.setData(layers.index(row, ui::LayerModel::Colour), QColor(4, 5, 6), Qt::EditRole));
+            trigger(ActionId::Undo);
+            QCOMPARE(colour(row).value<QColor>(), QColor(1, 2, 3));
+            trigger(ActionId::Undo);
+            QVERIFY(window().selection().nets().empty());
+            QCOMPARE(colour(row).value<QColor>(), QColor(1, 2, 3));
+            trigger(ActionId::Undo);
+            QCOMPARE(colour(row), before);
+        }
+    }
+
     void ownSetsAreKeptWithTheBoardAndUndone() {
         window().layers().showOnly({"TOP"});
         sets().save("Mine & yours");
