@@ -35,7 +35,11 @@ NetClassModel::NetClassModel(RuleModel& rules, std::vector<std::string> nets, QO
            {tr("Of this board"), tr("How many nets of the board these are")}},
           parent),
       m_rules(rules),
-      m_nets(std::move(nets)) {}
+      m_nets(std::move(nets)) {
+    // Other rules bring their own classes. Those that are added or removed here leave the rules as many as they were.
+    connect(&rules, &QAbstractItemModel::modelAboutToBeReset, this, [this] { beginResetModel(); });
+    connect(&rules, &QAbstractItemModel::modelReset, this, [this] { endResetModel(); });
+}
 
 std::vector<std::string> NetClassModel::netsOf(const model::NetClass& netClass) const {
     std::vector<std::string> fitting;
@@ -60,6 +64,9 @@ void NetClassModel::addClass() {
 }
 
 void NetClassModel::removeClass(int row) {
+    if (row < 0 || row >= rowCount()) {
+        return;
+    }
     beginResetModel();
     m_rules.removeClass(static_cast<std::size_t>(row));
     endResetModel();

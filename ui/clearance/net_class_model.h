@@ -14,11 +14,13 @@ class NetClassModel : public TableModel {
 public:
     enum Column { Name, Nets, Fits };
 
-    /// Edits the classes of `rules`, which must live longer. `nets`: all names of the board.
+    /// Edits the classes of `rules`, which must live longer, and begins anew whenever those do. `nets`: all names of
+    /// the board.
     NetClassModel(RuleModel& rules, std::vector<std::string> nets, QObject* parent = nullptr);
 
     /// A class with a name of its own and no nets.
     void addClass();
+    /// Nothing without such a row.
     void removeClass(int row);
 
 private:

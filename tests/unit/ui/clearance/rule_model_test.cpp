@@ -74,6 +74,27 @@ private slots:
         QVERIFY(rules.rules() == model::defaultRules());
     }
 
+    /// As a preset is chosen in the dialog, whose table of classes has a current row.
+    void otherRulesBringTheirClasses() {
+        RuleModel rules;
+        NetClassModel classes(rules, {});
+        const QAbstractItemModelTester classesKeepPromises(&classes);
+        classes.addClass();
+        const QPersistentModelIndex current(classes.index(0, NetClassModel::Name));
+        const QSignalSpy reset(&classes, &QAbstractItemModel::modelReset);
+        rules.replaceRules(model::defaultRules());
+        QCOMPARE(reset.count(), 1);
+        QCOMPARE(classes.rowCount(), 0);
+        QVERIFY(!current.isValid());
+        classes.removeClass(0);
+        QVERIFY(rules.rules() == model::defaultRules());
+        model::RuleTable withClass = model::defaultRules();
+        withClass.classes.push_back({"power", {"VCC*"}});
+        rules.replaceRules(withClass);
+        QCOMPARE(reset.count(), 2);
+        QCOMPARE(text(classes, 0, NetClassModel::Name), "power");
+    }
+
     void whatIsNoRuleIsRefused() {
         RuleModel rules;
         const model::RuleTable before = rules.rules();
