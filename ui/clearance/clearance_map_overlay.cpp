@@ -146,7 +146,7 @@ std::vector<model::BoardElement> ClearanceMapOverlay::targets() const {
 QString ClearanceMapOverlay::targetName() const {
     const std::vector<model::BoardNet>& nets = m_selection.nets();
     if (nets.size() == 1 && m_selection.selected().empty()) {
-        return netName(*m_board, nets.front().net);
+        return netName(*m_selection.tree().steps[nets.front().step], nets.front().net);
     }
     return !m_selection.title().isEmpty() && nets.empty() ? m_selection.title() : tr("the selection");
 }

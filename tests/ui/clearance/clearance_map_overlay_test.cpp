@@ -292,6 +292,23 @@ private slots:
         QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
 
+    /// The panel itself has no nets; those of its copies are named by their step.
+    void aNetOfCopiesIsNamed() {
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_fixture->copyOfJob("panel").string())));
+        QVERIFY(window().document()->nets.empty());
+        const model::StepTree& tree = window().selection().tree();
+        const auto step = std::ranges::find_if(tree.steps, [](const auto& one) { return !one->nets.empty(); });
+        QVERIFY(step != tree.steps.end());
+        const auto& nets = (*step)->nets;
+        const auto net = std::ranges::find(nets, "A", &model::Net::name);
+        QVERIFY(net != nets.end());
+        window().selection().setNets({{static_cast<std::uint32_t>(step - tree.steps.begin()),
+                                       model::NetId{static_cast<std::size_t>(net - nets.begin())}}});
+        m_fixture->key(Qt::Key_G, Qt::ShiftModifier);
+        QTRY_VERIFY2(text().contains("distance to A"), qPrintable(text()));
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+    }
+
     void aReloadMapsTheBoardAnew() {
         switchOn();
         QVERIFY(m_fixture->openAndWait(locations::kSample));
