@@ -128,11 +128,10 @@ void ClearanceFeature::connectWaivers(FeatureContext& context) {
     connect(m_panel, &ClearancePanel::waiverAsked, this,
             [this, &window = context.window](int row) { m_waivers.request(m_locations.waiverFor(row), window); });
     connect(m_panel, &ClearancePanel::withdrawalAsked, this,
-            [this](int row) { m_waivers.withdraw({*m_locations.location(row).waiver}); });
+            [this](int row) { withdraw({*m_locations.location(row).waiver}); });
     connect(m_panel, &ClearancePanel::goneWaiversAsked, this, [this] {
-        const auto& checked = answerOf(ClearancePanel::What::Rules);
-        if (const auto rows = checked ? goneWaivers(checked->result) : std::vector<std::size_t>{}; !rows.empty()) {
-            m_waivers.withdraw(rows);
+        if (const auto& checked = answerOf(ClearancePanel::What::Rules)) {
+            withdraw(goneWaivers(checked->result));
         }
     });
     connect(m_panel, &ClearancePanel::waiversAsked, this, [this, &context] {
@@ -147,6 +146,14 @@ void ClearanceFeature::connectWaivers(FeatureContext& context) {
         context.saveFile(tr("Save waivers"), tr("waivers"), {tr("Waivers (*.json)")},
                          [this](const QString& path) { return m_waivers.write(path); });
     });
+}
+
+void ClearanceFeature::withdraw(const std::vector<std::size_t>& rows) {
+    RuleWaivers::List waivers;
+    for (const std::size_t row : rows) {
+        waivers.push_back(answerOf(ClearancePanel::What::Rules)->request.waivers[row]);
+    }
+    m_waivers.withdraw(waivers);
 }
 
 QStringList ClearanceFeature::exportFilters() const {

@@ -54,6 +54,8 @@ private:
     void connectCommands(FeatureContext& context);
     void connectFiles(FeatureContext& context);
     void connectWaivers(FeatureContext& context);
+    /// By rows of the list that was checked last; that of now may be shorter until it is checked anew.
+    void withdraw(const std::vector<std::size_t>& rows);
     void setBoard(const LoadedBoard& board);
     /// Checks again what was checked last, with the waivers of now; the current row stays.
     void checkAnew();

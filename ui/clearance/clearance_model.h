@@ -46,7 +46,7 @@ public:
     struct Location {
         std::uint32_t step = 0;  ///< row of model::StepTree::steps
         model::RuleFinding found;
-        std::optional<std::size_t> waiver{};                      ///< row of the list of waivers
+        std::optional<std::size_t> waiver{};                      ///< row of the list of waivers that was checked
         std::string reason{};                                     ///< why it is waived
         std::optional<model::StackupClearance> throughStackup{};  ///< then its sides may lie in different copies
     };

@@ -31,7 +31,7 @@ struct ClearanceResult {
 [[nodiscard]] std::vector<StepSpacings> spacingsOf(const ClearanceResult& answer);
 /// By rule of the table, over all steps; empty if no rules were checked.
 [[nodiscard]] std::vector<RuleResult> resultsOf(const model::RuleTable& rules, const ClearanceResult& answer);
-/// Rows of waivers without a finding.
+/// Rows of ClearanceRequest::waivers without a finding.
 [[nodiscard]] std::vector<std::size_t> goneWaivers(const ClearanceResult& answer);
 /// Could every rule check everything, and was nothing left out of the rules?
 [[nodiscard]] bool isComplete(const ClearanceResult& answer);

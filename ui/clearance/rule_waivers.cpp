@@ -1,6 +1,8 @@
 #include "ui/clearance/rule_waivers.h"
 
 #include <QDate>
+#include <algorithm>
+#include <utility>
 
 #include "model/session/session.h"
 #include "ui/clearance/waive_dialog.h"
@@ -73,14 +75,12 @@ void RuleWaivers::add(const model::Waiver& waiver) {
     m_part.edit(tr("waiving a location"), m_list, std::move(after));
 }
 
-void RuleWaivers::withdraw(const std::vector<std::size_t>& rows) {
-    List after;
-    for (std::size_t row = 0; row < m_list.size(); ++row) {
-        if (std::ranges::find(rows, row) == rows.end()) {
-            after.push_back(m_list[row]);
-        }
+void RuleWaivers::withdraw(const List& waivers) {
+    List after = m_list;
+    std::erase_if(after, [&](const model::Waiver& one) { return std::ranges::find(waivers, one) != waivers.end(); });
+    if (after != m_list) {
+        m_part.edit(tr("withdrawing a waiver"), m_list, std::move(after));
     }
-    m_part.edit(tr("withdrawing a waiver"), m_list, std::move(after));
 }
 
 base::Status RuleWaivers::read(const QString& path) {

@@ -28,8 +28,8 @@ public:
     /// Opens a dialog for reason and author of a waiver that has all the rest; what is accepted counts.
     void request(const model::Waiver& waiver, QWidget& parent);
     void add(const model::Waiver& waiver);
-    /// By rows of the list.
-    void withdraw(const std::vector<std::size_t>& rows);
+    /// Those that are still there: who withdraws may have seen them in an earlier list.
+    void withdraw(const List& waivers);
     /// Instead of those that are there. Errors: BadInput.
     [[nodiscard]] base::Status read(const QString& path);
     [[nodiscard]] base::Status write(const QString& path) const;

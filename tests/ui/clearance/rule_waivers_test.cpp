@@ -88,12 +88,40 @@ private slots:
         QCOMPARE(waivedRows(), 1);
     }
 
+    /// The rows on the screen are those of the last check until the next one ends.
+    void oneIsWithdrawnWhileTheCheckAfterAnotherRuns() {
+        auto& waivers = window().find<ui::RuleWaivers>();
+        model::Waiver other = locations().waiverFor(0);
+        other.reason = "looked at as well";
+        other.author = "Me";
+        other.date = "2026-11-23";
+        waivers.add(other);
+        QTRY_VERIFY(!window().workspace().isWorking());
+        QCOMPARE(waivers.list().size(), std::size_t{2});
+        const int first = rowOfWaiver(0);
+        const int second = rowOfWaiver(1);
+        QVERIFY(first >= 0 && second >= 0);
+        emit panel().withdrawalAsked(first);
+        QCOMPARE(waivers.list(), std::vector{other});
+        emit panel().withdrawalAsked(first);  // again, which is no step of the history
+        emit panel().withdrawalAsked(second);
+        QVERIFY(waivers.list().empty());
+        QTRY_VERIFY(!window().workspace().isWorking());
+        QCOMPARE(waivedRows(), 0);
+        for (int step = 0; step < 3; ++step) {
+            window().actions()[ActionId::Undo].trigger();
+            QTRY_VERIFY(!window().workspace().isWorking());
+        }
+        QCOMPARE(waivers.list().size(), std::size_t{1});
+        QCOMPARE(waivedRows(), 1);
+    }
+
     void waiversAreFilesToo() {
         auto& waivers = window().find<ui::RuleWaivers>();
         const QString path = m_fixture->folder() + "/waivers.json";
         QVERIFY(waivers.write(path));
         QCOMPARE(model::readWaivers(path.toStdString())->size(), std::size_t{1});
-        waivers.withdraw({0});
+        waivers.withdraw({waivers.list().front()});
         QTRY_VERIFY(!window().workspace().isWorking());
         QVERIFY(waivers.read(path));
         QTRY_VERIFY(!window().workspace().isWorking());
@@ -158,6 +186,13 @@ private:
             count += locations().location(row).waiver ? 1 : 0;
         }
         return count;
+    }
+    [[nodiscard]] int rowOfWaiver(std::size_t waiver) {
+        int row = locations().rowCount() - 1;
+        while (row >= 0 && locations().location(row).waiver != waiver) {
+            --row;
+        }
+        return row;
     }
     [[nodiscard]] int failing() { return locations().rowCount() - waivedRows(); }
 
