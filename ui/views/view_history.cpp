@@ -16,7 +16,8 @@ void ViewHistory::clear() {
 }
 
 void ViewHistory::onRest() {
-    const render::CameraPose& pose = m_controller.camera().pose();
+    render::CameraPose pose = m_controller.camera().pose();
+    pose.isOrthographic = false;  // no part of where it is
     if (!m_locations.empty() && m_locations[m_at] == pose) {
         return;
     }
@@ -45,7 +46,9 @@ void ViewHistory::forward() {
 
 void ViewHistory::goTo(std::size_t location) {
     m_at = location;
-    m_controller.setPose(m_locations[location]);
+    render::CameraPose pose = m_locations[location];
+    pose.isOrthographic = m_controller.camera().isOrthographic();
+    m_controller.setPose(pose);
     m_rest.stop();
 }
 

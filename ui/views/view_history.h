@@ -9,7 +9,8 @@
 namespace ui {
 
 /// Where a view has looked, as a browser knows where one has been: a location counts once the view has rested there.
-/// Going back and then moving elsewhere drops what was ahead.
+/// Going back and then moving elsewhere drops what was ahead. Whether the view is in parallel is no part of where it
+/// is, and stays as it is now.
 class ViewHistory : public QObject {
     Q_OBJECT
 
