@@ -338,7 +338,15 @@ void SectionFeature::showNames() {
     for (const model::session::SavedSection& section : m_saved.entries()) {
         names += QString::fromStdString(section.name);
     }
+    if (names == m_names.stringList()) {
+        return;
+    }
+    // The model begins anew, and of two sections of one line only the current row tells which one is shown.
+    const QModelIndex chosen = m_panel->list().currentIndex();
+    const bool isRenaming = names.size() == m_names.rowCount();
+    const auto row = isRenaming ? chosen.row() : static_cast<int>(names.indexOf(chosen.data().toString()));
     m_names.setStringList(names);
+    m_panel->list().setCurrentIndex(m_names.index(row));
 }
 
 void SectionFeature::goTo(int row) {

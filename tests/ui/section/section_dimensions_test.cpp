@@ -177,6 +177,34 @@ private slots:
         QCOMPARE(view().dimensions().all(), wanted);
     }
 
+    void ofTwoSectionsOfOneLineEachKeepsItsOwn() {
+        const auto save = [this] { m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier); };
+        const auto of = [this](std::size_t row) { return sections().saved()[row].dimensions.size(); };
+        while (!sections().saved().empty()) {
+            emit window().find<ui::SectionPanel>().forgotten(0);
+        }
+        view().setDimensions({});
+        save();
+        save();
+        choose(1);
+        m_fixture->key(Qt::Key_M);
+        const SectionPiece piece = aWideCopperPiece();
+        measure(piece);
+        measureHeight(piece);
+        m_fixture->key(Qt::Key_M);
+        QCOMPARE(of(0), std::size_t{0});
+        QCOMPARE(of(1), std::size_t{2});
+        QCOMPARE(view().dimensions().all(), sections().saved()[1].dimensions);
+        QAbstractItemModel& names = *window().find<ui::SectionPanel>().list().model();
+        QVERIFY(names.setData(names.index(0, 0), "Other"));
+        QCOMPARE(view().dimensions().all().size(), std::size_t{2});
+        window().actions()[ActionId::Undo].trigger();  // the names are others again
+        QCOMPARE(view().dimensions().all().size(), std::size_t{2});
+        emit window().find<ui::SectionPanel>().forgotten(0);
+        QCOMPARE(window().find<ui::SectionPanel>().list().currentIndex().row(), 0);
+        QCOMPARE(view().dimensions().all(), sections().saved()[0].dimensions);
+    }
+
     void otherHeightsMakeThemStale() {
         m_fixture->key(Qt::Key_M);
         const SectionPiece piece = aWideCopperPiece();
