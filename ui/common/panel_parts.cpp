@@ -54,10 +54,15 @@ protected:
 
 }  // namespace
 
-QLineEdit* filterEdit(SortedRows& rows, const QString& hint) {
+QLineEdit* filterEdit(const QString& hint) {
     auto* line = new FilterEdit;
     line->setPlaceholderText(hint);
     line->setClearButtonEnabled(true);
+    return line;
+}
+
+QLineEdit* filterEdit(SortedRows& rows, const QString& hint) {
+    QLineEdit* line = filterEdit(hint);
     QObject::connect(line, &QLineEdit::textChanged, &rows, &SortedRows::setWords);
     return line;
 }

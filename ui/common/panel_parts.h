@@ -27,8 +27,9 @@ template <class Run>
 [[nodiscard]] QHBoxLayout* buttonRow(std::initializer_list<QAction*> actions);
 /// The same, but what has no room folds into a menu: the buttons do not widen the window.
 [[nodiscard]] QToolBar* toolBar(std::initializer_list<QAction*> actions);
-/// A line that filters rows by words.
-/// Esc empties it, then leaves it.
+/// A line to filter by. Esc empties it, then leaves it.
+[[nodiscard]] QLineEdit* filterEdit(const QString& hint);
+/// The same, which filters rows by words.
 [[nodiscard]] QLineEdit* filterEdit(SortedRows& rows, const QString& hint);
 /// A panel of controls above a table or drawing.
 [[nodiscard]] QWidget* panelOf(QLayout* controls, QWidget* below, int margin = 2);

@@ -61,7 +61,7 @@ NetsPanel::NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styl
       m_model(model),
       m_selection(selection),
       m_styles(styles),
-      m_filter(new QLineEdit),
+      m_filter(ui::filterEdit(tr("Filter nets by name"))),
       m_kind(new QComboBox),
       m_group(new QComboBox),
       m_step(new QComboBox),
@@ -117,8 +117,6 @@ void NetsPanel::setUpTable() {
 }
 
 void NetsPanel::layOutControls(const ActionSet& actions) {
-    m_filter->setPlaceholderText(tr("Filter nets by name"));
-    m_filter->setClearButtonEnabled(true);
     m_kind->addItems({tr("Text"), tr("Wildcard"), tr("Regex")});  // in the order of FilterKind
     m_group->addItems({tr("No groups"), tr("By class"), tr("By pair"), tr("By bus"), tr("By supply"), tr("By sheet")});
     m_group->setObjectName(QStringLiteral("netGroups"));

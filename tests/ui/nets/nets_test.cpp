@@ -6,6 +6,7 @@
 #include <QContextMenuEvent>
 #include <QFile>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QScrollBar>
@@ -175,6 +176,24 @@ private slots:
         window().selection().setNets({other});  // one after the other, as the arrows in the table do
         window().selection().setNets({{0, model::NetId{std::size_t{2}}}});
         undo.trigger();
+        QCOMPARE(window().selection().nets(), std::vector{gnd()});
+    }
+
+    void escEmptiesTheFilterThenLeavesIt() {
+        openCopy();
+        window().selection().setNets({gnd()});
+        QLineEdit& filter = window().netsPanel().filterEdit();
+        window().showPanel("nets");
+        window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        filter.setFocus();
+        QTRY_VERIFY(filter.hasFocus());
+        QTest::keyClicks(&filter, "vc");
+        QTest::keyClick(&filter, Qt::Key_Escape);
+        QCOMPARE(filter.text(), QString());
+        QVERIFY(filter.hasFocus());
+        QTest::keyClick(&filter, Qt::Key_Escape);
+        QVERIFY(!filter.hasFocus());
         QCOMPARE(window().selection().nets(), std::vector{gnd()});
     }
 
