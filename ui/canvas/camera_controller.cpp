@@ -280,6 +280,7 @@ bool CameraController::dispatch(QEvent& event) {
         case QEvent::MouseMove: return move(static_cast<const QMouseEvent&>(event));
         case QEvent::MouseButtonRelease: return release(static_cast<const QMouseEvent&>(event));
         case QEvent::Wheel: return wheel(static_cast<const QWheelEvent&>(event));
+        case QEvent::ShortcutOverride: return keepKey(static_cast<QKeyEvent&>(event));
         case QEvent::KeyPress: return key(static_cast<const QKeyEvent&>(event));
         default: return false;
     }
@@ -395,7 +396,23 @@ WheelMove CameraController::moveOf(const QWheelEvent& event) const {
                           : WheelMove::Zoom;
 }
 
+bool CameraController::givesUpBox(const QKeyEvent& event) const {
+    return event.key() == Qt::Key_Escape && (m_drag == Drag::Box || m_drag == Drag::ZoomBox);
+}
+
+/// Esc is no command while a box is drawn.
+bool CameraController::keepKey(QKeyEvent& event) const {
+    const bool isOwn = givesUpBox(event);
+    event.setAccepted(isOwn || event.isAccepted());
+    return isOwn;
+}
+
 bool CameraController::key(const QKeyEvent& event) {
+    if (givesUpBox(event)) {
+        m_drag = Drag::None;  // the button is still down, and its release means nothing
+        emit boxGivenUp();
+        return true;
+    }
     if ((event.modifiers() & (Qt::AltModifier | Qt::ControlModifier)) != 0) {
         return false;  // a command's
     }

@@ -36,8 +36,8 @@ struct MouseHabits {
 /// Left drag orbits; middle drag, right drag or Shift with left drag pans; the wheel zooms to the cursor, and with
 /// Shift or Ctrl pans; arrows orbit and with Shift pan. A press that moves less than kClickPixels before its release is
 /// a click and leaves the camera alone; a click of the right button asks for a menu. The second press of a double click
-/// is no click. In a plan nothing orbits: left drag draws a box and arrows pan, and the board moves by whole pixels of
-/// the screen, so that its picture stays as it is.
+/// is no click. In a plan nothing orbits: left drag draws a box, which Esc gives up, and arrows pan, and the board
+/// moves by whole pixels of the screen, so that its picture stays as it is.
 class CameraController : public QObject {
     Q_OBJECT
 
@@ -136,6 +136,8 @@ signals:
     void boxFinished(QPointF from, QPointF to, Qt::KeyboardModifiers modifiers);
     /// The box that was drawn was one to zoom to, and is gone.
     void zoomedToBox();
+    /// The box that was drawn is gone, and nothing comes of it.
+    void boxGivenUp();
     /// A button, a wheel or a key: this is the canvas in use.
     void used();
 
@@ -149,7 +151,9 @@ private:
     bool release(const QMouseEvent& event);
     bool wheel(const QWheelEvent& event);
     [[nodiscard]] WheelMove moveOf(const QWheelEvent& event) const;
+    bool keepKey(QKeyEvent& event) const;
     bool key(const QKeyEvent& event);
+    [[nodiscard]] bool givesUpBox(const QKeyEvent& event) const;
     bool dispatch(QEvent& event);
     void orbitBy(QPointF pixels);
     QPointF panBy(QPointF pixels);

@@ -62,6 +62,10 @@ Probing::Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, Layer
     });
     connect(&flat, &CameraController::boxFinished, this, &Probing::selectBox);
     connect(&flat, &CameraController::zoomedToBox, this, [this] { m_box.reset(); });
+    connect(&flat, &CameraController::boxGivenUp, this, [this] {
+        m_box.reset();
+        m_views.flat().requestOverlay();
+    });
     views.flat().addPainter([this](QPainter& painter) { paintBox(painter); });
 }
 

@@ -162,6 +162,31 @@ private slots:
         }
     }
 
+    void escGivesUpABox() {
+        m_controller->setPlan();
+        const QSignalSpy drawn(m_controller.get(), &CameraController::boxDrawn);
+        const QSignalSpy finished(m_controller.get(), &CameraController::boxFinished);
+        const QSignalSpy givenUp(m_controller.get(), &CameraController::boxGivenUp);
+        const auto takesEscape = [this](QEvent::Type type) {
+            QKeyEvent event(type, Qt::Key_Escape, Qt::NoModifier);
+            event.ignore();
+            return m_controller->handle(event);
+        };
+        QVERIFY(!takesEscape(QEvent::ShortcutOverride) && !takesEscape(QEvent::KeyPress));
+        send(*m_controller, QEvent::MouseButtonPress, {200, 175}, Qt::LeftButton);
+        send(*m_controller, QEvent::MouseMove, {300, 250}, Qt::LeftButton);
+        QCOMPARE(drawn.count(), 1);
+        QVERIFY(takesEscape(QEvent::ShortcutOverride) && takesEscape(QEvent::KeyPress));
+        QCOMPARE(givenUp.count(), 1);
+        send(*m_controller, QEvent::MouseMove, {400, 325}, Qt::LeftButton);
+        send(*m_controller, QEvent::MouseButtonRelease, {400, 325}, Qt::LeftButton);
+        QCOMPARE(drawn.count(), 1);
+        QCOMPARE(finished.count(), 0);
+        QVERIFY(!m_controller->isDragging());
+        drag(*m_controller, {200, 175}, {400, 325}, Qt::LeftButton);
+        QCOMPARE(finished.count(), 1);
+    }
+
     void rightDragZoomsIntoABoxAndOutOfIt() {
         m_controller->setPlan();
         m_controller->setHabits({.rightDragZooms = true});

@@ -244,6 +244,12 @@ private slots:
         mouse(view, QEvent::MouseButtonRelease, Qt::LeftButton, {90, 120});
         window().selection().select({});
         QCOMPARE(differingPixels(before, picture(view)), 0);
+        mouse(view, QEvent::MouseButtonPress, Qt::LeftButton, {40, 60});
+        mouse(view, QEvent::MouseMove, Qt::LeftButton, {90, 120});
+        QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view.canvas(), &escape);
+        QCOMPARE(differingPixels(before, picture(view)), 0);
+        mouse(view, QEvent::MouseButtonRelease, Qt::LeftButton, {90, 120});
     }
 
     void hoveringLightsUpAndLeavingEndsIt() {
