@@ -47,6 +47,7 @@ void SectionLine::setDrawing(bool isOn) {
 }
 
 void SectionLine::setLine(std::vector<base::PointD> line) {
+    m_held.reset();  // it was a corner of the line before
     m_line = std::move(line);
     m_view.requestOverlay();
 }

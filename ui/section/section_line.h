@@ -21,7 +21,7 @@ public:
 
     /// For another board: there is no line, and none is being drawn.
     void clear();
-    /// Corners in nm of the board; none: no line.
+    /// Corners in nm of the board; none: no line. A corner that is being moved is let go.
     void setLine(std::vector<base::PointD> line);
     [[nodiscard]] const std::vector<base::PointD>& line() const { return m_line; }
     /// Whether the next drag or clicks draw a line. Ends by itself when one was drawn; ended before, the line is what

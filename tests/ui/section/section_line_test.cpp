@@ -1,5 +1,7 @@
 #include "ui/section/section_line.h"
 
+#include <QStatusBar>
+
 #include "tests/patience.h"
 #include "tests/ui/section/section_fixture.h"
 #include "tests/ui/window_fixture.h"
@@ -158,6 +160,20 @@ private slots:
         mouse(QEvent::MouseButtonRelease, from + QPointF(10, 10));
         QVERIFY(isAt(window().find<ui::SectionLine>().line().back(), end));
         QVERIFY(same(view().section()->pieces, expected().pieces));
+    }
+
+    /// As by the key that cuts along a net.
+    void aCornerIsLetGoWhenTheLineBecomesAnother() {
+        const auto [from, to] = acrossBoard();
+        const std::vector<PointD> shorter{flat().locationAt(from), flat().locationAt(to)};
+        sections().cutAlong({shorter[0], flat().locationAt((from + to) / 2.0), shorter[1]});
+        mouse(QEvent::MouseButtonPress, to);
+        mouse(QEvent::MouseMove, to + QPointF(-20, 17));
+        QVERIFY(!isAt(window().find<ui::SectionLine>().line().back(), shorter[1]));
+        sections().cutAlong(shorter);
+        mouse(QEvent::MouseMove, to + QPointF(-40, 17));
+        mouse(QEvent::MouseButtonRelease, to + QPointF(-40, 17));
+        QVERIFY(std::ranges::equal(window().find<ui::SectionLine>().line(), shorter, isAt));
     }
 
     void theLineIsPaintedOver2d() {
