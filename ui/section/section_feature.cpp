@@ -61,19 +61,7 @@ SectionFeature::SectionFeature(FeatureContext& context)
     m_due.setSingleShot(true);
     m_due.setInterval(0);
     connect(&m_due, &QTimer::timeout, this, &SectionFeature::cut);
-    connect(&m_line, &SectionLine::moved, this, [this] {
-        if (m_line.isDrawing()) {
-            m_panel->view().fit();  // another line; one whose corner is moved stays as it is seen
-        }
-        m_panel->view().setDimensions({});
-        m_panel->view().setRuns({});
-        m_net.clear();
-        m_due.start();
-    });
-    connect(&m_line, &SectionLine::finished, this, [this] {
-        cut();
-        onPlaced();
-    });
+    connectLine();
     connect(&m_panel->view(), &SectionView::dimensionsChanged, this, &SectionFeature::saveDimensions);
     connect(m_panel, &SectionPanel::cleared, this, [this] { cutAlong({}); });
     connect(m_panel, &SectionPanel::chosen, this, &SectionFeature::goTo);
@@ -94,6 +82,31 @@ SectionFeature::SectionFeature(FeatureContext& context)
     connectCommands(context);
     connectPlane(context);
     connectMeasuring(context);
+}
+
+void SectionFeature::connectLine() {
+    connect(&m_line, &SectionLine::moved, this, [this] {
+        if (m_line.isDrawing()) {
+            m_panel->view().fit();  // another line; one whose corner is moved stays as it is seen
+        } else if (!m_beforeMove) {
+            m_beforeMove = Kept{{}, m_panel->view().dimensions().all(), m_net};
+        }
+        m_panel->view().setDimensions({});
+        m_panel->view().setRuns({});
+        m_net.clear();
+        m_due.start();
+    });
+    connect(&m_line, &SectionLine::finished, this, [this] {
+        m_beforeMove.reset();
+        cut();
+        onPlaced();
+    });
+    connect(&m_line, &SectionLine::putBack, this, [this] {
+        cut();
+        if (const auto before = std::exchange(m_beforeMove, std::nullopt)) {
+            restoreMarks(*before);
+        }
+    });
 }
 
 void SectionFeature::connectCommands(FeatureContext& context) {
@@ -185,6 +198,7 @@ void SectionFeature::keep(const LoadedBoard& next) {
 void SectionFeature::setBoard(const LoadedBoard& board) {
     m_index = board.index;
     m_line.clear();
+    m_beforeMove.reset();
     m_plane.setBoard(board, m_kept.has_value());
     m_actions[ActionId::SectionPlane].setChecked(m_plane.isOn());
     m_actions[ActionId::DrawSection].setChecked(false);
@@ -210,10 +224,14 @@ void SectionFeature::restoreKept() {
         cutAlong({});
         return;
     }
-    std::vector<model::LayerRun> runs = runsAlong(m_kept->net);
-    m_net = runs.empty() ? std::string() : m_kept->net;
+    restoreMarks(*m_kept);
+}
+
+void SectionFeature::restoreMarks(const Kept& kept) {
+    std::vector<model::LayerRun> runs = runsAlong(kept.net);
+    m_net = runs.empty() ? std::string() : kept.net;
     m_panel->view().setRuns(std::move(runs));
-    m_panel->view().setDimensions(m_kept->dimensions);
+    m_panel->view().setDimensions(kept.dimensions);
     showDimensions();
 }
 
@@ -261,6 +279,7 @@ void SectionFeature::draw(bool isOn) {
 }
 
 void SectionFeature::cutAlong(std::vector<base::PointD> line, std::vector<model::LayerRun> runs, std::string net) {
+    m_beforeMove.reset();
     m_net = std::move(net);
     m_line.setLine(std::move(line));
     m_panel->view().setRuns(std::move(runs));

@@ -34,13 +34,14 @@ public:
     [[nodiscard]] const std::vector<model::session::SavedSection>& saved() const { return m_saved.entries(); }
 
 private:
-    /// The section of a board that is being read anew.
+    /// What is shown of a board that is being read anew, or before a corner is moved.
     struct Kept {
         std::vector<base::PointD> line;
         std::vector<model::SectionDimension> dimensions;
         std::string net;  ///< that the line follows; empty: none
     };
 
+    void connectLine();
     void connectCommands(FeatureContext& context);
     void connectPlane(FeatureContext& context);
     /// Keeps what is shown if the next board is the same one, read anew.
@@ -48,6 +49,8 @@ private:
     void setBoard(const LoadedBoard& board);
     /// Cuts the board that was read anew where the one before was cut.
     void restoreKept();
+    /// What belongs to a line that is as it was.
+    void restoreMarks(const Kept& kept);
     void connectMeasuring(FeatureContext& context);
     void showPrompt(const QString& prompt);
     /// The ends of the line, if it is straight.
@@ -87,6 +90,7 @@ private:
     std::shared_ptr<const model::BoardIndex> m_index;
     std::string m_net;  ///< that the line follows; empty: none
     std::optional<Kept> m_kept;
+    std::optional<Kept> m_beforeMove;  ///< of a corner of the line, which takes away what belongs to it
     std::vector<QColor> m_colours;
     QTimer m_due;  ///< runs out once all moves of the line that are under way have come
 };

@@ -69,8 +69,23 @@ bool SectionLine::take(QEvent& event) {
             }
             release();
             return true;
+        case QEvent::ShortcutOverride:
+        case QEvent::KeyPress: return takeEscape(static_cast<QKeyEvent&>(event));
         default: return false;
     }
+}
+
+/// Of a corner that is being moved. While a line is drawn it is the command that ends the tool.
+bool SectionLine::takeEscape(QKeyEvent& event) {
+    if (!m_held || m_isDrawing || event.key() != Qt::Key_Escape) {
+        return false;
+    }
+    event.accept();
+    if (event.type() == QEvent::KeyPress) {
+        setLine(m_before);
+        emit putBack();
+    }
+    return true;
 }
 
 bool SectionLine::press(const QMouseEvent& event) {
@@ -83,6 +98,7 @@ bool SectionLine::press(const QMouseEvent& event) {
         m_held = 1;
     } else if (!event.modifiers().testFlag(Qt::ControlModifier)) {
         m_held = cornerAt(event.position());
+        m_before = m_line;
     }
     return m_held.has_value();
 }

@@ -12,7 +12,7 @@ namespace ui {
 /// The line of a cross-section, over the 2D view. While drawing is on, a drag draws one leg; a click begins
 /// a line of many: every further click is a corner, a double click or Enter ends it, Backspace takes the last corner
 /// back. Corners are moved afterwards by their handles; where many lie close together, zooming in brings the handles of
-/// all. Shift keeps a leg to multiples of 45 degrees.
+/// all; Esc puts the one that is being moved back. Shift keeps a leg to multiples of 45 degrees.
 class SectionLine : public QObject {
     Q_OBJECT
 
@@ -34,12 +34,15 @@ signals:
     void moved();
     /// The line is drawn or moved, or given up.
     void finished();
+    /// A corner that was being moved is where it was before.
+    void putBack();
 
 private:
     bool take(QEvent& event);
     bool press(const QMouseEvent& event);
     void moveCorner(std::size_t corner, const QMouseEvent& event);
     void release();
+    bool takeEscape(QKeyEvent& event);
     bool lay(QEvent& event);
     bool layPress(const QMouseEvent& event);
     static bool keepKey(QKeyEvent& event);
@@ -57,7 +60,7 @@ private:
     std::optional<std::size_t> m_held;  ///< corner being dragged
     bool m_isDrawing = false;
     bool m_isLaying = false;             ///< corner by corner; the last one of the line follows the cursor
-    std::vector<base::PointD> m_before;  ///< the line when drawing began
+    std::vector<base::PointD> m_before;  ///< the line when drawing or a move of a corner began
 };
 
 }  // namespace ui

@@ -96,18 +96,11 @@ private slots:
         clickOn(from);
         clickOn(to);
         const float before = flat().controller().mmPerPixel();
-        const auto typeEnter = [this] {
-            if (auto* native = qobject_cast<QWindow*>(&flat().canvas())) {
-                QTest::keyClick(native, Qt::Key_Return);
-            } else {
-                QTest::keyClick(qobject_cast<QWidget*>(&flat().canvas()), Qt::Key_Return);
-            }
-        };
-        typeEnter();
+        typeKey(Qt::Key_Return);
         QVERIFY(!window().find<ui::SectionLine>().isDrawing());
         QCOMPARE(window().find<ui::SectionLine>().line().size(), std::size_t{2});
         QCOMPARE(flat().controller().mmPerPixel(), before);
-        typeEnter();
+        typeKey(Qt::Key_Return);
         QVERIFY(flat().controller().mmPerPixel() < before);
     }
 
@@ -160,6 +153,29 @@ private slots:
         mouse(QEvent::MouseButtonRelease, from + QPointF(10, 10));
         QVERIFY(isAt(window().find<ui::SectionLine>().line().back(), end));
         QVERIFY(same(view().section()->pieces, expected().pieces));
+    }
+
+    void escPutsACornerThatIsMovedBack() {
+        const auto [from, to] = acrossBoard();
+        drawLine();
+        const std::vector<PointD> before = window().find<ui::SectionLine>().line();
+        const std::vector<model::SectionDimension> dimensions{{{1e6, 0.0}, {2e6, 0.0}}};
+        view().setDimensions(dimensions);
+        window().selection().select({{0, model::ElementId{std::size_t{0}}}});
+        mouse(QEvent::MouseButtonPress, to);
+        mouse(QEvent::MouseMove, to + QPointF(-10, 9));
+        mouse(QEvent::MouseMove, to + QPointF(-20, 17));
+        QVERIFY(!isAt(window().find<ui::SectionLine>().line().back(), before.back()));
+        QVERIFY(view().dimensions().all().empty());
+        typeKey(Qt::Key_Escape);
+        QVERIFY(std::ranges::equal(window().find<ui::SectionLine>().line(), before, isAt));
+        QVERIFY(same(view().section()->pieces, expected().pieces));
+        QCOMPARE(view().dimensions().all(), dimensions);
+        QCOMPARE(window().selection().selected().size(), std::size_t{1});
+        mouse(QEvent::MouseMove, to + QPointF(-40, 17));
+        mouse(QEvent::MouseButtonRelease, to + QPointF(-40, 17));
+        QVERIFY(std::ranges::equal(window().find<ui::SectionLine>().line(), before, isAt));
+        QCOMPARE(window().selection().selected().size(), std::size_t{1});
     }
 
     /// As by the key that cuts along a net.
@@ -252,6 +268,14 @@ private:
     void hover(QPointF at) {
         QMouseEvent event(QEvent::MouseMove, at, flat().mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
         QCoreApplication::sendEvent(&flat().canvas(), &event);
+    }
+    /// As a command, if nothing over the view takes it.
+    void typeKey(Qt::Key key) {
+        if (auto* native = qobject_cast<QWindow*>(&flat().canvas())) {
+            QTest::keyClick(native, key);
+        } else {
+            QTest::keyClick(qobject_cast<QWidget*>(&flat().canvas()), key);
+        }
     }
     void pressKey(Qt::Key key) {
         QKeyEvent event(QEvent::KeyPress, key, {});
