@@ -22,12 +22,18 @@ struct Subject {
     Q_DECLARE_TR_FUNCTIONS(ui::Facts)
 public:
     const Document& step;
+    const model::StepCopy& copy;
     ElementId element;
     LengthUnit unit;
 
     [[nodiscard]] std::uint32_t geometry() const { return step.elements.geometry[element.row()]; }
     [[nodiscard]] bool has(model::ElementFlag flag) const { return (step.elements.flags[element.row()] & flag) != 0; }
     [[nodiscard]] QString text(double nm) const { return lengthInBoth(nm, unit); }
+    /// On which it lies: of a flipped copy another than the row has.
+    [[nodiscard]] QString layerName() const {
+        const model::LayerId own = step.elements.layer[element.row()];
+        return QString::fromStdString(step.layer(step.layerOfCopy(own, copy.isFlipped)).name);
+    }
     /// What the drill table says of it; nothing of what is no hole.
     [[nodiscard]] model::DrillRow hole() const {
         return has(model::kHole) ? model::drillRowOf(step, element) : model::DrillRow();
@@ -50,8 +56,10 @@ QString kindText(const Subject& s) {
     return text;
 }
 
+/// On the board, as the status line has it.
 void addLocation(const Subject& s, model::Point point, const QString& name, Facts& facts) {
-    facts.emplace_back(name, positionText(point.x, point.y, s.unit));
+    const model::Point at = s.copy.placement.apply(point);
+    facts.emplace_back(name, positionText(at.x, at.y, s.unit));
 }
 
 /// As the tool list of the job has it.
@@ -185,8 +193,9 @@ void addParts(const Subject& s, Facts& facts) {
     }
 }
 
-void addSource(const Subject& s, const model::Layer& layer, Facts& facts) {
+void addSource(const Subject& s, Facts& facts) {
     const auto& elements = s.step.elements;
+    const model::Layer& layer = s.step.layer(elements.layer[s.element.row()]);
     for (const auto& [name, value] : s.step.attributesOf(s.element)) {
         facts.emplace_back(QString::fromStdString(name), value.empty() ? s.tr("yes") : QString::fromStdString(value));
     }
@@ -198,7 +207,8 @@ void addSource(const Subject& s, const model::Layer& layer, Facts& facts) {
 }
 
 Subject subjectOf(const model::StepTree& tree, const model::BoardElement& at, LengthUnit unit) {
-    return {*tree.steps[tree.copies[at.copy].step], at.element, unit};
+    const model::StepCopy& copy = tree.copies[at.copy];
+    return {*tree.steps[copy.step], copy, at.element, unit};
 }
 
 }  // namespace
@@ -207,10 +217,9 @@ Facts factsOf(const model::StepTree& tree, const model::BoardElement& at, Length
     const Subject s = subjectOf(tree, at, unit);
     const auto& elements = s.step.elements;
     const std::size_t row = at.element.row();
-    const model::Layer& layer = s.step.layer(elements.layer[row]);
     Facts facts;
     facts.emplace_back(s.tr("Kind"), kindText(s));
-    facts.emplace_back(s.tr("Layer"), QString::fromStdString(layer.name));
+    facts.emplace_back(s.tr("Layer"), s.layerName());
     if (elements.net[row].isValid()) {
         facts.emplace_back(s.tr("Net"), netName(s.step, elements.net[row]));
     }
@@ -224,7 +233,7 @@ Facts factsOf(const model::StepTree& tree, const model::BoardElement& at, Length
         facts.emplace_back(s.tr("Copy"),
                            s.tr("%1 of step %2").arg(at.copy).arg(QString::fromStdString(s.step.job.step)));
     }
-    addSource(s, layer, facts);
+    addSource(s, facts);
     return facts;
 }
 
@@ -241,7 +250,7 @@ QString summaryOf(const model::StepTree& tree, const model::BoardElement& at, Le
             words.back() += QStringLiteral(", ") + across.arg(value.section(' ', 0, 1));
         }
     }
-    words += QString::fromStdString(s.step.layer(elements.layer[row]).name);
+    words += s.layerName();
     if (elements.net[row].isValid()) {
         words += netName(s.step, elements.net[row]);
     }

@@ -13,6 +13,7 @@ namespace ui {
 using Facts = std::vector<std::pair<QString, QString>>;  ///< name and value
 
 /// Everything: kind, sizes, layer, net, symbol, position, attributes, file and line. `at` must be an element of `tree`.
+/// Of one in a copy the layer and the position are those on the board.
 [[nodiscard]] Facts factsOf(const model::StepTree& tree, const model::BoardElement& at, LengthUnit unit);
 
 /// The same in a few words for a tip: "Trail, 0.25 mm wide · TOP · GND".

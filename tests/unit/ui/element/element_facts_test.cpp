@@ -112,6 +112,44 @@ private slots:
         }
     }
 
+    void elementsOfFlippedCopiesAreToldWhereTheyLie() {
+        const auto addLayers = [](model::DocumentBuilder& builder) {
+            for (const std::size_t opposite : {1, 0}) {
+                model::Layer layer;
+                layer.name = opposite == 1 ? "top" : "bottom";
+                layer.type = model::LayerType::Signal;
+                layer.opposite = model::LayerId{opposite};
+                layer.file = "features of " + layer.name;
+                builder.addLayer(layer);
+            }
+        };
+        model::DocumentBuilder card;
+        addLayers(card);
+        card.beginLayer(model::LayerId{std::size_t{0}});
+        model::DocumentBuilder::Origin origin;
+        origin.line = 7;
+        card.addCircle({{10'000'000, 1'000'000}, 2'000'000, 0}, origin);
+        model::DocumentBuilder builder;
+        addLayers(builder);
+        const std::uint32_t step = builder.addStep(card.finish());
+        builder.addInstance({step, {{100'000'000, 0}, 0.0, false}, false});
+        builder.addInstance({step, {{200'000'000, 0}, 0.0, true}, true});
+        const auto panel = builder.finish();
+        const model::StepTree tree = model::unfoldCopies(*panel);
+        const auto fact = [&](std::uint32_t copy, const char* name) {
+            const Facts facts = factsOf(tree, {copy, ElementId{std::size_t{0}}}, LengthUnit::Millimetre);
+            const auto found = std::ranges::find(facts, QLatin1String(name), &Facts::value_type::first);
+            return found != facts.end() ? found->second : QString();
+        };
+        QCOMPARE(fact(1, "Layer"), "top");
+        QCOMPARE(fact(1, "Centre"), "110.0000, 1.0000 mm");
+        QCOMPARE(fact(2, "Layer"), "bottom");
+        QCOMPARE(fact(2, "Centre"), "190.0000, 1.0000 mm");
+        QCOMPARE(fact(2, "Read from"), "features of top:7");  // its record is where the step has it
+        QCOMPARE(summaryOf(tree, {2, ElementId{std::size_t{0}}}, LengthUnit::Millimetre),
+                 "Circle, 2 mm across · bottom");
+    }
+
     void heightsOfBodiesSayWhetherTheyAreAssumed() {
         model::DocumentBuilder builder;
         model::Layer layer;
