@@ -94,9 +94,15 @@ PinModel::Row PinModel::rowFor(const BoardPin& pin) const {
     return row;
 }
 
-std::optional<int> PinModel::rowOf(const BoardPin& pin) const {
-    const auto found = std::ranges::find(m_rows, pin, &Row::pin);
-    return found == m_rows.end() ? std::nullopt : std::optional(static_cast<int>(found - m_rows.begin()));
+std::vector<int> PinModel::rowsOf(std::vector<BoardPin> pins) const {
+    std::ranges::sort(pins);
+    std::vector<int> rows;
+    for (std::size_t row = 0; row < m_rows.size() && !pins.empty(); ++row) {
+        if (std::ranges::binary_search(pins, m_rows[row].pin)) {
+            rows.push_back(static_cast<int>(row));
+        }
+    }
+    return rows;
 }
 
 std::optional<model::BoardNet> PinModel::netAt(int row) const {

@@ -29,7 +29,8 @@ public:
     void setAllPins();
 
     [[nodiscard]] BoardPin pinAt(int row) const { return m_rows[static_cast<std::size_t>(row)].pin; }
-    [[nodiscard]] std::optional<int> rowOf(const BoardPin& pin) const;
+    /// Of those that are listed, from above; in one pass, as there may be 100,000 of them.
+    [[nodiscard]] std::vector<int> rowsOf(std::vector<BoardPin> pins) const;
     /// None if it is on none.
     [[nodiscard]] std::optional<model::BoardNet> netAt(int row) const;
     [[nodiscard]] bool hasSeveralSteps() const { return steps().size() > 1; }

@@ -152,13 +152,7 @@ void PinsPanel::takeRows(const std::vector<int>& rows) {
 }
 
 void PinsPanel::markChosen() {
-    std::vector<int> rows;
-    for (const BoardPin& pin : m_parts.pins()) {
-        if (const std::optional<int> row = m_model.rowOf(pin)) {
-            rows.push_back(*row);
-        }
-    }
-    m_table->mark(std::move(rows));
+    m_table->mark(m_model.rowsOf(m_parts.pins()));
 }
 
 void PinsPanel::highlightNets() {

@@ -52,7 +52,7 @@ private:
     LinkedTable* m_table;
     QLabel* m_whose;
     Due m_due = Due::Nothing;
-    bool m_isSeen = true;
+    bool m_isSeen = false;    ///< docks that are closed from the start say nothing
     bool m_isTaking = false;  ///< what is selected or highlighted becomes the rows
     bool m_showsChosen = false;
 };

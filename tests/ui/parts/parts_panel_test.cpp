@@ -244,6 +244,18 @@ private slots:
         QVERIFY(parts.missing({0, 1}).contains("1 without a place"));
     }
 
+    void pinsAreListedOnceTheyAreSeen() {
+        QCOMPARE(validationErrorsOnClosing(m_fixture), 0U);
+        m_fixture = std::make_unique<WindowFixture>();  // with settings of its own: the panel was never open
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        QVERIFY(!pins().isVisible());
+        window().selection().select({{0, finder().elementsOf(pinAlone()).front()}});
+        QCOMPARE(pins().model()->rowCount(), 0);
+        window().actions()[ui::ActionId::ShowPinsDock].trigger();
+        QTRY_VERIFY(pins().model()->rowCount() > 1);
+        QCOMPARE(rowsOf(pins()).size(), 1);
+    }
+
     void boardsWithoutComponentsSaySo() {
         QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/negative"));
         QCOMPARE(window().label("partsShown"), "The job has no components");
