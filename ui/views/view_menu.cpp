@@ -49,14 +49,20 @@ void addElements(QMenu& menu, Workspace& workspace, const std::vector<model::Hit
     }
 }
 
+/// Unlike the command, which ends it where the layer is alone already.
+void showAlone(FeatureContext& context, model::LayerId layer) {
+    context.workspace.setCurrentLayer(layer);
+    if (context.layers.soloLayer() != layer) {
+        context.layers.toggleSolo(layer);
+    }
+}
+
 void addLayer(QMenu& menu, FeatureContext& context, const model::BoardElement& at) {
     const model::LayerId layer = context.workspace.selection().layerOf(at);
     const QString name = plain(QString::fromStdString(context.workspace.board()->document->layer(layer).name));
     menu.addSeparator();
-    menu.addAction(Probing::tr("Only layer %1").arg(name), &context.workspace, [&context, layer] {
-        context.workspace.setCurrentLayer(layer);
-        context.actions[ActionId::SoloLayer].trigger();
-    });
+    menu.addAction(Probing::tr("Only layer %1").arg(name), &context.workspace,
+                   [&context, layer] { showAlone(context, layer); });
     menu.addAction(Probing::tr("Hide layer %1").arg(name), &context.layers, [&context, layer] {
         const QModelIndex box = context.layers.index(static_cast<int>(layer.row()), LayerModel::Visible);
         context.layers.setData(box, Qt::Unchecked, Qt::CheckStateRole);
