@@ -139,12 +139,26 @@ void MeasureFeature::connectCommands(FeatureContext& context) {
         connect(this, &MeasureFeature::toolChanged, &action,
                 [this, &action, own = tool] { action.setChecked(m_tool == own); });
     }
+    alternateWith(context.actions[ActionId::DrawSection]);
     context.on(ActionId::MeasureSpacing, this, [this] { measureSpacingAtCursor(); });
     m_showing = &context.actions[ActionId::ShowMeasurements];
     m_showing->setChecked(true);
     context.on(ActionId::ShowMeasurements, this, [this] { m_views.requestOverlay(); });
     context.on(ActionId::DeleteMeasurements, this, [this] { deleteAll(); });
     context.on(ActionId::ExportMeasurements, this, [this, &context] { exportTable(context); });
+}
+
+void MeasureFeature::alternateWith(QAction& drawing) {
+    connect(&drawing, &QAction::toggled, this, [this](bool isOn) {
+        if (isOn && m_tool != Tool::None) {
+            setTool(Tool::None);
+        }
+    });
+    connect(this, &MeasureFeature::toolChanged, &drawing, [this, &drawing] {
+        if (m_tool != Tool::None && drawing.isChecked()) {
+            drawing.trigger();
+        }
+    });
 }
 
 void MeasureFeature::deleteAll() {

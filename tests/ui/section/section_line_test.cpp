@@ -58,6 +58,23 @@ private slots:
         QVERIFY(bar.currentMessage().isEmpty());
     }
 
+    void drawingAndMeasuringEndEachOther() {
+        const QAction& drawing = window().actions()[ActionId::DrawSection];
+        const QAction& measuring = window().actions()[ActionId::MeasureObjects];
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+        QVERIFY(measuring.isChecked() && !drawing.isChecked());
+        QVERIFY(!window().find<ui::SectionLine>().isDrawing());
+        const QString prompt = window().statusBar()->currentMessage();
+        QVERIFY2(!prompt.isEmpty() && !prompt.startsWith("Drag a line"), qPrintable(prompt));
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(drawing.isChecked() && !measuring.isChecked());
+        QVERIFY(window().find<ui::SectionLine>().isDrawing() && window().probing().isSelecting());
+        QVERIFY(window().statusBar()->currentMessage().startsWith("Drag a line"));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!drawing.isChecked() && !measuring.isChecked());
+    }
+
     void cornersAreClickedTakenBackAndEnded() {
         m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
         const auto [from, to] = acrossBoard();
