@@ -442,7 +442,9 @@ void ClearanceFeature::editRules(QWidget& parent) {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         const model::RuleTable before = m_rules.rules();
-        m_rules.setRules(dialog->rules().rules());
+        if (const model::RuleTable& after = dialog->rules().rules(); !(after == before)) {
+            m_rules.setRules(after);  // otherwise what was found of them stays true
+        }
         FeatureContext::raise(*m_panel);  // not before: who gives up finds the window as it was
         m_panel->showRules();
         remember(before);

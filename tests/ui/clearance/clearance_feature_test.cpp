@@ -357,6 +357,21 @@ private slots:
         QVERIFY(!clearances().saveRules("/nowhere/rules.json"));
     }
 
+    void rulesThatADialogLeavesAsTheyAreKeepTheirResults() {
+        auto& rules = window().find<ui::RuleModel>();
+        rules.setResults(std::vector<ui::RuleResult>(rules.rules().rules.size()));
+        const auto result = [&] { return rules.index(0, ui::RuleModel::Result).data().toString(); };
+        const QString before = result();
+        QVERIFY2(!before.isEmpty() && before != "not checked", qPrintable(before));
+        window().actions()[ui::ActionId::EditRules].trigger();
+        window().findChild<ui::RuleDialog*>()->accept();
+        QCOMPARE(result(), before);
+        QTRY_VERIFY(window().findChild<ui::RuleDialog*>() == nullptr);
+        rules.setResults({});
+        window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+    }
+
     void rulesAreEditedInADialogByKeysAndUndone() {
         const model::RuleTable before = window().find<ui::RuleModel>().rules();
         window().actions()[ui::ActionId::EditRules].trigger();
