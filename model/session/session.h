@@ -23,7 +23,8 @@
 ///
 ///     {"copperscope_session": 1, "job": "amp", "thickness_nm": {"TOP": 70000},
 ///      "views": [{"name": "U1", "step": "pcb", "layers": ["TOP"], "flat": {"target_mm": [1, 2, 0], "distance_mm": 30,
-///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true}, "solid": {…}, "nets": [["pcb", "CLK"]]},
+///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true, "origin_nm": [50000000, 40000000]}, "solid": {…},
+///                 "nets": [["pcb", "CLK"]]},
 ///                {"name": "Clocks", "step": "pcb", "selection": {"nets": [["pcb", "CLK"]],
 ///                 "elements": [["TOP", "line", 0, 0, 1500000, 200000]]}}],
 ///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}],
@@ -37,13 +38,15 @@ namespace model::session {
 
 inline constexpr int kVersion = 1;
 
-/// How a camera sees the board. Lengths are millimetres from the middle of the board.
+/// How a camera sees the board. Lengths are millimetres from the middle of the board, which is another one once its
+/// outline changes.
 struct Pose {
     std::array<double, 3> target{};
     double distance = 100.0;  ///< from the eye to the target, above 0
     double yawDeg = 0.0;      ///< 0 looks along +y
     double pitchDeg = 0.0;    ///< -90 looks straight down
     bool isParallel = false;
+    std::optional<base::Point> origin{};  ///< the middle then, nm of the board; none: a file of an older version
     bool operator==(const Pose&) const = default;
 };
 

@@ -36,23 +36,39 @@ double poseNumber(const Json& json) {
     return numberFrom(json, -kFarthest, kFarthest);
 }
 
+Nm coordinateFrom(const Json& json) {
+    require(json.is_number_integer());
+    return static_cast<Nm>(numberFrom(json, -base::kMaxCoordinate, base::kMaxCoordinate));
+}
+
+std::optional<base::Point> originFrom(const Json& pose) {
+    if (!pose.contains("origin_nm")) {
+        return std::nullopt;
+    }
+    const Json& origin = pose.at("origin_nm");
+    require(origin.is_array() && origin.size() == 2);
+    return base::Point{coordinateFrom(origin[0]), coordinateFrom(origin[1])};
+}
+
 Pose poseFrom(const Json& json) {
     const std::vector<double> target = listFrom(json.at("target_mm"), poseNumber);
     const double distance = poseNumber(json.at("distance_mm"));
     require(target.size() == 3 && distance > 0);
-    return {{target[0], target[1], target[2]},
-            distance,
-            poseNumber(json.at("yaw_deg")),
-            poseNumber(json.at("pitch_deg")),
-            json.at("parallel").get<bool>()};
+    return {{target[0], target[1], target[2]}, distance,
+            poseNumber(json.at("yaw_deg")),    poseNumber(json.at("pitch_deg")),
+            json.at("parallel").get<bool>(),   originFrom(json)};
 }
 
 Json toJson(const Pose& pose) {
-    return {{"target_mm", pose.target},
-            {"distance_mm", pose.distance},
-            {"yaw_deg", pose.yawDeg},
-            {"pitch_deg", pose.pitchDeg},
-            {"parallel", pose.isParallel}};
+    Json json{{"target_mm", pose.target},
+              {"distance_mm", pose.distance},
+              {"yaw_deg", pose.yawDeg},
+              {"pitch_deg", pose.pitchDeg},
+              {"parallel", pose.isParallel}};
+    if (pose.origin) {
+        json["origin_nm"] = {pose.origin->x, pose.origin->y};
+    }
+    return json;
 }
 
 /// ["TOP", "line", x0, y0, x1, y1]
@@ -60,10 +76,7 @@ SavedElement elementFrom(const Json& json) {
     require(json.is_array() && json.size() == 6);
     const std::optional<ElementKind> kind = kindOf(json[1]);
     require(kind.has_value());
-    const auto side = [&](std::size_t i) {
-        require(json[i].is_number_integer());
-        return static_cast<Nm>(numberFrom(json[i], -base::kMaxCoordinate, base::kMaxCoordinate));
-    };
+    const auto side = [&](std::size_t i) { return coordinateFrom(json[i]); };
     return {json[0], *kind, Box{{side(2), side(3)}, {side(4), side(5)}}};
 }
 

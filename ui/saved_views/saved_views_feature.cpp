@@ -18,17 +18,21 @@ namespace session = model::session;
 
 namespace {
 
-session::Pose poseOf(const CameraController& controller) {
+session::Pose poseOf(const CameraController& controller, base::Point origin) {
     const render::CameraPose& pose = controller.camera().pose();
     return {{pose.target.x, pose.target.y, pose.target.z},
             pose.distance,
             glm::degrees(pose.yaw),
             glm::degrees(pose.pitch),
-            pose.isOrthographic};
+            pose.isOrthographic,
+            origin};
 }
 
-render::CameraPose cameraPose(const session::Pose& pose) {
-    return {{pose.target[0], pose.target[1], pose.target[2]},
+/// On a board with this middle.
+render::CameraPose cameraPose(const session::Pose& pose, base::Point origin) {
+    const base::Point before = pose.origin.value_or(origin);
+    return {{pose.target[0] + base::toMm(double{1} * before.x - origin.x),
+             pose.target[1] + base::toMm(double{1} * before.y - origin.y), pose.target[2]},
             static_cast<float>(pose.distance),
             glm::radians(static_cast<float>(pose.yawDeg)),
             glm::radians(static_cast<float>(pose.pitchDeg)),
@@ -116,8 +120,8 @@ void SavedViewsFeature::saveView() {
     m_saved.add(tr("saving a view"),
                 {{},
                  {},
-                 poseOf(m_views.flat().controller()),
-                 poseOf(m_views.solid().controller()),
+                 poseOf(m_views.flat().controller(), origin()),
+                 poseOf(m_views.solid().controller(), origin()),
                  m_layers.visibleNames(),
                  std::nullopt,
                  session::saveSelection(selection.tree(), {}, selection.nets()).nets},
@@ -162,8 +166,8 @@ void SavedViewsFeature::goTo(int row) {
 }
 
 void SavedViewsFeature::setCameras(const session::Pose& flat, const session::Pose& solid) {
-    m_views.flat().controller().setPose(cameraPose(flat));
-    m_views.solid().controller().setPose(cameraPose(solid));
+    m_views.flat().controller().setPose(cameraPose(flat, origin()));
+    m_views.solid().controller().setPose(cameraPose(solid, origin()));
     m_orthographic.setChecked(m_views.solid().controller().camera().isOrthographic());
 }
 
@@ -199,14 +203,18 @@ void SavedViewsFeature::saveDesk() {
     }
 }
 
+base::Point SavedViewsFeature::origin() const {
+    return m_workspace.board()->model->origin;
+}
+
 std::string SavedViewsFeature::nameOf(model::LayerId layer) const {
     return layer.isValid() ? m_workspace.board()->document->layer(layer).name : std::string();
 }
 
 session::Desk SavedViewsFeature::desk() const {
     return {m_workspace.board()->document->job.step,
-            poseOf(m_views.flat().controller()),
-            poseOf(m_views.solid().controller()),
+            poseOf(m_views.flat().controller(), origin()),
+            poseOf(m_views.solid().controller(), origin()),
             unitName(m_workspace.unit()),
             m_layers.states(),
             nameOf(m_layers.soloLayer())};
@@ -219,7 +227,7 @@ void SavedViewsFeature::keep(const LoadedBoard& next) {
     if (!isReadAnew(m_workspace, next)) {
         return;
     }
-    m_kept = Kept{desk(), {}, selection.title(), nameOf(m_workspace.currentLayer()), board.model->origin};
+    m_kept = Kept{desk(), {}, selection.title(), nameOf(m_workspace.currentLayer())};
     const bool isFew = selection.selected().size() <= session::kMostSavedElements;
     m_kept->selection = session::saveSelection(
         selection.tree(), isFew ? selection.selected() : std::vector<model::BoardElement>{}, selection.nets());
@@ -246,14 +254,9 @@ void SavedViewsFeature::restoreLayers(const model::Document& board, const sessio
 
 void SavedViewsFeature::restoreKept(const LoadedBoard& board) {
     const Kept kept = *std::exchange(m_kept, std::nullopt);
-    const auto moved = [&](session::Pose pose) {  // the middle of the board may be another
-        pose.target[0] += base::toMm(static_cast<double>(kept.origin.x - board.model->origin.x));
-        pose.target[1] += base::toMm(static_cast<double>(kept.origin.y - board.model->origin.y));
-        return pose;
-    };
     restoreLayers(*board.document, kept.desk);
     m_workspace.setCurrentLayer(board.document->findLayer(kept.currentLayer));
-    setCameras(moved(kept.desk.flat), moved(kept.desk.solid));
+    setCameras(kept.desk.flat, kept.desk.solid);
     SelectionModel& selection = m_workspace.selection();
     session::FoundSelection found = session::findSelection(selection.tree(), kept.selection);
     selection.setNets(std::move(found.nets));

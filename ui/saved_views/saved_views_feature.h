@@ -33,7 +33,6 @@ private:
         model::session::SavedSelection selection;
         QString title;             ///< of the selection
         std::string currentLayer;  ///< its name; empty for none
-        base::Point origin;        ///< nm of the board, that the cameras count from
     };
 
     /// A click on a row, or Enter, restores it; F2 or its menu renames it, Del deletes it.
@@ -43,6 +42,8 @@ private:
     /// Shows what was saved for this step of the board, or what was shown before the same board was read anew.
     void restoreDesk(const LoadedBoard& board);
     [[nodiscard]] model::session::Desk desk() const;
+    /// The middle of the board, that cameras count from, nm.
+    [[nodiscard]] base::Point origin() const;
     /// Empty for none.
     [[nodiscard]] std::string nameOf(model::LayerId layer) const;
     /// Keeps what is shown and selected if the next board is the same one, read anew.

@@ -42,6 +42,24 @@ private slots:
         QVERIFY(differingPixels(m_fixture->picture(), before) < 50);
     }
 
+    void viewsStayInPlaceWhenTheOutlineChanges() {
+        solid().zoomAt({300, 200}, 2.5F);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        render::CameraPose expected = solid().camera().pose();
+        std::vector<model::session::SavedView> views = window().savedViews().views();
+        QVERIFY(views[0].solid.origin == std::optional(window().workspace().board()->model->origin));
+        // As if the board had been 10 mm longer on its right.
+        views[0].flat.origin->x += 5'000'000;
+        views[0].solid.origin->x += 5'000'000;
+        expected.target.x += 5.0F;
+        QVERIFY(model::session::saveViews(m_job, *window().document(), views).ok());
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().showPanel("views");
+        choose(0);
+        QVERIFY(isNear(solid().camera().pose(), expected));
+    }
+
     void keptViewsAreInTheSessionOfTheBoard() {
         const auto jobFiles = QDir(QString::fromStdString(m_job.string())).entryList();
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);

@@ -32,7 +32,7 @@ namespace {
 
 model::session::Desk desk() {
     return {"pcb",
-            {{1.5, -2.25, 0.1}, 30.0, 0.0, -90.0, true},
+            {{1.5, -2.25, 0.1}, 30.0, 0.0, -90.0, true, model::Point{50'000'001, -40'000'000}},
             {{0, 0, 0}, 80.5, 33.0, -40.0, false},
             "mil",
             {{"TOP", false, 40, 0x0a80ffU}, {"SMT", true, 100, std::nullopt}},
@@ -247,6 +247,28 @@ private slots:
         QVERIFY(found.session.desk == desk());
         QCOMPARE(found.session.thicknesses, kOneThickness);
         QVERIFY(found.ignored.empty());
+    }
+
+    /// Those of older versions have none.
+    void camerasSayWhereTheMiddleOfTheBoardWas() {
+        const Location location;
+        const auto views = [&](const std::string& origin) {
+            const std::string pose = R"({"target_mm": [1, 2, 3], "distance_mm": 5, "yaw_deg": 0, "pitch_deg": 0, )"
+                                     R"("parallel": true)" +
+                                     origin + "}";
+            location.write(R"({"copperscope_session": 1, "job": "everything", "views": [{"name": "a", "step": "pcb",)"
+                           R"("layers": [], "flat": )" +
+                           pose + R"(, "solid": )" + pose + "}]}");
+            return location.load().session.views;
+        };
+        QCOMPARE(views("").size(), std::size_t{1});
+        QVERIFY(!views("").front().flat.origin.has_value());
+        const std::vector<SavedView> found = views(R"(, "origin_nm": [5000000, -7])");
+        QCOMPARE(found.size(), std::size_t{1});
+        QVERIFY(found.front().solid.origin == std::optional(model::Point{5'000'000, -7}));
+        for (const char* wrong : {"7", "[1]", "[1, 2, 3]", "[0.5, 0]", R"(["1", 0])", "[1, 1000000000000000000]"}) {
+            QVERIFY2(views(std::string(R"(, "origin_nm": )") + wrong).empty(), wrong);
+        }
     }
 
     void coloursOfTheBoardAreKept() {
