@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <unordered_map>
 
 #include "model/base/assert.h"
@@ -12,7 +13,7 @@ namespace {
 
 struct Value {
     Nm length = 0;
-    ElementId element;
+    StepElement at;
     auto operator<=>(const Value&) const = default;
 };
 
@@ -93,8 +94,27 @@ std::size_t distinctLengths(const std::vector<Value>& values) {
     return count;
 }
 
+std::vector<std::uint32_t> copiesOfSteps(const StepTree& tree) {
+    std::vector<std::uint32_t> counts(tree.steps.size());
+    for (const StepCopy& copy : tree.copies) {
+        ++counts[copy.step];
+    }
+    return counts;
+}
+
+void addValues(const Document& document, std::uint32_t step, Measure measure, std::vector<Value>& values) {
+    const Measuring measuring(document, measure);
+    for (std::size_t row = 0; row < document.elements.size(); ++row) {
+        const ElementId id{row};
+        if (const std::optional<Nm> length = measuring.lengthOf(id)) {
+            values.push_back({*length, {step, id}});
+        }
+    }
+}
+
 /// Values are in order; a new bar begins where the number of the bin does.
-void fillBars(const std::vector<Value>& values, std::size_t mostBars, Histogram& out) {
+void fillBars(const std::vector<Value>& values, std::span<const std::uint32_t> copies, std::size_t mostBars,
+              Histogram& out) {
     const bool isExact = distinctLengths(values) <= mostBars;
     const std::int64_t least = values.front().length;
     const std::int64_t span = values.back().length - least + 1;
@@ -104,32 +124,46 @@ void fillBars(const std::vector<Value>& values, std::size_t mostBars, Histogram&
     };
     for (std::uint32_t i = 0; i < values.size(); ++i) {
         if (i == 0 || binOf(values[i]) != binOf(values[i - 1])) {
-            out.bars.push_back({values[i].length, values[i].length, {i, 0}});
+            out.bars.push_back({values[i].length, values[i].length, {i, 0}, 0});
         }
         out.bars.back().most = values[i].length;
         ++out.bars.back().elements.count;
-        out.elements.push_back(values[i].element);
+        out.bars.back().count += copies[values[i].at.step];
+        out.elements.push_back(values[i].at);
     }
 }
 
 }  // namespace
 
-Histogram histogramOf(const Document& document, Measure measure, std::size_t mostBars) {
+Histogram histogramOf(const Document& board, Measure measure, std::size_t mostBars) {
     ASSERT(mostBars > 0);
-    const Measuring measuring(document, measure);
+    const StepTree tree = unfoldCopies(board);
     std::vector<Value> values;
-    for (std::size_t row = 0; row < document.elements.size(); ++row) {
-        const ElementId id{row};
-        if (const std::optional<Nm> length = measuring.lengthOf(id)) {
-            values.push_back({*length, id});
-        }
+    for (std::uint32_t step = 0; step < tree.steps.size(); ++step) {
+        addValues(*tree.steps[step], step, measure, values);
     }
     std::ranges::sort(values);
     Histogram out;
     if (!values.empty()) {
-        fillBars(values, mostBars, out);
+        fillBars(values, copiesOfSteps(tree), mostBars, out);
     }
     return out;
+}
+
+std::vector<BoardElement> elementsOf(const Document& board, const Histogram& histogram, const HistogramBar& bar) {
+    const StepTree tree = unfoldCopies(board);
+    std::vector<std::vector<ElementId>> ofSteps(tree.steps.size());
+    for (const StepElement& at : std::span(histogram.elements).subspan(bar.elements.first, bar.elements.count)) {
+        ofSteps[at.step].push_back(at.element);
+    }
+    std::vector<BoardElement> elements;
+    for (std::uint32_t copy = 0; copy < tree.copies.size(); ++copy) {
+        for (const ElementId element : ofSteps[tree.copies[copy].step]) {
+            elements.push_back({copy, element});
+        }
+    }
+    std::ranges::sort(elements);
+    return elements;
 }
 
 }  // namespace model

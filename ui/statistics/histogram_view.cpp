@@ -71,28 +71,28 @@ void HistogramView::paintEvent(QPaintEvent*) {
         return;
     }
     painter.drawText(QRectF(rect()).adjusted(0.0, 2.0, -kMargin, 0.0), Qt::AlignRight, QLatin1String(unitName(m_unit)));
-    std::uint32_t highest = 0;
+    std::uint64_t highest = 0;
     for (const model::HistogramBar& bar : histogram().bars) {
-        highest = std::max(highest, bar.elements.count);
+        highest = std::max(highest, bar.count);
     }
     for (std::size_t bar = 0; bar < histogram().bars.size(); ++bar) {
         paintBar(painter, bar, highest);
     }
 }
 
-void HistogramView::paintBar(QPainter& painter, std::size_t bar, std::uint32_t highest) const {
+void HistogramView::paintBar(QPainter& painter, std::size_t bar, std::uint64_t highest) const {
     const model::HistogramBar& values = histogram().bars[bar];
     const QRectF column = columnRect(bar);
     const double line = fontMetrics().height();
     const double room = column.height() - line;
     // The square root keeps a bar of one element visible beside one of thousands; the count is over it.
-    const double high = std::max(2.0, room * std::sqrt(double(values.elements.count) / highest));
+    const double high = std::max(2.0, room * std::sqrt(double(values.count) / double(highest)));
     const double space = std::min(3.0, column.width() / 6);
     const QRectF filled(column.left() + space, column.bottom() - high, column.width() - 2 * space, high);
     painter.fillRect(filled, palette().color(bar == m_current ? QPalette::Highlight : QPalette::PlaceholderText));
     painter.setPen(palette().color(QPalette::Text));
     const QRectF above(column.left(), filled.top() - line, column.width(), line);
-    painter.drawText(above, Qt::AlignCenter, QLocale().toString(values.elements.count));
+    painter.drawText(above, Qt::AlignCenter, QLocale().toString(qulonglong{values.count}));
     // The least one alone stands where the bar begins.
     const QString label = labelUnder(bar);
     const bool isWhole =
@@ -140,9 +140,7 @@ void HistogramView::choose(std::size_t bar) {
     }
     m_current = bar;
     update();
-    const model::Range range = histogram().bars[bar].elements;
-    const auto first = histogram().elements.begin() + range.first;
-    emit chosen({first, first + range.count});
+    emit chosen(model::elementsOf(*m_document, histogram(), histogram().bars[bar]));
 }
 
 void HistogramView::mousePressEvent(QMouseEvent* event) {
@@ -168,7 +166,7 @@ bool HistogramView::event(QEvent* event) {
         const std::size_t bar = barAt(help->pos());
         const QString tip = bar < histogram().bars.size() ? tr("%1: %L2 elements, click to select them")
                                                                 .arg(lengthsText(histogram().bars[bar]))
-                                                                .arg(histogram().bars[bar].elements.count)
+                                                                .arg(qulonglong{histogram().bars[bar].count})
                                                           : QString();
         QToolTip::showText(help->globalPos(), tip, this);
         return true;

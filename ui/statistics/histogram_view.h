@@ -9,8 +9,8 @@
 
 namespace ui {
 
-/// A histogram of the board as bars. A click on a bar selects its elements, Left and Right for those of the next
-/// one. Heights go by the square root of the counts, which are over them.
+/// A histogram of the board with all copies of steps on it as bars. A click on a bar selects its elements, Left and
+/// Right for those of the next one. Heights go by the square root of the counts, which are over them.
 class HistogramView : public QWidget {
     Q_OBJECT
 
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] QString labelUnder(std::size_t bar) const;
 
 signals:
-    void chosen(const std::vector<model::ElementId>& elements);
+    void chosen(const std::vector<model::BoardElement>& elements);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -45,7 +45,7 @@ private:
     [[nodiscard]] QString lengthsText(const model::HistogramBar& bar) const;
     /// Without the unit.
     [[nodiscard]] QString numbersText(const QString& lengths) const;
-    void paintBar(QPainter& painter, std::size_t bar, std::uint32_t highest) const;
+    void paintBar(QPainter& painter, std::size_t bar, std::uint64_t highest) const;
 
     std::shared_ptr<const model::Document> m_document;
     model::Measure m_measure = model::Measure::TrackWidth;

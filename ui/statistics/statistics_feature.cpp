@@ -62,18 +62,14 @@ void addStatistics(FeatureContext& context) {
         drills->setDocument(board.document);
         plot->setDocument(board.document);
     };
-    const auto selectOwn = [&workspace](const std::vector<model::ElementId>& elements) {
-        std::vector<model::BoardElement> selected;
-        for (const model::ElementId element : elements) {
-            selected.push_back({0, element});
-        }
-        workspace.selection().select(selected);
+    const auto select = [&workspace](const std::vector<model::BoardElement>& elements) {
+        workspace.selection().select(elements);
     };
     QObject::connect(&workspace, &Workspace::boardRead, panel, setBoard);
     QObject::connect(&workspace, &Workspace::unitChanged, plot, &HistogramView::setUnit);
     QObject::connect(&workspace, &Workspace::unitChanged, statistics, &StatisticsModel::setUnit);
     QObject::connect(&workspace, &Workspace::unitChanged, drills, &DrillModel::setUnit);
-    QObject::connect(plot, &HistogramView::chosen, &workspace, selectOwn);
+    QObject::connect(plot, &HistogramView::chosen, &workspace, select);
     QObject::connect(drillTable, &TableView::rowChosen, &workspace, [&workspace, drills, drillTable] {
         workspace.selection().select(drills->holesIn(drillTable->selectedRows()));
     });

@@ -13,16 +13,21 @@ using model::Nm;
 
 namespace {
 
-/// Copper with tracks of given widths and a pad; a drill layer with a plated hole in the pad, and a bare one.
-std::shared_ptr<const model::Document> boardWith(const std::vector<Nm>& widths) {
-    model::DocumentBuilder builder;
+/// Copper and drills through it.
+std::pair<model::LayerId, model::LayerId> addLayers(model::DocumentBuilder& builder) {
     model::Layer layer;
     layer.type = model::LayerType::Signal;
     const model::LayerId copper = builder.addLayer(layer);
     layer.spanTop = copper;
     layer.spanBottom = copper;
     layer.type = model::LayerType::Drill;
-    const model::LayerId drill = builder.addLayer(layer);
+    return {copper, builder.addLayer(layer)};
+}
+
+/// Copper with tracks of given widths and a pad; a drill layer with a plated hole in the pad, and a bare one.
+std::shared_ptr<const model::Document> boardWith(const std::vector<Nm>& widths) {
+    model::DocumentBuilder builder;
+    const auto [copper, drill] = addLayers(builder);
     builder.beginLayer(copper);
     for (const Nm width : widths) {
         builder.addLine({{0, 0}, {1'000'000, 0}, width, 0}, {});
@@ -39,7 +44,7 @@ std::shared_ptr<const model::Document> boardWith(const std::vector<Nm>& widths) 
 QStringList textOf(const Histogram& histogram) {
     QStringList bars;
     for (const model::HistogramBar& bar : histogram.bars) {
-        bars += QStringLiteral("%1-%2:%3").arg(bar.least).arg(bar.most).arg(bar.elements.count);
+        bars += QStringLiteral("%1-%2:%3").arg(bar.least).arg(bar.most).arg(bar.count);
     }
     return bars;
 }
@@ -55,8 +60,8 @@ private slots:
         const Histogram histogram = model::histogramOf(*board, Measure::TrackWidth, 16);
         QCOMPARE(textOf(histogram), (QStringList{"100000-100000:1", "150000-150000:1", "200000-200000:2"}));
         QCOMPARE(histogram.elements.size(), std::size_t{4});
-        QCOMPARE(histogram.elements[2], model::ElementId{0});
-        QCOMPARE(histogram.elements[3], model::ElementId{2});
+        QVERIFY((histogram.elements[2] == model::StepElement{0, model::ElementId{0}}));
+        QVERIFY((histogram.elements[3] == model::StepElement{0, model::ElementId{2}}));
     }
 
     void manyWidthsShareBarsAndNoneIsLost() {
@@ -80,6 +85,24 @@ private slots:
     void ringsGoByTheNarrowestPadOfPlatedHoles() {
         const Histogram histogram = model::histogramOf(*boardWith({}), Measure::AnnularRing, 16);
         QCOMPARE(textOf(histogram), QStringList{"150000-150000:1"});
+    }
+
+    void elementsOfCopiesCountAsOftenAsTheyArePlaced() {
+        model::DocumentBuilder builder;
+        builder.beginLayer(addLayers(builder).first);
+        builder.addLine({{0, 0}, {1'000'000, 0}, 100'000, 0}, {});
+        builder.addLine({{0, 0}, {1'000'000, 0}, 500'000, 0}, {});
+        const std::uint32_t card = builder.addStep(boardWith({100'000, 200'000}));
+        builder.addInstance({card, {{10'000'000, 0}, 0.0, false}, false});
+        builder.addInstance({card, {{30'000'000, 0}, 0.0, true}, true});
+        const auto panel = builder.finish();
+        const Histogram tracks = model::histogramOf(*panel, Measure::TrackWidth, 16);
+        QCOMPARE(textOf(tracks), (QStringList{"100000-100000:3", "200000-200000:2", "500000-500000:1"}));
+        const model::ElementId first{std::size_t{0}};
+        QVERIFY((model::elementsOf(*panel, tracks, tracks.bars[0]) ==
+                 std::vector<model::BoardElement>{{0, first}, {1, first}, {2, first}}));
+        QCOMPARE(textOf(model::histogramOf(*panel, Measure::HoleDiameter, 16)),
+                 (QStringList{"300000-300000:2", "400000-400000:2"}));
     }
 
     void anEmptyBoardHasNoBars() {
