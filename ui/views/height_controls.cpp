@@ -7,8 +7,10 @@
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <utility>
 
 #include "ui/views/board_views.h"
+#include "ui/workspace/read_anew.h"
 
 namespace ui {
 
@@ -64,6 +66,8 @@ HeightControls::HeightControls(BoardViews& views, Workspace& workspace, const Ac
     for (const ActionId id : {ActionId::ExaggerateCopperHeight, ActionId::ExaggerateDielectricHeight}) {
         connect(&actions[id], &QAction::triggered, this, &HeightControls::applyScale);
     }
+    connect(&workspace, &Workspace::boardLeaves, this,
+            [this, &workspace](const LoadedBoard& next) { m_isReadAnew = isReadAnew(workspace, next); });
     connect(&workspace, &Workspace::boardShown, this, &HeightControls::onBoard);
     views.setAnchor([&workspace] { return layerOfSelection(workspace.selection()); });
     views.solid().addPainter([this](QPainter& painter) { paint(painter); });
@@ -109,12 +113,10 @@ void HeightControls::applyScale() {
     m_views.setZScale({scale * (isCopper ? kCopperScale : 1.0F), scale * (isOther ? kDielectricScale : 1.0F)});
 }
 
-void HeightControls::onBoard(const LoadedBoard& board) {
-    if (m_path == board.request.path && m_step == board.request.step) {
-        return;  // read again
+void HeightControls::onBoard() {
+    if (std::exchange(m_isReadAnew, false)) {
+        return;
     }
-    m_path = board.request.path;
-    m_step = board.request.step;
     for (const ActionId id : {ActionId::ExaggerateCopperHeight, ActionId::ExaggerateDielectricHeight}) {
         m_actions[id].setChecked(false);
     }

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <QWidget>
-#include <filesystem>
-#include <string>
 
 #include "ui/workspace/actions.h"
 #include "ui/workspace/workspace.h"
@@ -36,15 +34,14 @@ private:
     void onExplode(bool isOn);
     void onSpread(int value);
     void applyScale();
-    void onBoard(const LoadedBoard& board);
+    void onBoard();
     void paint(QPainter& painter) const;
 
     BoardViews& m_views;
     const ActionSet& m_actions;
     QSlider* m_spread;
     QSlider* m_scale;
-    std::filesystem::path m_path;  ///< of the board that the heights are of, with its step
-    std::string m_step;
+    bool m_isReadAnew = false;  ///< the board that comes: it is shown as it was
 };
 
 }  // namespace ui

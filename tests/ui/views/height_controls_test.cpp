@@ -130,6 +130,17 @@ private slots:
         QVERIFY(!window().actions()[ActionId::ExaggerateDielectricHeight].isChecked());
     }
 
+    void anotherBoardOfTheSameArchiveIsShownAsItIs() {
+        slider("heightScale").setValue(4);
+        ui::LoadedBoard next = *window().workspace().board();
+        emit window().loader().loaded(next);
+        QCOMPARE(slider("heightScale").value(), 4);
+        next.request.member = "other.kicad_pcb";
+        emit window().loader().loaded(next);
+        QCOMPARE(slider("heightScale").value(), 1);
+        QVERIFY(controls().text().isEmpty());
+    }
+
 private:
     TestWindow& window() { return m_fixture->window(); }
     ui::BoardViews& views() { return window().views(); }
