@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "model/board/board_heights.h"
 #include "model/export/section_export.h"
@@ -289,7 +290,7 @@ void SectionView::wheelEvent(QWheelEvent* event) {
 
 void SectionView::mousePressEvent(QMouseEvent* event) {
     m_pressed = m_last = event->position();
-    m_isDragged = false;
+    m_isDragged = m_endsDoubleClick = false;
 }
 
 void SectionView::mouseMoveEvent(QMouseEvent* event) {
@@ -310,7 +311,7 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SectionView::mouseReleaseEvent(QMouseEvent* event) {
-    if (m_isDragged || event->button() != Qt::LeftButton) {
+    if (std::exchange(m_endsDoubleClick, false) || m_isDragged || event->button() != Qt::LeftButton) {
         return;
     }
     if (m_isMeasuring || event->modifiers().testFlag(Qt::ShiftModifier)) {
@@ -346,6 +347,7 @@ void SectionView::mouseDoubleClickEvent(QMouseEvent* event) {
         mousePressEvent(event);  // two locations in quick succession
     } else {
         fit();
+        m_endsDoubleClick = true;
     }
 }
 

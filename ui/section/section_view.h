@@ -185,6 +185,7 @@ private:
     QPointF m_pressed;
     QPointF m_last;
     bool m_isDragged = false;
+    bool m_endsDoubleClick = false;  ///< the next release: the section was fitted under it
 };
 
 }  // namespace ui

@@ -93,6 +93,26 @@ private slots:
         QVERIFY(QLineF(whole, view().positionOf(1e6, 0)).length() < 1e-6);
     }
 
+    void aDoubleClickKeepsWhatItsFirstClickSelected() {
+        drawLine();
+        const SectionPiece piece = aCopperPiece();
+        const QPointF fitted =
+            view().positionOf((piece.from + piece.to) / 2, (double{1} * piece.bottom + piece.top) / 2);
+        const QPoint from(100, 60);
+        const QPoint by(0, fitted.y() < view().height() / 2.0 ? 25 : -25);
+        QTest::mousePress(&view(), Qt::LeftButton, {}, from);
+        QTest::mouseMove(&view(), from + by);
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, from + by);
+        const QPoint at = fitted.toPoint() + by;
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, at);
+        QCOMPARE(window().selection().selected(), std::vector{piece.at});
+        QTest::mouseDClick(&view(), Qt::LeftButton, {}, at);
+        const SectionPiece* under = view().pieceAt(at);  // now that all is shown again
+        QVERIFY(under == nullptr || under->at != piece.at);
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, at);
+        QCOMPARE(window().selection().selected(), std::vector{piece.at});
+    }
+
     void heightsAreDrawnAsManyTimesLargerAsAskedFor() {
         drawLine();
         for (int row = 1; row < window().find<ui::SectionPanel>().heightsBox().count(); ++row) {
