@@ -75,6 +75,11 @@ QWidget* panelOf(QLayout* controls, QWidget* below, int margin) {
     return panel;
 }
 
+void clearMenu(QMenu& menu) {
+    menu.clear();
+    qDeleteAll(menu.findChildren<QMenu*>(Qt::FindDirectChildrenOnly));
+}
+
 QVBoxLayout* columnIn(QWidget& panel, int margin) {
     auto* column = new QVBoxLayout(&panel);
     column->setContentsMargins(margin, margin, margin, margin);

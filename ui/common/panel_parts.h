@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QBoxLayout>
 #include <QLineEdit>
+#include <QMenu>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -33,6 +34,8 @@ template <class Run>
 [[nodiscard]] QLineEdit* filterEdit(SortedRows& rows, const QString& hint);
 /// A panel of controls above a table or drawing.
 [[nodiscard]] QWidget* panelOf(QLayout* controls, QWidget* below, int margin = 2);
+/// Also deletes the menus that were added to it by their titles, which QMenu::clear leaves.
+void clearMenu(QMenu& menu);
 /// The layout of a panel, one above the other with little room between.
 QVBoxLayout* columnIn(QWidget& panel, int margin = 2);
 

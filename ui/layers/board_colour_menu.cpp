@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "ui/common/panel_parts.h"
+
 namespace ui {
 
 namespace {
@@ -45,7 +47,7 @@ BoardColourMenu::BoardColourMenu(LayerModel& layers, Workspace& workspace, QWidg
 }
 
 void BoardColourMenu::fill() {
-    clear();
+    clearMenu(*this);
     if (m_layers.document() == nullptr) {
         return;
     }

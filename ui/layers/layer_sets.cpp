@@ -3,6 +3,8 @@
 #include <QInputDialog>
 #include <algorithm>
 
+#include "ui/common/panel_parts.h"
+
 namespace ui {
 
 namespace session = model::session;
@@ -132,7 +134,7 @@ void LayerSets::addSet(const session::LayerSet& set) {
 }
 
 void LayerSets::fillMenu() {
-    m_menu.clear();
+    clearMenu(m_menu);
     if (m_layers.document() == nullptr) {
         return;
     }

@@ -114,6 +114,18 @@ private slots:
         QCOMPARE(window().layers().boardColours().finish, std::optional(model::SurfaceFinish::Tin));
     }
 
+    void menusThatAreFilledAnewDropTheOldOnes() {
+        sets().save("Mine");
+        QMenu& colours = *window().findChild<QToolButton*>("boardColours")->menu();
+        QMenu& ofSets = *button().menu();
+        for (int opening = 0; opening < 3; ++opening) {
+            emit colours.aboutToShow();
+            emit ofSets.aboutToShow();
+        }
+        QCOMPARE(colours.findChildren<QMenu*>().size(), 3);
+        QCOMPARE(ofSets.findChildren<QMenu*>().size(), 1);
+    }
+
     void commandsAboutTheCurrentLayerTakeOneWhereThereIsNone() {
         const model::LayerId top = window().document()->findLayer("TOP");
         const model::LayerId bottom = window().document()->findLayer("BOTTOM");
