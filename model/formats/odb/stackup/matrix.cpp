@@ -85,13 +85,15 @@ MatrixLayer layerOf(const Block& block, std::string_view path, Diagnostics& diag
     return layer;
 }
 
-/// Films, glue and plates of rigid-flex boards lie anywhere in the stackup.
+/// Films, glue and plates of rigid-flex boards lie anywhere in the stackup; so do resistors and capacitors that are
+/// embedded (masks and paste that conducts).
 bool mayLieInside(const MatrixLayer& layer) {
-    return layer.type == LayerType::Dielectric || isLaidOn(layer.use);
+    return layer.type == LayerType::Dielectric || layer.type == LayerType::Mask ||
+           layer.type == LayerType::ConductivePaste || isLaidOn(layer.use);
 }
 
-/// Position in `order` behind which no copper belongs: the first surface layer (mask, paste, silk) that follows
-/// copper.
+/// Position in `order` behind which no copper belongs: the first surface layer (solder mask, solder paste, silk) that
+/// follows copper.
 std::size_t bottomSide(const std::vector<MatrixLayer>& layers, const std::vector<std::size_t>& order) {
     bool isBelowCopper = false;
     for (std::size_t i = 0; i < order.size(); ++i) {

@@ -141,6 +141,23 @@ private slots:
         QVERIFY(findDiagnostic(diagnostics, "layer MID1: copper listed below") != nullptr);
     }
 
+    void embeddedPartsLieBetweenCopper() {
+        for (const char* type : {"MASK", "CONDUCTIVE_PASTE"}) {
+            Diagnostics diagnostics;
+            const auto order = orderOf({{"SIGNAL", "TOP"},
+                                        {"DIELECTRIC", "D1"},
+                                        {"SIGNAL", "L2"},
+                                        {type, "RESISTORS"},
+                                        {"DIELECTRIC", "D2"},
+                                        {"SIGNAL", "L3"},
+                                        {"SIGNAL", "BOT"},
+                                        {"SOLDER_MASK", "SMB"}},
+                                       diagnostics);
+            QCOMPARE(order, (std::vector<std::string>{"TOP", "D1", "L2", "RESISTORS", "D2", "L3", "BOT", "SMB"}));
+            QVERIFY(diagnostics.entries().empty());
+        }
+    }
+
     void aMatrixOfAnythingIsNoCrash() {
         const std::string text = odb_testing::readFile(odb_testing::dataJob("everything") / "matrix/matrix");
         for (std::size_t length = 0; length <= text.size(); ++length) {
