@@ -240,10 +240,11 @@ private:
         return {std::move(row), false, true, false};
     }
 
-    /// Two copper layers without a row between them: the dielectric is only known from the upper one, if at all.
+    /// Two copper layers without a dielectric between them: it is only known from the upper one, if at all.
     void addDielectricBefore() {
-        if (!m_parts.empty() && m_parts.back().isCopper) {
-            const std::size_t above = m_parts.back().row.layer.row();
+        const auto last = std::find_if(m_parts.rbegin(), m_parts.rend(), [](const Part& part) { return part.isCore; });
+        if (last != m_parts.rend() && last->isCopper) {
+            const std::size_t above = last->row.layer.row();
             addPart(spacingBelow(above), m_facts.layers[above].belowNm, m_most);
         }
     }

@@ -98,6 +98,18 @@ private slots:
         QCOMPARE(stack.thickness, 370'000);
     }
 
+    void whatIsEmbeddedIsNoDielectric() {
+        Stack stack;
+        stack.copper("top", 35'000, 500'000)
+            .add(LayerType::Mask, "resistors", {20'000, {}, {}, {}})
+            .copper("bottom", 35'000)
+            .build();
+        QCOMPARE(stack.thickness, 570'000);
+        QCOMPARE(stack[0].z, 535'000);
+        QCOMPARE(stack[1].z, 35'000);
+        QCOMPARE(stack[1].side, LayerSide::Inner);
+    }
+
     void severalDielectricsBetweenTwoCoppersAddUp() {
         Stack stack;
         stack.copper("top", 30'000)
