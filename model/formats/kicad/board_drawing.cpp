@@ -288,6 +288,9 @@ private:
             m_canvas.report(Severity::Warning, 0,
                             "lines on Edge.Cuts that close no outline were left out of the board's outline");
         }
+        if (chains.repeated > 0) {
+            m_canvas.report(Severity::Info, 0, "lines on Edge.Cuts that are drawn again on others count once");
+        }
         if (chains.widestJoint > kSameEnd) {
             m_canvas.report(Severity::Info, 0, "ends on Edge.Cuts that lie up to 10 µm apart were joined");
         }

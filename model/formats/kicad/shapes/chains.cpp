@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <unordered_map>
 
 #include "model/base/disjoint_sets.h"
@@ -82,6 +84,7 @@ public:
         }
         m_isUsed.resize(edges.size());
         m_edgesAt.resize(m_joints.size());
+        leaveOutRepeated(tolerance);
     }
 
     Chains run() {
@@ -137,8 +140,32 @@ private:
         return edge;
     }
 
+    /// An edge on another one would close a loop with it that holds nothing, or make a second outline within the first
+    /// one.
+    void leaveOutRepeated(double tolerance) {
+        Joints centres(tolerance);
+        std::set<std::tuple<std::uint32_t, std::uint32_t, EdgeKind, std::uint32_t>> known;
+        for (std::uint32_t i = 0; i < m_edges.size(); ++i) {
+            const PathNode& from = m_edges[i].from;
+            const auto [a, b] = m_ends[i];
+            if (from.edge == EdgeKind::Curve || (a == b && !isCircle(m_edges[i]))) {
+                continue;
+            }
+            // As it runs from its first joint to a later one; circles run either way.
+            const EdgeKind kind = a == b ? EdgeKind::ArcClockwise : a > b ? reversed(from.edge) : from.edge;
+            const std::uint32_t centre = isArc(kind) ? centres.at(from.centre) : 0;
+            if (!known.emplace(std::min(a, b), std::max(a, b), kind, centre).second) {
+                m_isUsed[i] = true;
+                ++m_chains.repeated;
+            }
+        }
+    }
+
     void takeClosedEdges() {
         for (std::uint32_t i = 0; i < m_edges.size(); ++i) {
+            if (m_isUsed[i]) {
+                continue;
+            }
             const bool isClosed = m_ends[i].a == m_ends[i].b;
             if (!isClosed) {
                 m_edgesAt[m_ends[i].a].push_back(i);

@@ -417,6 +417,20 @@ private slots:
         QVERIFY(std::abs(mm2(job.steps[0].profile) - (600.0 - 3.14159265)) < 5e-3);
     }
 
+    void anOutlineThatIsDrawnTwiceIsOne() {
+        const auto side = [](const char* ends) { return "(gr_line " + std::string(ends) + " (layer \"Edge.Cuts\"))"; };
+        const std::string sides = side("(start 0 0) (end 30 0)") + side("(start 30 0) (end 30 20)") +
+                                  side("(start 30 20) (end 0 20)") + side("(start 0 0) (end 0 20)");
+        for (const std::string& outline :
+             {sides + sides, side("(start 0 0) (end 30 0)") + side("(start 30 0) (end 0 0)") + sides}) {
+            const DrawnJob job = boardWith(outline);
+            QVERIFY(std::abs(mm2(job.steps[0].profile) - 600.0) < 1e-9);
+            QCOMPARE(messages(job.diagnostics, "ines on Edge.Cuts that are drawn again on others count once"), 1U);
+            QCOMPARE(messages(job.diagnostics, "outline is open"), 0U);
+            QCOMPARE(messages(job.diagnostics, "close no outline"), 0U);
+        }
+    }
+
     /// What closes beside it are holes: they hold no pads.
     void aGapInTheOutlineIsClosedAndSaid() {
         const std::string pad =

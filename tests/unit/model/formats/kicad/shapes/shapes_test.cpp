@@ -196,6 +196,37 @@ private slots:
         QCOMPARE(chains.widestJoint, 400.0);
     }
 
+    void edgesThatAreDrawnAgainCountOnce() {
+        const Point a{0, 0};
+        const Point b{1'000'000, 0};
+        const Point c{0, 1'000'000};
+        const kicad::ChainEdge arc{{b, {0, 0}, EdgeKind::ArcCounterClockwise}, c};
+        const kicad::ChainEdge back{{c, {1, 0}, EdgeKind::ArcClockwise}, b};  // as KiCad's three points give it
+        const kicad::ChainEdge circle{{{200'000, 100'000}, {100'000, 100'000}, EdgeKind::ArcClockwise},
+                                      {200'000, 100'000}};
+        const std::array edges{edge(a, b), edge(b, a), arc, back, edge(c, a), edge(c, {9, 9}), circle, circle};
+        const kicad::Chains chains = kicad::chained(edges, 1'000.0);
+        QCOMPARE(chains.repeated, std::size_t{4});
+        QVERIFY(chains.open.empty());
+        QCOMPARE(chains.loops.size(), std::size_t{2});
+        QCOMPARE(chains.loops[0].size(), std::size_t{1});
+        QCOMPARE(chains.loops[1].size(), std::size_t{3});
+    }
+
+    /// The other way around the same circle, and the chord of an arc.
+    void edgesOfOtherFormBetweenTheSameEndsAreKept() {
+        const Point a{0, 0};
+        const Point b{1'000'000, 0};
+        const kicad::ChainEdge upper{{b, {500'000, 0}, EdgeKind::ArcCounterClockwise}, a};
+        const kicad::ChainEdge lower{{a, {500'000, 0}, EdgeKind::ArcCounterClockwise}, b};
+        const kicad::Chains disc = kicad::chained(std::array{upper, lower}, 1'000.0);
+        QCOMPARE(disc.repeated, std::size_t{0});
+        QCOMPARE(disc.loops.size(), std::size_t{1});
+        const kicad::Chains half = kicad::chained(std::array{upper, edge(a, b)}, 1'000.0);
+        QCOMPARE(half.repeated, std::size_t{0});
+        QCOMPARE(half.loops.size(), std::size_t{1});
+    }
+
     void loopsInLoopsAreHolesAndIslands() {
         std::vector<std::vector<PathNode>> loops;
         for (const Nm half : {10'000'000, 1'000'000, 5'000'000}) {
