@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
+
+#include "model/geometry/box_index.h"
+#include "model/geometry/edges.h"
 
 namespace model::kicad {
 
@@ -50,6 +52,53 @@ double farthestOf(const Owner& owner) {
     return std::hypot(owner.core.x, owner.core.y) + owner.radius;
 }
 
+/// Those of a layer.
+class Tracks {
+public:
+    Tracks(const formats::DrawnStep& step, std::int32_t row) : m_index(take(step, row)) {}
+
+    /// As KiCad has it: does one end on the pad, or run over its middle?
+    [[nodiscard]] bool keep(const UnusedPads::Waiting& pad) const {
+        const double side = pad.reach + 1.0;
+        const Box box{{asNm(pad.at.x - side), asNm(pad.at.y - side)}, {asNm(pad.at.x + side), asNm(pad.at.y + side)}};
+        bool isKept = false;
+        m_index.visit(box, [&](std::uint32_t i) {
+            const Edge& edge = m_edges[i];
+            const double ends = std::min(distance(edge.a, pad.at), distance(edge.b, pad.at));
+            isKept = isKept || (m_nets[i] == pad.origin.net &&
+                                (ends <= pad.reach || distance(nearestOn(edge, pad.at), pad.at) <= edge.pen));
+        });
+        return isKept;
+    }
+
+private:
+    static double distance(PointD a, PointD b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+    /// Gives back the boxes of the tracks.
+    std::vector<Box> take(const formats::DrawnStep& step, std::int32_t row) {
+        std::vector<Box> boxes;
+        if (static_cast<std::size_t>(row) >= step.features.size()) {
+            return boxes;
+        }
+        for (const formats::DrawnFeature& feature : step.features[static_cast<std::size_t>(row)]) {
+            if (feature.subnet == SubnetKind::Trace) {
+                const EdgeKind kind = feature.kind != formats::DrawnKind::Arc ? EdgeKind::Line
+                                      : feature.isClockwise                   ? EdgeKind::ArcClockwise
+                                                                              : EdgeKind::ArcCounterClockwise;
+                Edge& edge = m_edges.emplace_back(edgeOf({feature.a, feature.centre, kind}, feature.b));
+                edge.pen = step.symbols[static_cast<std::size_t>(feature.symbol)].shape.width / 2.0;
+                m_nets.push_back(feature.net);
+                boxes.push_back(boxOf(edge));
+            }
+        }
+        return boxes;
+    }
+
+    std::vector<Edge> m_edges;
+    std::vector<std::int32_t> m_nets;  ///< of each
+    BoxIndex m_index;
+};
+
 }  // namespace
 
 std::size_t UnusedPads::add(Owner owner) {
@@ -77,26 +126,9 @@ void UnusedPads::draw() {
 }
 
 void UnusedPads::drawOn(std::int32_t row, const std::vector<Waiting>& pads) {
-    std::vector<std::pair<Point, std::int32_t>> ends;  // by x, with their nets
-    const auto& features = m_canvas.step().features;
-    if (static_cast<std::size_t>(row) < features.size()) {
-        for (const formats::DrawnFeature& feature : features[static_cast<std::size_t>(row)]) {
-            if (feature.subnet == SubnetKind::Trace) {
-                ends.emplace_back(feature.a, feature.net);
-                ends.emplace_back(feature.b, feature.net);
-            }
-        }
-    }
-    std::ranges::sort(ends);
+    const Tracks tracks(m_canvas.step(), row);
     for (const Waiting& pad : pads) {
-        bool isConnected = pad.reach < 0.0 || isTouched(pad);
-        const Point from{asNm(pad.at.x - pad.reach), std::numeric_limits<Nm>::min()};
-        for (auto end = std::ranges::lower_bound(ends, std::pair(from, std::numeric_limits<std::int32_t>::min()));
-             !isConnected && end != ends.end() && end->first.x <= pad.at.x + pad.reach; ++end) {
-            isConnected = end->second == pad.origin.net &&
-                          std::hypot(end->first.x - pad.at.x, end->first.y - pad.at.y) <= pad.reach;
-        }
-        if (isConnected) {
+        if (pad.reach < 0.0 || tracks.keep(pad) || isTouched(pad)) {
             m_canvas.drawPad(row, pad.origin, pad.symbol, pad.at, pad.clockwiseDeg);
         }
     }

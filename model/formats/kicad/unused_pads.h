@@ -8,8 +8,8 @@
 namespace model::kicad {
 
 /// Copper that a pad or via keeps only where something ends there (remove_unused_layers), on inner layers or on all: it
-/// waits until all tracks are drawn. What keeps it is the end of a track on that layer, or a via or a pad of another
-/// footprint that is on that layer too and touches it on any layer.
+/// waits until all tracks are drawn. What keeps it is a track on that layer that ends there or runs over its middle, or
+/// a via or a pad of another footprint that is on that layer too and touches it on any layer.
 class UnusedPads {
 public:
     /// A via or pad.

@@ -1,0 +1,43 @@
+#include "model/formats/kicad/unused_pads.h"
+
+#include <QtTest>
+
+#include "tests/unit/model/formats/kicad/kicad_testing.h"
+
+using namespace kicad_testing;
+
+namespace {
+
+/// At (1, 1) mm.
+constexpr const char* kUnusedVia =
+    "(via (at 1 1) (size 0.6) (drill 0.3) (layers \"F.Cu\" \"B.Cu\") (remove_unused_layers yes) (keep_end_layers yes) "
+    "(net 1))";
+
+/// Is the pad of the via on the inner layer there, beside one track?
+bool keeps(const std::string& track) {
+    return on(boardWith(kUnusedVia + track), "In1.Cu").size() == 2;
+}
+
+std::string segment(const std::string& ends, const char* net = "1") {
+    return "(segment " + ends + " (width 0.2) (layer \"In1.Cu\") (net " + net + "))";
+}
+
+}  // namespace
+
+class UnusedPadsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void tracksOverTheMiddleKeepIt() {
+        QVERIFY(keeps(segment("(start -3 1) (end 5 1)")));
+        QVERIFY(keeps(segment("(start -3 1.09) (end 5 1.09)")));
+        QVERIFY(!keeps(segment("(start -3 1.11) (end 5 1.11)")));  // it only touches the pad
+        QVERIFY(!keeps(segment("(start -3 1) (end 5 1)", "0")));
+        QVERIFY(!keeps(segment("(start 1.4 1) (end 5 1)")));
+        QVERIFY(keeps("(arc (start -1 -1) (mid 1 1) (end 3 -1) (width 0.2) (layer \"In1.Cu\") (net 1))"));
+        QVERIFY(!keeps("(arc (start -1 -1) (mid 1 -3) (end 3 -1) (width 0.2) (layer \"In1.Cu\") (net 1))"));
+    }
+};
+
+QTEST_APPLESS_MAIN(UnusedPadsTest)
+#include "unused_pads_test.moc"
