@@ -90,8 +90,11 @@ public:
         owner.keepsEnds = keepsEnds(m_pad);
         return owner;
     }
-    /// Does its copper?
-    [[nodiscard]] bool waitsForTracks() const { return removesUnused(m_pad) && m_pad.word(2) == "thru_hole"; }
+    /// Does its copper? That of a heat sink is always kept.
+    [[nodiscard]] bool waitsForTracks() const {
+        return removesUnused(m_pad) && m_pad.word(2) == "thru_hole" &&
+               !m_pad.find("property").hasWord("pad_prop_heatsink");
+    }
     [[nodiscard]] const Origin& origin() const { return m_origin; }
     [[nodiscard]] double clockwiseDeg() const { return -m_degrees; }
     [[nodiscard]] PointD centreOn(const std::string& layer) const {

@@ -37,6 +37,16 @@ private slots:
         QVERIFY(keeps("(arc (start -1 -1) (mid 1 1) (end 3 -1) (width 0.2) (layer \"In1.Cu\") (net 1))"));
         QVERIFY(!keeps("(arc (start -1 -1) (mid 1 -3) (end 3 -1) (width 0.2) (layer \"In1.Cu\") (net 1))"));
     }
+
+    void heatSinksKeepAllOfTheirCopper() {
+        const auto pad = [](const char* property) {
+            return "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (pad \"1\" thru_hole circle (at 1 1) (size 2 2) (drill "
+                   "1) " +
+                   std::string(property) + " (layers \"*.Cu\") (remove_unused_layers yes) (net 1)))";
+        };
+        QCOMPARE(on(boardWith(pad("(property pad_prop_heatsink)")), "In1.Cu").size(), std::size_t{1});
+        QCOMPARE(on(boardWith(pad("(property pad_prop_bga)")), "In1.Cu").size(), std::size_t{0});
+    }
 };
 
 QTEST_APPLESS_MAIN(UnusedPadsTest)
