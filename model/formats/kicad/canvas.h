@@ -42,6 +42,8 @@ struct BoardSettings {
     [[nodiscard]] bool isOld() const { return version < 20'200'000; }
     /// Texts that mark bars as ~CS~, not as ~{CS}.
     [[nodiscard]] bool hasOldBars() const { return version < 20'210'606; }
+    /// Before vias and pads said on which layers zones keep their copper (zone_layer_connections).
+    [[nodiscard]] bool keepsPadsInFills() const { return version < 20'221'018; }
     /// Zones whose fill is only the middle of what is there, unless they say otherwise.
     [[nodiscard]] bool hasStrokedFills() const { return version < 20'250'210; }
 };

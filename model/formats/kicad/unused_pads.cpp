@@ -5,10 +5,15 @@
 #include <iterator>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "model/geometry/box_index.h"
 #include "model/geometry/edges.h"
+#include "model/geometry/loops/region_booleans.h"
+#include "model/geometry/loops/region_search.h"
+#include "model/geometry/vectors.h"
 
 namespace model::kicad {
 
@@ -52,6 +57,12 @@ double farthestOf(const Owner& owner) {
     return std::hypot(owner.core.x, owner.core.y) + owner.radius;
 }
 
+std::span<const formats::DrawnFeature> featuresOn(const formats::DrawnStep& step, std::int32_t row) {
+    const auto layer = static_cast<std::size_t>(row);
+    return layer < step.features.size() ? std::span<const formats::DrawnFeature>(step.features[layer])
+                                        : std::span<const formats::DrawnFeature>();
+}
+
 /// Those of a layer.
 class Tracks {
 public:
@@ -59,10 +70,8 @@ public:
 
     /// As KiCad has it: does one end on the pad, or run over its middle?
     [[nodiscard]] bool keep(const UnusedPads::Waiting& pad) const {
-        const double side = pad.reach + 1.0;
-        const Box box{{asNm(pad.at.x - side), asNm(pad.at.y - side)}, {asNm(pad.at.x + side), asNm(pad.at.y + side)}};
         bool isKept = false;
-        m_index.visit(box, [&](std::uint32_t i) {
+        m_index.visit(boxAround(pad.at, pad.reach), [&](std::uint32_t i) {
             const Edge& edge = m_edges[i];
             const double ends = std::min(distance(edge.a, pad.at), distance(edge.b, pad.at));
             isKept = isKept || (m_nets[i] == pad.origin.net &&
@@ -72,15 +81,10 @@ public:
     }
 
 private:
-    static double distance(PointD a, PointD b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
     /// Gives back the boxes of the tracks.
     std::vector<Box> take(const formats::DrawnStep& step, std::int32_t row) {
         std::vector<Box> boxes;
-        if (static_cast<std::size_t>(row) >= step.features.size()) {
-            return boxes;
-        }
-        for (const formats::DrawnFeature& feature : step.features[static_cast<std::size_t>(row)]) {
+        for (const formats::DrawnFeature& feature : featuresOn(step, row)) {
             if (feature.subnet == SubnetKind::Trace) {
                 const EdgeKind kind = feature.kind != formats::DrawnKind::Arc ? EdgeKind::Line
                                       : feature.isClockwise                   ? EdgeKind::ArcClockwise
@@ -95,6 +99,47 @@ private:
     }
 
     std::vector<Edge> m_edges;
+    std::vector<std::int32_t> m_nets;  ///< of each
+    BoxIndex m_index;
+};
+
+/// What zones fill on a layer.
+class Fills {
+public:
+    Fills(const formats::DrawnStep& step, std::int32_t row) : m_index(take(step, row)) {}
+
+    /// Does one of its net come within `reach` of the middle of the pad?
+    [[nodiscard]] bool keep(const UnusedPads::Waiting& pad, double reach) const {
+        bool isKept = false;
+        const Box box = boxAround(pad.at, reach);
+        m_index.visit(box, [&](std::uint32_t i) {
+            if (isKept || pad.origin.net == formats::kNoRow || m_nets[i] != pad.origin.net) {
+                return;
+            }
+            isKept = m_fills[i].holds(pad.at);
+            m_fills[i].visitNear(
+                box, [&](const Edge& edge) { isKept = isKept || distance(nearestOn(edge, pad.at), pad.at) <= reach; });
+        });
+        return isKept;
+    }
+
+private:
+    /// Gives back the boxes of the fills.
+    std::vector<Box> take(const formats::DrawnStep& step, std::int32_t row) {
+        std::vector<Box> boxes;
+        for (const formats::DrawnFeature& feature : featuresOn(step, row)) {
+            if (feature.subnet != SubnetKind::Plane || feature.kind != formats::DrawnKind::Region) {
+                continue;
+            }
+            for (EdgeLoops& region : regionsOf(step.regions[static_cast<std::size_t>(feature.region)])) {
+                boxes.push_back(m_fills.emplace_back(std::move(region)).box());
+                m_nets.push_back(feature.net);
+            }
+        }
+        return boxes;
+    }
+
+    std::vector<RegionSearch> m_fills;
     std::vector<std::int32_t> m_nets;  ///< of each
     BoxIndex m_index;
 };
@@ -127,8 +172,14 @@ void UnusedPads::draw() {
 
 void UnusedPads::drawOn(std::int32_t row, const std::vector<Waiting>& pads) {
     const Tracks tracks(m_canvas.step(), row);
+    std::optional<Fills> fills;
+    if (m_canvas.settings().keepsPadsInFills()) {
+        fills.emplace(m_canvas.step(), row);
+    }
     for (const Waiting& pad : pads) {
-        if (pad.reach < 0.0 || tracks.keep(pad) || isTouched(pad)) {
+        const Owner& owner = m_owners[pad.owner];
+        const double least = std::min(owner.core.x, owner.core.y) + owner.radius;
+        if (pad.reach < 0.0 || tracks.keep(pad) || isTouched(pad) || (fills && fills->keep(pad, least))) {
             m_canvas.drawPad(row, pad.origin, pad.symbol, pad.at, pad.clockwiseDeg);
         }
     }

@@ -8,8 +8,9 @@
 namespace model::kicad {
 
 /// Copper that a pad or via keeps only where something ends there (remove_unused_layers), on inner layers or on all: it
-/// waits until all tracks are drawn. What keeps it is a track on that layer that ends there or runs over its middle, or
-/// a via or a pad of another footprint that is on that layer too and touches it on any layer.
+/// waits until all tracks and zones are drawn. What keeps it is a track on that layer that ends there or runs over its
+/// middle, or a via or a pad of another footprint that is on that layer too and touches it on any layer; in files of
+/// KiCad 6 what a zone fills there, too. Later ones name the layers on which zones keep it.
 class UnusedPads {
 public:
     /// A via or pad.
@@ -41,7 +42,7 @@ public:
     /// Of all vias and pads, whether copper of theirs waits or not.
     std::size_t add(Owner owner);
     void add(const Waiting& pad) { m_waiting.push_back(pad); }
-    /// When all tracks are drawn: draws those that are kept.
+    /// When all tracks and zones are drawn: draws those that are kept.
     void draw();
 
 private:

@@ -47,6 +47,23 @@ private slots:
         QCOMPARE(on(boardWith(pad("(property pad_prop_heatsink)")), "In1.Cu").size(), std::size_t{1});
         QCOMPARE(on(boardWith(pad("(property pad_prop_bga)")), "In1.Cu").size(), std::size_t{0});
     }
+
+    /// KiCad 6 asks the fills, later ones the list in the via.
+    void fillsKeepItInFilesOfKicad6() {
+        const auto count = [](const std::string& points, const char* version, const char* net = "1") {
+            const std::string zone = "(zone (net " + std::string(net) +
+                                     ") (net_name \"\") (layer \"In1.Cu\") (min_thickness 0.2) "
+                                     "(filled_areas_thickness no) (filled_polygon (layer \"In1.Cu\") (pts " +
+                                     points + ")))";
+            return on(boardWith(kUnusedVia + zone, "", version), "In1.Cu").size();
+        };
+        const std::string around = "(xy 0 0) (xy 4 0) (xy 4 4) (xy 0 4)";
+        QCOMPARE(count(around, "20211014"), std::size_t{2});
+        QCOMPARE(count(around, "20211014", "0"), std::size_t{1});
+        QCOMPARE(count(around, "20221018"), std::size_t{1});
+        QCOMPARE(count("(xy 1.29 0) (xy 4 0) (xy 4 4) (xy 1.29 4)", "20211014"), std::size_t{2});
+        QCOMPARE(count("(xy 1.31 0) (xy 4 0) (xy 4 4) (xy 1.31 4)", "20211014"), std::size_t{1});
+    }
 };
 
 QTEST_APPLESS_MAIN(UnusedPadsTest)
