@@ -165,21 +165,25 @@ private:
         return first < last ? std::vector<std::size_t>(first, last) : std::vector<std::size_t>();
     }
 
-    /// Dielectrics outside of the copper of a stackup are laid on it, unless they fill the board elsewhere.
+    /// Dielectrics outside of the copper of a stackup are laid on it, unless they fill the board elsewhere or carry its
+    /// only copper.
     void nameOuterDielectrics(const std::vector<std::size_t>& main) {
         const std::vector<std::size_t> board = core(main);
         for (const RawStack& raw : m_raw) {
             const std::vector<std::size_t> inside = core(raw.stack.layers);
+            const bool isSingle = inside.size() == 1 && inside == board;
             for (const std::size_t row : raw.stack.layers) {
                 const auto has = [row](const std::vector<std::size_t>& rows) {
                     return std::ranges::find(rows, row) != rows.end();
                 };
-                if (!has(inside) && !has(board)) {
+                if (!has(inside) && !has(board) && !(isSingle && isSubstrate(m_layers[row].function))) {
                     layOn(m_layers[row]);
                 }
             }
         }
     }
+
+    static bool isSubstrate(std::string_view function) { return function == "DIELBASE" || function == "DIELCORE"; }
 
     static void layOn(SourceLayer& layer) {
         if (layer.drawn.type != LayerType::Dielectric) {
@@ -188,7 +192,7 @@ private:
         const std::string_view function = layer.function;
         const LayerUse use = function == "DIELCOVERLAY"                            ? LayerUse::Coverlay
                              : function == "DIELADHV" || function == "DIELBONDPLY" ? LayerUse::Adhesive
-                             : function == "DIELBASE" || function == "DIELCORE"    ? LayerUse::Stiffener
+                             : isSubstrate(function)                               ? LayerUse::Stiffener
                                                                                    : LayerUse::Plain;
         if (use != LayerUse::Plain) {
             layer.drawn.type = LayerType::Mask;
