@@ -82,10 +82,11 @@ public:
         addPackages();
         for (const List& list : m_lists) {
             reportFlipped(list);
-            m_first[list.side == LayerSide::Bottom] = m_builder.soFar().components.size();
+            const std::size_t first = m_toeprints.size();
             for (const PlacedComponent& component : list.file->value) {
                 add(component, list);
             }
+            m_counted[list.side == LayerSide::Bottom] = {first, m_toeprints.size()};
         }
         tiePinPads();
     }
@@ -284,17 +285,21 @@ private:
     }
 
     [[nodiscard]] PinId pinOf(const EdaSubnet& subnet) const {
-        const std::size_t row =
-            m_first[subnet.side == LayerSide::Bottom] + static_cast<std::size_t>(std::max(subnet.component, 0));
-        const Document& document = m_builder.soFar();
-        if (subnet.component < 0 || row >= document.components.size() || document.components[row].side != subnet.side) {
+        const auto [begin, end] = m_counted[subnet.side == LayerSide::Bottom];
+        const auto first = m_toeprints.begin() + static_cast<std::ptrdiff_t>(begin);
+        const auto last = m_toeprints.begin() + static_cast<std::ptrdiff_t>(end);
+        const auto named = std::lower_bound(
+            first, last, subnet.component,
+            [](const PlacedComponent* component, std::int32_t number) { return component->number < number; });
+        if (named == last || (*named)->number != subnet.component) {
             return {};
         }
-        const std::vector<PlacedPin>& pins = m_toeprints[row]->pins;
+        const std::vector<PlacedPin>& pins = (*named)->pins;
         const auto found = std::ranges::find(pins, subnet.toeprint, &PlacedPin::number);
-        return found == pins.end()
-                   ? PinId{}
-                   : PinId{document.components[row].firstPin + static_cast<std::size_t>(found - pins.begin())};
+        const Component& component =
+            m_builder.soFar().components[static_cast<std::size_t>(named - m_toeprints.begin())];
+        return found == pins.end() ? PinId{}
+                                   : PinId{component.firstPin + static_cast<std::size_t>(found - pins.begin())};
     }
 
     DocumentBuilder& m_builder;
@@ -306,7 +311,8 @@ private:
     std::vector<BothWays> m_packages;                 ///< by number of the PKG record
     std::vector<const PlacedComponent*> m_toeprints;  ///< by component
     std::set<std::string> m_refdes;                   ///< seen so far
-    std::array<std::size_t, 2> m_first{};             ///< first component of the top and of the bottom
+    /// Components that subnets of the top and of the bottom count: the first one and that behind the last one.
+    std::array<std::pair<std::size_t, std::size_t>, 2> m_counted{};
 };
 
 }  // namespace

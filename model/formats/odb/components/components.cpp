@@ -73,9 +73,11 @@ private:
     void component(std::string_view line) {
         std::optional<PlacedComponent> component = componentOf(line, m_at);
         m_isInComponent = component.has_value();
+        const std::int32_t number = m_count++;
         if (!component) {
             return m_at.report(Severity::Error, "the CMP record is unreadable; the component is missing");
         }
+        component->number = number;
         component->properties = m_attributes.resolve(Fields(line).tail(), m_types, m_at);
         component->height = heightOf(*component);
         turnOnce(*component);
@@ -128,6 +130,7 @@ private:
     RecordAttributes m_attributes;
     PropertyReader m_properties;
     std::vector<PlacedComponent> m_components;
+    std::int32_t m_count = 0;  ///< of CMP records
     std::vector<TextProperty> m_nobodys;
     bool m_isInComponent = false;
 };

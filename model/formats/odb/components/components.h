@@ -31,6 +31,7 @@ struct PlacedComponent {
     std::string part;
     Nm height = 0;  ///< .comp_height; 0 unknown
     std::uint32_t line = 0;
+    std::int32_t number = 0;               ///< of the CMP records of the file, those that are unreadable too; from 0
     std::vector<TextProperty> properties;  ///< attributes, then PRP
     std::vector<PlacedPin> pins;
 };

@@ -238,6 +238,16 @@ private slots:
         QVERIFY(!d->subnets[1].pin.isValid());  // the job names a component that is not there
     }
 
+    void subnetsCountComponentsThatAreUnreadable() {
+        const Folder folder;
+        writeParts(folder, "CMP 0 x 20 0 N U1 c\nTOP 0 9 20 0 N 0 0 1\nCMP 0 10 40 0 N U2 c\nTOP 0 9 40 0 N 0 0 1\n",
+                   "");
+        const auto d = read(folder.path());
+        QCOMPARE(d->components.size(), std::size_t{1});
+        QCOMPARE(d->components[0].refdes, std::string("U2"));
+        QVERIFY(!d->subnets[d->elements.subnet[elementOf(*d, "top", 0).row()].row()].pin.isValid());
+    }
+
     /// As custom pads are exported: the copper of the pin is a surface.
     void surfacesOfPinsArePads() {
         const Folder folder;
