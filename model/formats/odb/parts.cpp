@@ -86,7 +86,7 @@ public:
             for (const PlacedComponent& component : list.file->value) {
                 add(component, list);
             }
-            m_counted[list.side == LayerSide::Bottom] = {first, m_toeprints.size()};
+            count(list, first);
         }
         tiePinPads();
     }
@@ -108,6 +108,18 @@ private:
         PackageId drawn;
         PackageId flipped;
     };
+
+    /// Of two lists of a side, subnets can mean one alone: the first.
+    void count(const List& list, std::size_t first) {
+        auto& counted = m_counted[list.side == LayerSide::Bottom];
+        if (counted.second > counted.first) {
+            m_builder.diagnostics().report(Severity::Warning, list.file->path, list.file->value.front().line,
+                                           "another list of components on this side: eda/data counts those of the "
+                                           "first list, so pads are not tied to the pins of these");
+            return;
+        }
+        counted = {first, m_toeprints.size()};
+    }
 
     [[nodiscard]] const EdaPackage* packageOf(const PlacedComponent& component) const {
         const std::vector<EdaPackage>& packages = m_step.eda.value.packages;

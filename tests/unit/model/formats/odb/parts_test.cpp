@@ -248,6 +248,23 @@ private slots:
         QVERIFY(!d->subnets[d->elements.subnet[elementOf(*d, "top", 0).row()].row()].pin.isValid());
     }
 
+    void subnetsCountTheFirstListOfASide() {
+        const Folder folder;
+        writeParts(folder, "CMP 0 10 20 0 N U1 c\nTOP 0 9 20 0 N 0 0 1\n", "");
+        folder.write("matrix/matrix", matrixOf({{"COMPONENT", "comp_+_top"},
+                                                {"SIGNAL", "TOP"},
+                                                {"SIGNAL", "BOT"},
+                                                {"COMPONENT", "comp_+_bot"},
+                                                {"COMPONENT", "extra"}}));
+        folder.write("steps/board/layers/extra/components", "UNITS=MM\nCMP 0 60 60 0 N X1 c\nTOP 0 59 60 0 N 0 0 1\n");
+        const auto d = read(folder.path());
+        QCOMPARE(d->components.size(), std::size_t{2});
+        QCOMPARE(d->components[0].refdes, std::string("U1"));
+        const model::SubnetId subnet = d->elements.subnet[elementOf(*d, "top", 0).row()];
+        QCOMPARE(d->subnets[subnet.row()].pin, model::PinId{d->components[0].firstPin});
+        QVERIFY(findDiagnostic(d->diagnostics, "another list of components on this side") != nullptr);
+    }
+
     /// As custom pads are exported: the copper of the pin is a surface.
     void surfacesOfPinsArePads() {
         const Folder folder;
