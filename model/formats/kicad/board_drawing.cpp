@@ -110,6 +110,7 @@ public:
 
     bool finish() {
         settleLayers();
+        reportEmptyFills(m_canvas);
         m_unused.draw();
         joinMaskOpenings(m_canvas, m_leastWeb);
         m_canvas.step().features.resize(m_canvas.job().layers.size());

@@ -59,6 +59,12 @@ struct Origin {
     Plating plating = Plating::NotSaid;
 };
 
+/// What zones say of their fills.
+struct ZoneFills {
+    bool hasAny = false;                   ///< copper of a zone
+    std::vector<std::uint32_t> emptyOnes;  ///< lines of zones that are filled, with nothing
+};
+
 /// The job that is being drawn, and what all of its items need: layers, nets, settings, messages. What lies beyond
 /// ±1.07 m is reported and left out.
 class Canvas {
@@ -69,6 +75,7 @@ public:
     [[nodiscard]] formats::DrawnStep& step() { return m_job.steps[0]; }
     [[nodiscard]] BoardLayers& layers() { return m_layers; }
     [[nodiscard]] BoardSettings& settings() { return m_settings; }
+    [[nodiscard]] ZoneFills& zoneFills() { return m_zoneFills; }
     [[nodiscard]] const std::string& file() const { return m_file; }
     void report(Severity severity, std::uint32_t line, std::string_view text);
     /// Of an item of a kind that is not known.
@@ -105,6 +112,7 @@ private:
     std::string m_file;
     BoardLayers m_layers;
     BoardSettings m_settings;
+    ZoneFills m_zoneFills;
     std::unordered_map<std::string, std::int32_t> m_netOfName;
     std::unordered_map<std::int64_t, std::int32_t> m_netOfNumber;
     std::unordered_map<std::string, std::int32_t> m_symbols;

@@ -1,5 +1,6 @@
 #include "model/formats/kicad/zones.h"
 
+#include <cstdint>
 #include <vector>
 
 #include "model/formats/kicad/graphics.h"
@@ -54,6 +55,10 @@ void drawSegments(Canvas& canvas, const Item& segments, const Item& zone, Origin
     }
 }
 
+void reportUnfilled(Canvas& canvas, std::uint32_t line) {
+    canvas.report(Severity::Warning, line, "a zone is not filled in the file; its copper is missing");
+}
+
 }  // namespace
 
 void drawZone(Canvas& canvas, const Item& zone) {
@@ -83,8 +88,22 @@ void drawZone(Canvas& canvas, const Item& zone) {
             isFilled = true;
         }
     }
-    if (!isFilled) {
-        canvas.report(Severity::Warning, zone.line(), "a zone is not filled in the file; its copper is missing");
+    if (isFilled) {
+        canvas.zoneFills().hasAny = true;
+    } else if (zone.find("fill").hasWord("yes")) {
+        canvas.zoneFills().emptyOnes.push_back(zone.line());
+    } else {
+        reportUnfilled(canvas, zone.line());
+    }
+}
+
+void reportEmptyFills(Canvas& canvas) {
+    for (const std::uint32_t line : canvas.zoneFills().emptyOnes) {
+        if (canvas.zoneFills().hasAny) {
+            canvas.report(Severity::Info, line, "a zone is filled with nothing: it has no copper");
+        } else {
+            reportUnfilled(canvas, line);
+        }
     }
 }
 

@@ -10,4 +10,8 @@ namespace model::kicad {
 /// which draw nothing.
 void drawZone(Canvas& canvas, const Item& zone);
 
+/// When all zones are drawn. KiCad stores nothing for a zone whose fill is empty, and says (fill yes): that is a note.
+/// Where no zone at all has copper, the fills were never made or were left out of the file.
+void reportEmptyFills(Canvas& canvas);
+
 }  // namespace model::kicad

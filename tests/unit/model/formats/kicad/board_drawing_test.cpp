@@ -360,6 +360,16 @@ private slots:
         QCOMPARE(messages(job.diagnostics, "not filled"), 1U);
     }
 
+    /// Unless no zone has copper: then the fills are not in the file.
+    void emptyFillsAreNoMissingCopper() {
+        const std::string zone = "(zone (net 1) (layer \"F.Cu\") (fill yes) ";
+        const std::string filled = zone + "(filled_polygon (layer \"F.Cu\") (pts (xy 0 0) (xy 4 0) (xy 4 4))))";
+        const DrawnJob one = boardWith(zone + ")" + filled);
+        QCOMPARE(messages(one.diagnostics, "not filled"), 0U);
+        QCOMPARE(messages(one.diagnostics, "zone is filled with nothing"), 1U);
+        QCOMPARE(messages(boardWith(zone + ")").diagnostics, "not filled"), 1U);
+    }
+
     void netsHaveNamesOrNumbers() {
         const DrawnJob job = boardWith(
             "(segment (start 0 0) (end 1 0) (width 0.2) (layer \"F.Cu\") (net \"NEW\"))"
