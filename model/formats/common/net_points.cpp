@@ -6,6 +6,7 @@
 
 #include "model/figures/distance.h"
 #include "model/formats/common/shift.h"
+#include "model/geometry/box_index.h"
 
 namespace model::formats {
 
@@ -84,19 +85,21 @@ std::vector<Ground> groundsOf(const Document& document, const std::vector<NetPoi
         return {};
     }
     FigureTable discs;
+    std::vector<Box> places;
     for (const NetPoint& point : points) {
         discs.addDisc(point.position, 0.0);
+        places.push_back({point.position, point.position});
     }
+    const BoxIndex index(places);
     std::vector<Ground> grounds(points.size(), Ground::Nothing);
     // A plane may have hundreds of thousands of edges and as many points over it: its figures are made once.
     const auto check = [&](ElementId element) {
         const NetId net = document.elements.net[element.row()];
-        const Box box = document.boxOf(element);
         FigureTable figures;
-        for (std::size_t i = 0; i < points.size(); ++i) {
+        index.visit(document.boxOf(element), [&](std::uint32_t i) {
             const bool isOfOther = net.isValid() && net != points[i].net;
-            if (grounds[i] == Ground::OwnNet || isOfOther || !box.holds(points[i].position)) {
-                continue;
+            if (grounds[i] == Ground::OwnNet || isOfOther) {
+                return;
             }
             if (figures.size() == 0) {
                 figures.add(document, element);
@@ -106,7 +109,7 @@ std::vector<Ground> groundsOf(const Document& document, const std::vector<NetPoi
                     grounds[i] = net.isValid() ? Ground::OwnNet : Ground::NoNet;
                 }
             }
-        }
+        });
     };
     for (std::size_t row = 0; row < document.elements.size(); ++row) {
         if (document.layer(document.elements.layer[row]).isCopper()) {
