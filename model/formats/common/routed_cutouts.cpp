@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "model/formats/common/element_regions.h"
 #include "model/formats/common/painting.h"
 #include "model/geometry/edges.h"
+#include "model/geometry/loops/region_search.h"
 #include "model/geometry/outlines.h"
 #include "model/geometry/vectors.h"
 #include "model/solids/shells/area_shell.h"
@@ -113,8 +115,7 @@ private:
             for (std::uint32_t i = 0; i < layer.elements.count && layer.isBoardCopper(); ++i) {
                 const ElementId id{layer.elements.first + i};
                 const bool isLookedAt = (m_board.elements.kind[id.row()] == ElementKind::Area) == areas;
-                if (isLookedAt && box.meets(m_board.boxOf(id)) &&
-                    overlap(piece, regionsOf(m_board, id).regions) > kTouch) {
+                if (isLookedAt && box.meets(m_board.boxOf(id)) && covers(id, piece, areas)) {
                     return true;
                 }
             }
@@ -122,9 +123,40 @@ private:
         return false;
     }
 
+    [[nodiscard]] bool covers(ElementId copper, const std::vector<EdgeLoops>& piece, bool isArea) const {
+        const std::vector<EdgeLoops> parts = isArea ? partsNear(piece, copper) : regionsOf(m_board, copper).regions;
+        return !parts.empty() && overlap(piece, parts) > kTouch;
+    }
+
+    /// What an area has where a piece may reach it. Planes have a great many edges, and paths lie in clearances of
+    /// them.
+    [[nodiscard]] std::vector<EdgeLoops> partsNear(const std::vector<EdgeLoops>& piece, ElementId area) const {
+        const std::vector<RegionSearch> cuts(piece.begin(), piece.end());
+        std::vector<EdgeLoops> near;
+        for (const RegionSearch& part : partsOf(area)) {
+            if (std::ranges::any_of(cuts, [&](const RegionSearch& cut) { return lieOf(cut, part) != CutLie::Apart; })) {
+                near.push_back(part.region());
+            }
+        }
+        return near;
+    }
+
+    /// Made once, for all paths.
+    [[nodiscard]] const std::vector<RegionSearch>& partsOf(ElementId area) const {
+        const auto [found, isNew] = m_areas.try_emplace(area.row());
+        if (isNew) {
+            RegionBoolean parts = regionsOf(m_board, area);
+            for (EdgeLoops& region : parts.regions) {
+                found->second.emplace_back(std::move(region));
+            }
+        }
+        return found->second;
+    }
+
     const Document& m_board;
     std::vector<EdgeLoops> m_outline;
     double m_half;
+    mutable std::unordered_map<std::size_t, std::vector<RegionSearch>> m_areas;
 };
 
 /// As wide as a path cuts; 0 for areas too.

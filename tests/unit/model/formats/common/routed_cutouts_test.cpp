@@ -76,6 +76,30 @@ private slots:
         QCOMPARE(qRound(areaOf(*board)), 10'000 - 400);
     }
 
+    /// Two openings in a pour: one has an island within, and of both the pour is asked.
+    void islandsInOpeningsOfPoursKeepTheirPieces() {
+        const auto square = [](int x, int y, int side, char kind) {
+            const auto corner = [](int px, int py) { return std::to_string(px) + " " + std::to_string(py) + "\n"; };
+            const int far = y + side;
+            // Islands clockwise, holes counter-clockwise.
+            return std::string("OB ") + std::to_string(x) + " " + std::to_string(y) + " " + kind + "\n" +
+                   (kind == 'I'
+                        ? "OS " + corner(x, far) + "OS " + corner(x + side, far) + "OS " + corner(x + side, y)
+                        : "OS " + corner(x + side, y) + "OS " + corner(x + side, far) + "OS " + corner(x, far)) +
+                   "OS " + corner(x, y) + "OE\n";
+        };
+        const auto path = [](int x) {
+            const std::string left = std::to_string(x);
+            const std::string right = std::to_string(x + 10);
+            return "L " + left + " 45 " + right + " 45 0 P 0\nL " + right + " 45 " + right + " 55 0 P 0\nL " + right +
+                   " 55 " + left + " 55 0 P 0\nL " + left + " 55 " + left + " 45 0 P 0\n";
+        };
+        const auto board =
+            boardWith(path(25) + path(65), "S P 0\n" + square(10, 10, 78, 'I') + square(23, 43, 14, 'H') +
+                                               square(63, 43, 14, 'H') + square(69, 49, 2, 'I') + "SE\n");
+        QCOMPARE(qRound(areaOf(*board)), 10'000 - 100);
+    }
+
     void compensatedPathsCutBesideTheOutline() {
         // As Altium writes a board with a cut-out: paths along both, with compensation, each ended by a dot.
         const std::string head = "@0 .comp\n@1 .feed\n";
