@@ -104,7 +104,7 @@ void SectionFeature::connectLine() {
     connect(&m_line, &SectionLine::putBack, this, [this] {
         cut();
         if (const auto before = std::exchange(m_beforeMove, std::nullopt)) {
-            restoreMarks(*before);
+            setMarks(*before);
         }
     });
 }
@@ -224,10 +224,10 @@ void SectionFeature::restoreKept() {
         cutAlong({});
         return;
     }
-    restoreMarks(*m_kept);
+    setMarks(*m_kept);
 }
 
-void SectionFeature::restoreMarks(const Kept& kept) {
+void SectionFeature::setMarks(const Kept& kept) {
     std::vector<model::LayerRun> runs = runsAlong(kept.net);
     m_net = runs.empty() ? std::string() : kept.net;
     m_panel->view().setRuns(std::move(runs));

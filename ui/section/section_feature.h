@@ -50,7 +50,7 @@ private:
     /// Cuts the board that was read anew where the one before was cut.
     void restoreKept();
     /// What belongs to a line that is as it was.
-    void restoreMarks(const Kept& kept);
+    void setMarks(const Kept& kept);
     void connectMeasuring(FeatureContext& context);
     void showPrompt(const QString& prompt);
     /// The ends of the line, if it is straight.
