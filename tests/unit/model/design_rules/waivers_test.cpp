@@ -3,10 +3,7 @@
 
 #include <QtTest>
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <map>
-#include <thread>
 
 #include "model/board/document_builder.h"
 #include "model/design_rules/waived_check.h"
@@ -225,38 +222,6 @@ private slots:
         QVERIFY(*again == waivers);
         QVERIFY(model::parseWaivers("// none yet\n{\"copperscope_waivers\": 1, \"waivers\": []}"));
         QVERIFY(!model::readWaivers("/nowhere.json"));
-    }
-
-    /// Of thousands of places where nothing is any more, with as many findings elsewhere.
-    void comparingWithWaiversCanBeCancelled() {
-        constexpr std::size_t kMany = 3000;
-        std::vector<std::string> names(kMany);
-        std::vector<Track> tracks;
-        for (std::size_t i = 0; i < kMany; ++i) {
-            names[i] = "N" + std::to_string(i);
-            const Nm y = static_cast<Nm>(i) * 180 * kUm;
-            tracks.push_back({names[i].c_str(), {0, y}, {5 * kMm, y}});
-        }
-        const Board board = boardOf(tracks);
-        std::vector<Waiver> waivers = waiversOf(board);
-        QCOMPARE(waivers.size(), kMany - 1);
-        for (Waiver& waiver : waivers) {
-            waiver.from.x += 50 * kMm;
-            waiver.to.x += 50 * kMm;
-        }
-        base::Progress progress;
-        std::atomic<bool> isDone = false;
-        std::thread stopper([&] {
-            while (progress.phase() != "Comparing with waivers" && !isDone) {
-                std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            }
-            progress.cancel();
-        });
-        const auto report = model::checkRules(*board, kRules, waivers, progress);
-        isDone = true;
-        stopper.join();
-        QVERIFY(!report);
-        QVERIFY(report.error().code == base::ErrorCode::Cancelled);
     }
 
     void badWaiversAreNamed_data() {
