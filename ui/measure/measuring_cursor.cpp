@@ -205,10 +205,11 @@ std::optional<Caught> MeasuringCursor::pointAt(const BoardView& view, const Poin
     if (isSnapping) {
         const model::SnapPoint snap =
             m_snapper->at(pointed.location, reachIn(view), layers, pointed.isFromBelow, m_skip);
-        if (snap.kind != SnapKind::Free && !snap.element.element.isValid()) {
+        const bool isOfBoard = snap.kind != SnapKind::Free && !snap.element.element.isValid();
+        if (isOfBoard && what != Catch::Copper) {
             return Caught{.at = snap.at, .kind = snap.kind, .layer = {}, .element = std::nullopt, .isOnEdge = true};
         }
-        if (snap.kind != SnapKind::Free && (what != Catch::Copper || isNetCopper(snap.element))) {
+        if (snap.kind != SnapKind::Free && !isOfBoard && (what != Catch::Copper || isNetCopper(snap.element))) {
             return Caught{.at = snap.at, .kind = snap.kind, .layer = snap.layer, .element = snap.element};
         }
     }

@@ -53,11 +53,22 @@ std::shared_ptr<const model::Document> madeBoard() {
     return builder.finish();
 }
 
+/// A track of 2 mm width that lies over a corner of the board.
+std::shared_ptr<const model::Document> boardUnderACorner() {
+    model::DocumentBuilder builder;
+    addLayers(builder);
+    const model::NetId n = builder.addNet("N");
+    builder.beginLayer(model::LayerId{Top});
+    builder.addLine({{0, 5 * kMm}, {6 * kMm, 5 * kMm}, 2 * kMm, 0}, of(n));
+    builder.setProfile(builder.addShape(rectangle({3 * kMm, 5'500'000}, {20 * kMm, 20 * kMm})));
+    return builder.finish();
+}
+
 base::Result<ui::LoadedBoard> loadMade(const model::OpenRequest& request, base::Progress& progress) {
     ui::LoadedBoard board;
     board.request = request;
     board.request.noSession = true;
-    board.document = madeBoard();
+    board.document = request.path == "corner" ? boardUnderACorner() : madeBoard();
     auto shapes = render::buildBoardModel(*board.document, {}, progress);
     if (!shapes) {
         return shapes.error();
@@ -243,6 +254,16 @@ private slots:
         click(flat(), {1, 3});
         QTRY_VERIFY2(said().contains("no copper of net M leads"), qPrintable(said()));
         QVERIFY(list().empty());
+    }
+
+    /// The corner of the board is nearer than all points of the copper, and is none of a net.
+    void lengthsCatchCopperUnderACornerOfTheBoard() {
+        QVERIFY(m_fixture->openAndWait("corner"));
+        m_fixture->key(Qt::Key_J);
+        click(flat(), {0, 5});
+        click(flat(), {3, 5.5});
+        QTRY_COMPARE(list().size(), std::size_t{1});
+        QVERIFY2(std::abs(list().front().path->length() - 3e6) < 1e3, qPrintable(said()));
     }
 
     void escapeStopsFollowingANet() {
