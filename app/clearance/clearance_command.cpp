@@ -216,27 +216,24 @@ std::string counted(std::size_t count, const char* what) {
 
 /// What rules say of all steps together.
 struct Outlook {
-    std::size_t broken = 0;      ///< rules
-    std::size_t locations = 0;   ///< where they are broken
-    std::size_t incomplete = 0;  ///< rules that could not check everything, broken ones too
-    std::size_t checked = 0;     ///< rules that are neither off nor unused
+    std::size_t broken = 0;         ///< rules
+    std::size_t locations = 0;      ///< where they are broken
+    std::size_t incomplete = 0;     ///< rules that could not check everything, broken ones too
+    bool isNothingChecked = false;  ///< all rules are off or unused
 };
 
 Outlook outlookOf(const model::RuleTable& table, std::span<const StepRules> steps) {
     Outlook outlook;
+    outlook.isNothingChecked = model::isNothingChecked(table, steps);
     for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
         const auto isAnywhere = [&](const auto& holds) {
             return std::ranges::any_of(steps, [&](const StepRules& step) { return holds(step.report); });
-        };
-        const auto isChecked = [&](const model::RuleReport& report) {
-            return model::verdictOf(table, report, rule) > model::Verdict::Unused;
         };
         const auto isPart = [&](const model::RuleReport& report) {
             return std::ranges::count(report.unchecked, rule, &model::Unchecked::rule) > 0;
         };
         outlook.broken += isAnywhere([&](const model::RuleReport& report) { return report.counts[rule] > 0; }) ? 1 : 0;
         outlook.incomplete += isAnywhere(isPart) ? 1 : 0;
-        outlook.checked += isAnywhere(isChecked) ? 1 : 0;
         for (const StepRules& step : steps) {
             outlook.locations += step.report.counts[rule];
         }
@@ -246,7 +243,7 @@ Outlook outlookOf(const model::RuleTable& table, std::span<const StepRules> step
 
 /// "3 rules broken at 10 locations, 1 incomplete"; empty if there is nothing to say.
 std::string textOf(const Outlook& outlook) {
-    if (outlook.checked == 0) {
+    if (outlook.isNothingChecked) {
         return model::kNothingChecked;
     }
     const std::string incomplete = std::to_string(outlook.incomplete) + " incomplete";
@@ -262,7 +259,7 @@ std::string textOf(const Outlook& outlook) {
 /// A rule that is broken counts. So does one that could not check everything, and that none had anything to check,
 /// unless that is allowed. Says on stderr what counts, as the report may lie in a file.
 int exitCodeOf(const Outlook& outlook, const ClearanceArguments& arguments) {
-    const bool isPart = outlook.incomplete > 0 || outlook.checked == 0;
+    const bool isPart = outlook.incomplete > 0 || outlook.isNothingChecked;
     const bool mayAccept = isPart && !arguments.allowsIncomplete;
     const std::string text = textOf(outlook);
     const std::string where = text.empty() || arguments.output.empty() ? "" : "; see " + arguments.output;
