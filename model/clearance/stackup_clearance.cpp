@@ -7,6 +7,7 @@
 
 #include "model/clearance/layer_geometry.h"
 #include "model/nets/net_ties.h"
+#include "model/nets/tie_claims.h"
 
 namespace model {
 
@@ -98,11 +99,21 @@ private:
     std::uint32_t m_firstNet = 0;                        ///< of the copy that is added
 };
 
+/// Does a component say that it joins nets? Else there are no ties, and the copper need not be followed.
+bool mayTie(const Document& step) {
+    for (std::size_t row = 0; row < step.components.size(); ++row) {
+        if (!tiedNetsOf(step, ComponentId{row}).groups.empty()) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// By step.
 base::Result<std::vector<NetTies>> tiesOf(const StepTree& tree, base::Progress& progress) {
     std::vector<NetTies> ties;
     for (const Document* step : tree.steps) {
-        if (step->components.empty()) {
+        if (!mayTie(*step)) {
             ties.emplace_back();
             continue;
         }
@@ -217,11 +228,11 @@ base::Result<std::vector<StackupClearance>> smallestThroughStackup(const Documen
     }
     Copper copper = Collector(board).run(request);
     ASSIGN_OR_RETURN(copper.ties, tiesOf(copper.tree, progress));
-    progress.beginPhase("Measuring through the stackup");
     const double last = std::min(request.below, copper.farthest);
     const Search search(copper, request, progress);
     Found found;
     for (double reach = std::min(kFirstReach, last);; reach = std::min(2 * reach, last)) {
+        progress.beginPhase("Measuring through the stackup");
         found = search.within(reach);
         if (found.size() >= request.count || reach >= last || progress.isCancelled()) {
             break;
