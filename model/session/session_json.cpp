@@ -114,15 +114,15 @@ std::optional<std::uint32_t> colourAt(const Json& json) {
     return colour;
 }
 
-std::string layerNameFrom(const Json& json) {
+std::string stringFrom(const Json& json) {
     return json.get<std::string>();
 }
 
 LayerState layerFrom(const Json& json) {
     const Json& opacity = json.at("opacity_percent");
     require(opacity.is_number_integer());
-    return {layerNameFrom(json.at("name")), json.at("visible").get<bool>(),
-            static_cast<int>(numberFrom(opacity, 0, 100)), colourAt(json)};
+    return {json.at("name"), json.at("visible").get<bool>(), static_cast<int>(numberFrom(opacity, 0, 100)),
+            colourAt(json)};
 }
 
 Json toJson(const LayerState& layer) {
@@ -143,7 +143,7 @@ SavedView viewFrom(const Json& json) {
             json.at("step"),
             poseFrom(json.at("flat")),
             poseFrom(json.at("solid")),
-            listFrom(json.at("layers"), layerNameFrom),
+            listFrom(json.at("layers"), stringFrom),
             std::nullopt,
             json.contains("nets") ? netNamesFrom(json.at("nets")) : std::vector<NetName>()};
 }
@@ -265,7 +265,7 @@ Json toJson(const BoardColourChoice& chosen) {
 }
 
 LayerSet layerSetFrom(const Json& json) {
-    return {json.at("name"), listFrom(json.at("layers"), layerNameFrom)};
+    return {json.at("name"), listFrom(json.at("layers"), stringFrom)};
 }
 
 Json toJson(const LayerSet& set) {
