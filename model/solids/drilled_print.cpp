@@ -62,7 +62,7 @@ class Face {
 public:
     Face(const Document& document, LayerSide side)
         : m_document(document),
-          m_holes(document, elementsOf(document, [&](LayerId layer) { return comesOut(layer, side); })),
+          m_holes(document, holesOf(side)),
           m_openings(document, elementsOf(document, [&](LayerId layer) { return isMask(layer, side); })) {}
 
     [[nodiscard]] bool hasHoles() const { return !m_holes.isEmpty(); }
@@ -70,7 +70,7 @@ public:
     /// Open holes whose boxes share a point with it.
     [[nodiscard]] std::vector<ElementId> openNear(const Box& box) const {
         std::vector<ElementId> holes = m_holes.near(box);
-        std::erase_if(holes, [this](ElementId hole) { return !isHole(hole) || !isOpen(hole); });
+        std::erase_if(holes, [this](ElementId hole) { return !isOpen(hole); });
         return holes;
     }
 
@@ -89,8 +89,10 @@ private:
     }
 
     /// Not what a layer of routed paths holds beside: the edge of what stays, or a drawing.
-    [[nodiscard]] bool isHole(ElementId element) const {
-        return (m_document.elements.flags[element.row()] & kHole) != 0;
+    [[nodiscard]] std::vector<ElementId> holesOf(LayerSide side) const {
+        std::vector<ElementId> holes = elementsOf(m_document, [&](LayerId layer) { return comesOut(layer, side); });
+        std::erase_if(holes, [&](ElementId id) { return (m_document.elements.flags[id.row()] & kHole) == 0; });
+        return holes;
     }
     [[nodiscard]] bool isOpen(ElementId hole) const {
         if (m_openings.isEmpty() || !isTented(m_document, hole)) {
