@@ -20,9 +20,6 @@ using model::RuleReport;
 
 namespace {
 
-constexpr int kBare = model::kHole;
-constexpr int kWall = model::kHole | model::kPlated;
-
 /// A board of 20 mm by 10 mm with a cut-out of 6 mm by 6 mm in its middle.
 void addOutline(Board& board) {
     model::ShapeSketch outline = rectangle({0, 0}, {20 * kMm, 10 * kMm});

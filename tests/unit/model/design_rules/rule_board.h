@@ -15,6 +15,10 @@
 /// What tests of design rules check: a small board made by hand.
 namespace rule_board {
 
+/// Flags of an NPTH, and of a plated hole.
+inline constexpr int kBare = model::kHole;
+inline constexpr int kWall = model::kHole | model::kPlated;
+
 /// Two copper layers, a mask on top, a drill through both.
 struct Board {
     model::DocumentBuilder builder;

@@ -18,13 +18,6 @@ using model::RuleKind;
 using model::RuleReport;
 using model::RuleTable;
 
-namespace {
-
-constexpr int kBare = model::kHole;
-constexpr int kWall = model::kHole | model::kPlated;
-
-}  // namespace
-
 class UncheckedItemsTest : public QObject {
     Q_OBJECT
 
