@@ -6,6 +6,7 @@
 #include <array>
 #include <numeric>
 
+#include "model/base/assert.h"
 #include "model/board/single_element.h"
 #include "ui/common/net_name.h"
 #include "ui/common/panel_parts.h"
@@ -384,6 +385,7 @@ QString MeasureFeature::refusalOf(const Caught& caught) const {
         return {};
     }
     const Caught& first = m_clicked.front();
+    ASSERT(first.element && caught.element);  // Catch::Copper has one
     const model::NetId net = model::netOf(*m_index, *first.element);
     const model::NetId other = model::netOf(*m_index, *caught.element);
     if (net == other && first.element->copy == caught.element->copy) {
