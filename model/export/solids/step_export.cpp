@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -144,7 +145,7 @@ private:
     }
 
     void addPlaced(const StepSolids& step, ElementId element, const SharedShape& shared, const StepColour& colour) {
-        const auto [found, isNew] = m_shapes.try_emplace(shared.key);
+        const auto [found, isNew] = m_shapes[shared.key].try_emplace(colour);
         if (isNew) {
             const ElementShells made = m_plan.shellsOf(step, shared.key);
             found->second.problem = made.problem;
@@ -194,7 +195,8 @@ private:
     StepText m_text;
     StepSolidText m_solids{m_text, edgesOf(m_options)};
     StepAssembly m_assembly{m_text, m_solids.origin()};
-    std::unordered_map<ShapeKey, WrittenShape, ShapeKeyHash> m_shapes;  ///< of the step that is being written
+    /// Of the step that is being written: its solids have their colour, so there is one for each.
+    std::unordered_map<ShapeKey, std::map<StepColour, WrittenShape>, ShapeKeyHash> m_shapes;
     std::uint32_t m_step = 0;
     std::vector<StepId> m_items;
     std::uint64_t m_done = 0;

@@ -156,6 +156,33 @@ private slots:
         QCOMPARE(countOf(all.entities, "STYLED_ITEM"), 7);
     }
 
+    /// Two layers of drills at the same heights, two equal barrels on each.
+    void layersOfTwoColoursShareNoShapes() {
+        model::DocumentBuilder builder;
+        addLayers(builder, kStackup);
+        addLayers(builder, std::array{StackLayer{"vias", LayerType::Drill, 0, 1'635 * kUm, 4}});
+        for (const std::size_t layer : {std::size_t{3}, std::size_t{4}}) {
+            builder.beginLayer(model::LayerId{layer});
+            for (const model::Nm x : {kMm, 2 * kMm}) {
+                const auto y = static_cast<model::Nm>(layer) * kMm;
+                builder.addCircle({{x, y}, 300 * kUm, 250 * kUm}, flagged(model::kHole | model::kPlated));
+            }
+        }
+        const auto document = builder.finish();
+        StepOptions options;
+        options.looks.resize(5);
+        const Exported alike = exported(*document, {}, options);
+        QCOMPARE(alike.report.solids, std::uint64_t{1});
+        QCOMPARE(alike.report.copies, std::uint64_t{4});
+        options.looks[3].rgb = 0xff0000;
+        options.looks[4].rgb = 0x0000ff;
+        const Exported two = exported(*document, {}, options);
+        QCOMPARE(two.report.solids, std::uint64_t{2});
+        QCOMPARE(two.report.copies, std::uint64_t{4});
+        QCOMPARE(countOf(two.entities, "COLOUR_RGB"), 2);
+        QCOMPARE(faultOf(two.entities), QString());
+    }
+
     void whatIsWrittenOutHasNoCopies() {
         StepOptions options;
         options.isWrittenOut = true;
