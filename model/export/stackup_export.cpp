@@ -1,15 +1,14 @@
 #include "model/export/stackup_export.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
+#include "model/base/ascii.h"
 #include "model/board/stackup.h"
 #include "model/board/stackup_checks.h"
 #include "model/board/stackup_table.h"
 #include "model/export/stackup_sheet.h"
 #include "model/text/formatting.h"
+#include "model/text/whole_file.h"
 
 namespace model {
 
@@ -108,7 +107,7 @@ std::string stackupCsv(const Document& document, const LengthWriter& write) {
 
 base::Status writeStackup(const Document& document, const std::filesystem::path& path, bool isExaggerated,
                           const LengthWriter& write) {
-    const std::string ending = path.extension().string();
+    const std::string ending = base::lowerCase(path.extension().string());
     if (ending != ".svg" && ending != ".csv") {
         return base::Error{base::ErrorCode::BadUsage, path.string() + ": a stackup is written as .svg or .csv"};
     }
@@ -116,14 +115,8 @@ base::Status writeStackup(const Document& document, const std::filesystem::path&
         return base::Error{base::ErrorCode::BadUsage,
                            "This board states its heights itself; there is no stackup to write"};
     }
-    std::ofstream file(path, std::ios::binary);
-    file << (ending == ".svg" ? stackupSvg(document, isExaggerated, write) : stackupCsv(document, write));
-    file.close();
-    if (!file) {
-        return base::Error{base::ErrorCode::OutputFailed,
-                           path.string() + " cannot be written: " + std::strerror(errno)};
-    }
-    return base::Done{};
+    return writeWholeFile(path,
+                          ending == ".svg" ? stackupSvg(document, isExaggerated, write) : stackupCsv(document, write));
 }
 
 }  // namespace model

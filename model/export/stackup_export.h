@@ -18,8 +18,8 @@ namespace model {
 /// does not count. `write` is for the texts of findings.
 [[nodiscard]] std::string stackupCsv(const Document& document, const LengthWriter& write = {});
 
-/// Writes one of them, as the name's ending says. Errors: BadUsage for other endings and boards without a stackup,
-/// OutputFailed with the path and the reason.
+/// Writes one of them, as the name's ending says in letters of either case; all of the file or nothing. Errors:
+/// BadUsage for other endings and boards without a stackup, OutputFailed with the path and the reason.
 [[nodiscard]] base::Status writeStackup(const Document& document, const std::filesystem::path& path, bool isExaggerated,
                                         const LengthWriter& write = {});
 

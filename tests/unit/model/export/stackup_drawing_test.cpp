@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "model/export/stackup_export.h"
+#include "model/text/whole_file.h"
+#include "tests/full_disk.h"
 #include "tests/locations.h"
 #include "tests/unit/model/formats/gerber/gerber_testing.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
@@ -271,6 +273,28 @@ private slots:
         QVERIFY(!nowhere && nowhere.error().code == base::ErrorCode::OutputFailed);
         const auto none = model::writeStackup(model::Document(), folder.path() / "stack.svg", true);
         QVERIFY(!none && none.error().code == base::ErrorCode::BadUsage);
+    }
+
+    void endingsAreReadInEitherCase() {
+        const auto document = board("everything");
+        const odb_testing::Folder folder;
+        QVERIFY(model::writeStackup(*document, folder.path() / "stack.SVG", true).ok());
+        QVERIFY(model::writeStackup(*document, folder.path() / "stack.Csv", true).ok());
+        QCOMPARE(odb_testing::readFile(folder.path() / "stack.SVG"), model::stackupSvg(*document, true));
+        QCOMPARE(odb_testing::readFile(folder.path() / "stack.Csv"), model::stackupCsv(*document));
+    }
+
+    void aFullDiskLeavesWhatWasThere() {
+        const auto document = board("everything");
+        const odb_testing::Folder folder;
+        const auto path = folder.path() / "stack.svg";
+        QVERIFY(model::writeWholeFile(path, "before"));
+        const base::Status full = [&] {
+            const FullDisk disk(100);
+            return model::writeStackup(*document, path, true);
+        }();
+        QVERIFY(!full && full.error().code == base::ErrorCode::OutputFailed);
+        QCOMPARE(odb_testing::readFile(path), std::string("before"));
     }
 
     void aBoardWithoutAStackIsAnEmptyDrawing() {
