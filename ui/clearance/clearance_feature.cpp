@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/base/ascii.h"
 #include "model/board/copies.h"
 #include "model/clearance/kicad_project_rules.h"
 #include "model/clearance/rule_file.h"
@@ -453,7 +454,7 @@ void ClearanceFeature::editRules(QWidget& parent) {
 }
 
 base::Status ClearanceFeature::exportReport(const QString& path) const {
-    const auto format = model::reportFormatOf(toPath(path).extension().string());
+    const auto format = model::reportFormatOf(base::lowerCase(toPath(path).extension().string()));
     if (!answer()) {
         return base::Error{base::ErrorCode::BadUsage,
                            "Nothing was measured or checked yet, so there is nothing to export."};

@@ -430,7 +430,7 @@ private slots:
         model::ClearanceRequest question;
         question.count = 500;
         const model::StepClearances found[] = {{&board, *model::smallestClearances(board, question, progress)}};
-        QCOMPARE(exported(path + ".json"), model::clearanceReport(found, model::ReportFormat::Json));
+        QCOMPARE(exported(path + ".JSON"), model::clearanceReport(found, model::ReportFormat::Json));
         QVERIFY(!clearances().exportReport(path + ".html"));  // of rules alone
         QVERIFY(!clearances().exportReport(path + ".pdf"));
         QVERIFY(!clearances().exportReport("/nowhere/found.csv"));
