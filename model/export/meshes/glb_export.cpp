@@ -38,6 +38,7 @@ public:
                 children.push_back(m_scene.addNode({name, {}, {}, gltfPlacement(copy.placement), layers}));
             }
         }
+        RETURN_IF_ERROR(checkAnyWritten(m_scene.triangles()));
         m_progress.beginPhase("Writing triangles");
         const std::uint32_t root = m_scene.addNode({m_options.name, {}, {}, kUpright, children});
         return m_scene.finish(root, "Copperscope", m_file, m_progress);

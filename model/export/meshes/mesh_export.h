@@ -7,7 +7,8 @@
 #include "model/export/meshes/plan_meshes.h"
 #include "model/export/solids/step_export.h"
 
-/// Boards as triangles: what glb_export.h, stl_export.h and obj_export.h have in common.
+/// Boards as triangles: what glb_export.h, stl_export.h and obj_export.h have in common. None writes a file without
+/// triangles (checkAnyWritten).
 namespace model {
 
 struct MeshOptions {

@@ -122,6 +122,7 @@ base::Result<MeshReport> exportObj(const SolidPlan& plan, const MeshOptions& opt
         const std::string suffix = i == 0 ? "" : '_' + std::to_string(i);
         RETURN_IF_ERROR(writer.addStep(plan.copies[i], steps[plan.copies[i].step], suffix, progress));
     }
+    RETURN_IF_ERROR(checkAnyWritten(writer.triangles));
     report.bytes = file.size() + materials.size();
     report.triangles = writer.triangles;
     RETURN_IF_ERROR(file.finish());

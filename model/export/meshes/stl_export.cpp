@@ -80,6 +80,7 @@ base::Result<MeshReport> exportStl(const SolidPlan& plan, const MeshOptions& opt
     for (const SolidCopy& copy : plan.copies) {
         report.triangles += trianglesOf(steps[copy.step]);
     }
+    RETURN_IF_ERROR(checkAnyWritten(report.triangles));
     if (report.triangles > std::numeric_limits<std::uint32_t>::max()) {
         return base::Error{base::ErrorCode::OutputFailed, path.string() + " would hold more triangles than STL can"};
     }

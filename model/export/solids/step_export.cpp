@@ -37,8 +37,8 @@ public:
             steps.push_back(m_plan.choice.isOnePart ? addOnePart(m_plan.steps[i]) : addTree(m_plan.steps[i]));
         }
         placeCopies(steps);
-        if (report.solids == 0 && !isStopped()) {
-            return base::Error{base::ErrorCode::OutputFailed, "nothing useful came out: no element has a solid"};
+        if (!isStopped()) {
+            RETURN_IF_ERROR(checkAnyWritten(report.solids));
         }
         m_assembly.finish();
         passOn(0);
@@ -307,6 +307,13 @@ StepEstimate estimateStep(const SolidPlan& plan, const StepOptions& options) {
     }
     estimate.seconds = estimate.bytes / kBytesPerSecond;
     return estimate;
+}
+
+base::Status checkAnyWritten(std::uint64_t count) {
+    if (count == 0) {
+        return base::Error{base::ErrorCode::OutputFailed, "nothing useful came out: no element has a solid"};
+    }
+    return base::Done{};
 }
 
 base::Result<SolidReport> exportStep(const SolidPlan& plan, const StepOptions& options,

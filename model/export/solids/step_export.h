@@ -38,6 +38,10 @@ struct SolidReport {
     std::vector<MissingSolid> missing;
 };
 
+/// What exports of solids and of triangles end with that wrote so many: OutputFailed where there are none, as where
+/// drills take all that was chosen.
+[[nodiscard]] base::Status checkAnyWritten(std::uint64_t count);
+
 /// What a STEP file of the plan will be, before it is written, unpacked: from the text of a part of its elements.
 struct StepEstimate {
     double bytes = 0.0;

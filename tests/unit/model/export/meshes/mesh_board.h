@@ -111,7 +111,24 @@ inline bool isNear(double value, double expected, double part) {
     return is;
 }
 
-/// What every kind of file does when the work is cancelled, and when the folder is not there.
+/// A pad on top that is no wider than its hole.
+inline std::shared_ptr<const model::Document> drilledAway() {
+    model::DocumentBuilder builder;
+    using enum model::LayerType;
+    const hand_made::StackLayer layers[] = {{"top", Signal, 1'035'000, 35'000, 2},
+                                            {"core", Dielectric, 35'000, 1'000'000, 1},
+                                            {"bottom", Signal, 0, 35'000, 0},
+                                            {"drill", Drill, 0, 0, 3}};
+    hand_made::addLayers(builder, layers);
+    const model::NetId a = builder.addNet("A");
+    builder.beginLayer(model::LayerId{0});
+    builder.addCircle({{5 * kMm, 5 * kMm}, 800 * kUm, 0}, hand_made::of(a, model::kPad));
+    builder.beginLayer(model::LayerId{3});
+    builder.addCircle({{5 * kMm, 5 * kMm}, kMm, 950 * kUm}, hand_made::of(a, model::kHole | model::kPlated));
+    return builder.finish();
+}
+
+/// What every kind of file does when the work is cancelled, when the folder is not there, and when nothing is left.
 template <class Export, class Options>
 void checkFailures(const Export& write, const Options& options) {
     const QTemporaryDir folder;
@@ -124,6 +141,11 @@ void checkFailures(const Export& write, const Options& options) {
     base::Progress progress;
     const auto nowhere = write(plan, options, "/nowhere/board", progress);
     QVERIFY(!nowhere && nowhere.error().code == base::ErrorCode::OutputFailed);
+    const auto pad = drilledAway();
+    model::SolidChoice top;
+    top.layers = {model::LayerId{0}};
+    const auto nothing = write(planOf(*pad, top), options, folder.filePath("board").toStdString(), progress);
+    QVERIFY(!nothing && nothing.error().code == base::ErrorCode::OutputFailed);
     QVERIFY(QDir(folder.path()).entryList(QDir::Files).isEmpty());
 }
 
