@@ -108,7 +108,7 @@ const BodyPlan& BodyPlans::of(ComponentId id) {
     const std::string_view package =
         hasPackage ? m_document.packages[component.package.row()].name : std::string_view{};
     const Key key{hasPackage ? component.package.value : 0, hasPackage ? 0 : id.value + 1,
-                  kindOf(component.refdes, package), component.height};
+                  kindOf(component.refdes, package), isJumperName(component.refdes), component.height};
     const auto [found, isNew] = m_plans.try_emplace(key);
     if (isNew) {
         found->second = planBody(factsOf(m_document, component), component.height);

@@ -61,8 +61,8 @@ struct BodyPlan {
 /// `statedHeight` is the job's; 0 or less: it states none.
 [[nodiscard]] BodyPlan planBody(const PackageFacts& facts, Nm statedHeight);
 
-/// The plans of the components of a document, each made once for all components of a package that are of one kind and
-/// as high. Not thread-safe.
+/// The plans of the components of a document, each made once for all components of a package that are of one kind by
+/// their names and as high. Not thread-safe.
 class BodyPlans {
 public:
     explicit BodyPlans(const Document& document) : m_document(document) {}
@@ -70,8 +70,8 @@ public:
     [[nodiscard]] const BodyPlan& of(ComponentId component);
 
 private:
-    /// Package, kind and stated height; the component itself where its package is not known.
-    using Key = std::tuple<std::uint32_t, std::uint32_t, PartKind, Nm>;
+    /// Package, kind, isJumperName and stated height; the component itself where its package is not known.
+    using Key = std::tuple<std::uint32_t, std::uint32_t, PartKind, bool, Nm>;
 
     const Document& m_document;
     std::map<Key, BodyPlan> m_plans;

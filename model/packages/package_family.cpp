@@ -300,8 +300,7 @@ PackageFamily ofSurface(const PackageFacts& facts, const PinPattern& pattern, Pa
 
 /// Two bare pads that solder may join.
 bool isSolderJumper(const PackageFacts& facts, const PinPattern& pattern, Nm statedHeight) {
-    return pattern.layout == PinLayout::Pair && !pattern.isThrough && statedHeight <= 0 &&
-           base::upperCase(facts.refdes).starts_with("JP");
+    return pattern.layout == PinLayout::Pair && !pattern.isThrough && statedHeight <= 0 && isJumperName(facts.refdes);
 }
 
 }  // namespace
@@ -323,6 +322,10 @@ PartKind kindOf(std::string_view refdes, std::string_view package) {
     const PartKind kind = kindOfRefdes(refdes);
     const bool isConnector = hasAny(name, {"CONN", "HEADER", "HDR", "JST", "MOLEX", "SAMTEC", "USB", "RJ45", "HDMI"});
     return kind == PartKind::Unknown && isConnector ? PartKind::Connector : kind;
+}
+
+bool isJumperName(std::string_view refdes) {
+    return base::upperCase(refdes).starts_with("JP");
 }
 
 PinPattern patternOf(const PackageFacts& facts) {

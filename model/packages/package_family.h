@@ -56,6 +56,8 @@ struct PinPattern {
 };
 
 [[nodiscard]] PartKind kindOf(std::string_view refdes, std::string_view package);
+/// Does the designator say that two bare pads which solder may join are all there is, as "JP1" does?
+[[nodiscard]] bool isJumperName(std::string_view refdes);
 [[nodiscard]] PinPattern patternOf(const PackageFacts& facts);
 
 /// `statedHeight` is the job's (0: none): what stands on one pin is a body only if the job gives it a height.

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "model/board/document_builder.h"
 #include "tests/unit/model/packages/in_millimetres.h"
 
 using model::BodyMaterial;
@@ -236,6 +237,29 @@ private slots:
         QCOMPARE(materialOf("LED1"), BodyMaterial::Lens);
         QCOMPARE(materialOf("D1"), BodyMaterial::Moulding);
         QVERIFY(partOf(planBody(pair("R1", 1.7, 0.95, 0.95, outline), 0), BodyMaterial::Metal) != nullptr);
+    }
+
+    /// Both are connectors by their names.
+    void jumpersAreBareWhateverElseHasTheirPackage() {
+        for (const bool isJumperFirst : {true, false}) {
+            model::DocumentBuilder builder;
+            std::array<model::PackagePin, 2> pins;
+            pins[0].position = {mm(-0.65), 0};
+            pins[1].position = {mm(0.65), 0};
+            const model::PackageId package = builder.addPackage({}, pins);
+            const auto add = [&](const char* refdes) {
+                model::Component component;
+                component.refdes = refdes;
+                component.package = package;
+                return builder.addComponent(component, {});
+            };
+            const model::ComponentId first = add(isJumperFirst ? "JP1" : "J1");
+            const model::ComponentId second = add(isJumperFirst ? "J1" : "JP1");
+            const auto document = builder.finish();
+            model::BodyPlans plans(*document);
+            QCOMPARE(plans.of(first).family, isJumperFirst ? PackageFamily::None : PackageFamily::Connector);
+            QCOMPARE(plans.of(second).family, isJumperFirst ? PackageFamily::Connector : PackageFamily::None);
+        }
     }
 };
 
