@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "model/board/board_heights.h"
 #include "model/export/stackup_drawing.h"
 #include "model/section/section_labels.h"
 #include "model/text/formatting.h"
+#include "model/text/utf8.h"
 
 namespace model {
 
@@ -308,7 +310,8 @@ private:
             std::size_t end = note.size();
             if (end - from > room) {
                 const std::size_t blank = note.rfind(' ', from + room);
-                end = blank == std::string::npos || blank <= from ? from + room : blank;
+                const bool isLongWord = blank == std::string::npos || blank <= from;
+                end = isLongWord ? from + cutWithin(std::string_view(note).substr(from), room) : blank;
             }
             addText(kMargin, y += kLine, note.substr(from, end - from));
             from = end + (end < note.size() && note[end] == ' ' ? 1 : 0);

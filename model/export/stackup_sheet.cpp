@@ -6,6 +6,7 @@
 #include "model/board/stackup_checks.h"
 #include "model/export/stackup_drawing.h"
 #include "model/text/formatting.h"
+#include "model/text/utf8.h"
 
 namespace model {
 
@@ -72,16 +73,9 @@ std::string numberText(const std::optional<double>& value) {
     return value ? formatted("%.4g", *value) : "";
 }
 
-/// Not in the middle of a character of UTF-8.
 std::string shortened(const std::string& text, double width) {
-    auto most = static_cast<std::size_t>(width / kLetter);
-    if (text.size() <= most) {
-        return text;
-    }
-    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0U) == 0x80) {
-        --most;
-    }
-    return text.substr(0, most) + "…";
+    const std::size_t end = cutWithin(text, static_cast<std::size_t>(width / kLetter));
+    return end == text.size() ? text : text.substr(0, end) + "…";
 }
 
 class SheetMaker {

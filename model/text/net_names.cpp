@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/text/utf8.h"
+
 namespace model {
 
 namespace {
@@ -13,10 +15,6 @@ constexpr std::pair<std::string_view, std::string_view> kSpellings[] = {
 };
 
 constexpr std::string_view kBar = "\xcc\x85";  // U+0305, over the character before it
-
-bool beginsCharacter(char c) {
-    return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
-}
 
 /// Reads a name from its beginning to its end.
 class Reader {

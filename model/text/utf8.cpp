@@ -5,7 +5,7 @@ namespace model {
 namespace {
 
 bool continues(std::string_view text, std::size_t at) {
-    return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+    return at < text.size() && !beginsCharacter(text[at]);
 }
 
 /// Written with more bytes than it needs, half of a UTF-16 pair, or beyond Unicode.
@@ -44,6 +44,19 @@ bool isUtf8(std::string_view text) {
         text.remove_prefix(first.bytes);
     }
     return true;
+}
+
+std::size_t cutWithin(std::string_view text, std::size_t most) {
+    constexpr std::size_t kMostBehindFirst = 3;  // bytes of a character
+    if (text.size() <= most) {
+        return text.size();
+    }
+    for (std::size_t back = 0; back <= kMostBehindFirst && back < most; ++back) {
+        if (beginsCharacter(text[most - back])) {
+            return most - back;
+        }
+    }
+    return most;
 }
 
 void appendUtf8(std::string& text, std::uint32_t code) {

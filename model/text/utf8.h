@@ -18,6 +18,14 @@ struct Character {
 [[nodiscard]] Character firstCharacter(std::string_view utf8);
 [[nodiscard]] bool isUtf8(std::string_view text);
 
+/// Does a byte of UTF-8 begin a character?
+[[nodiscard]] constexpr bool beginsCharacter(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+/// Where to cut a text that has room for so many bytes: behind them, or up to three before where a character would be
+/// cut. Never 0 where there is room for a byte, whatever the bytes are.
+[[nodiscard]] std::size_t cutWithin(std::string_view text, std::size_t most);
+
 /// Adds a character of Unicode to a text.
 void appendUtf8(std::string& text, std::uint32_t code);
 /// Takes the first character off a text that is not empty and adds it to another one. A byte that is no UTF-8 is taken

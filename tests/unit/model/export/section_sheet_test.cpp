@@ -5,6 +5,7 @@
 #include <set>
 
 #include "model/section/section_labels.h"
+#include "model/text/utf8.h"
 #include "tests/unit/model/hand_made.h"
 
 using namespace model;
@@ -161,6 +162,28 @@ private slots:
                 const auto [least, most] = std::ranges::minmax(polygon.contours[0]);
                 QVERIFY(std::abs(least.first - 28.0) < 1e-6 && std::abs(most.first - 48.0) < 1e-6);
             }
+        }
+    }
+
+    void linesOfNotesEndBehindWholeCharacters() {
+        Section section = cut({{0, 5e6}, {20e6, 5e6}});
+        for (const std::string before : {"", "a"}) {
+            std::string note = before;
+            for (int i = 0; i < 300; ++i) {
+                note += "µ";
+            }
+            section.notes = {note};
+            std::string written;
+            std::size_t lines = 0;
+            for (const SheetText& text : sectionSheet(*board(), section, picture()).texts) {
+                QVERIFY(isUtf8(text.text));
+                if (text.text.find("µµ") != std::string::npos) {
+                    written += text.text;
+                    ++lines;
+                }
+            }
+            QCOMPARE(written, note);
+            QVERIFY(lines > 1);
         }
     }
 

@@ -54,6 +54,17 @@ private slots:
         QVERIFY(!model::isUtf8("a" + text.toStdString()));
     }
 
+    void textsAreCutBetweenCharacters() {
+        const std::string text = "a\xC2\xB5\xF0\x9F\x98\x80!";
+        std::vector<std::size_t> cuts;
+        for (std::size_t most = 0; most <= text.size() + 1; ++most) {
+            cuts.push_back(model::cutWithin(text, most));
+        }
+        QCOMPARE(cuts, (std::vector<std::size_t>{0, 1, 1, 3, 3, 3, 3, 7, 8, 8}));
+        QCOMPARE(model::cutWithin("\xF0\x9F\x98\x80", 2), std::size_t{2});  // it has no room
+        QCOMPARE(model::cutWithin(std::string(9, '\x80'), 5), std::size_t{5});
+    }
+
     void bytesThatAreNoneAreMovedAsLatin1() {
         const std::string text = "\xB5m \xC2\xB5m \xE2\x82"s;
         std::string_view from = text;
