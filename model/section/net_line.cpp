@@ -24,10 +24,21 @@ struct Track {
     std::uint32_t b = 0;
 };
 
-/// How each location is reached from one of them.
+/// How locations are reached from one of them. Made once for many searches: each costs what it reaches.
 struct Reached {
+    explicit Reached(std::size_t locations) : length(locations, kFar), by(locations, kNone) {}
+
+    void clear() {
+        for (const std::uint32_t location : found) {
+            length[location] = kFar;
+            by[location] = kNone;
+        }
+        found.clear();
+    }
+
     std::vector<double> length;
-    std::vector<std::uint32_t> by;  ///< track; none at the start and where nothing leads
+    std::vector<std::uint32_t> by;     ///< track; none at the start and where nothing leads
+    std::vector<std::uint32_t> found;  ///< locations that are reached
     std::uint32_t farthest = 0;
 };
 
@@ -57,22 +68,25 @@ public:
     [[nodiscard]] NetLine longest() const {
         std::vector<bool> isSeen(m_at.size());
         double most = -1.0;
-        Reached best;
+        std::uint32_t end = 0;
+        Reached reached(m_at.size());
         for (std::uint32_t location = 0; location < m_at.size(); ++location) {
             if (isSeen[location]) {
                 continue;
             }
-            const Reached there = from(location);
-            for (std::size_t i = 0; i < m_at.size(); ++i) {
-                isSeen[i] = isSeen[i] || there.length[i] < kFar;
+            search(location, reached);
+            for (const std::uint32_t found : reached.found) {
+                isSeen[found] = true;
             }
-            Reached back = from(there.farthest);
-            if (back.length[back.farthest] > most) {
-                most = back.length[back.farthest];
-                best = std::move(back);
+            const std::uint32_t start = reached.farthest;
+            search(start, reached);
+            if (reached.length[reached.farthest] > most) {
+                most = reached.length[reached.farthest];
+                end = start;
             }
         }
-        return walk(best);
+        search(end, reached);
+        return walk(reached);
     }
 
 private:
@@ -95,12 +109,13 @@ private:
         return location->second;
     }
 
-    /// Dijkstra's search.
-    [[nodiscard]] Reached from(std::uint32_t start) const {
-        Reached out{std::vector<double>(m_at.size(), kFar), std::vector<std::uint32_t>(m_at.size(), kNone), start};
+    /// How locations are reached from `start`: Dijkstra's search.
+    void search(std::uint32_t start, Reached& out) const {
+        out.clear();
         using Entry = std::pair<double, std::uint32_t>;
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
         out.length[start] = 0.0;
+        out.found.push_back(start);
         queue.push({0.0, start});
         while (!queue.empty()) {
             const Entry entry = queue.top();
@@ -113,13 +128,15 @@ private:
                 const std::uint32_t to = otherEnd(row, entry.second);
                 const double length = entry.first + lengthOf(m_tracks[row].edge);
                 if (length < out.length[to]) {
+                    if (out.length[to] == kFar) {
+                        out.found.push_back(to);
+                    }
                     out.length[to] = length;
                     out.by[to] = row;
                     queue.push({length, to});
                 }
             }
         }
-        return out;
     }
 
     [[nodiscard]] std::uint32_t otherEnd(std::uint32_t row, std::uint32_t location) const {

@@ -67,6 +67,24 @@ private slots:
         QVERIFY(isLine(line->line, {{0, 0}, {10 * kMm, 0}, {10 * kMm, 5 * kMm}}));
     }
 
+    /// Each chain is looked at for itself; were all locations looked at for each of them, this took many minutes.
+    void oneOfVeryManyChainsIsFound() {
+        Board board;
+        board.builder.beginLayer(board.top);
+        const auto addShort = [&board](int first, int end) {
+            for (int i = first; i < end; ++i) {
+                const Point start{i % 1000 * 100 * kUm, i / 1000 * kMm};
+                board.line(start, {start.x + 50 * kUm, start.y});
+            }
+        };
+        addShort(0, 100'000);
+        board.line({0, -5 * kMm}, {50 * kUm, -5 * kMm});
+        board.line({50 * kUm, -5 * kMm}, {50 * kUm, -4 * kMm});
+        addShort(100'000, 200'000);
+        const auto line = lineAlong(*indexed(board.builder.finish()), {0, board.net});
+        QVERIFY(line && isLine(line->line, {{0, -5 * kMm}, {50 * kUm, -5 * kMm}, {50 * kUm, -4 * kMm}}));
+    }
+
     /// Two ways around: no corner twice, and the shorter one of both.
     void aLoopIsCutShort() {
         Board board;
