@@ -126,7 +126,7 @@ void SavedViewsFeature::saveView() {
                  std::nullopt,
                  session::saveSelection(selection.tree(), {}, selection.nets()).nets},
                 "View ");
-    m_workspace.report(tr("Saved as %1").arg(QString::fromStdString(m_saved.entries().back().name)));
+    m_saved.reportAdded();
 }
 
 void SavedViewsFeature::saveSelection() {

@@ -341,7 +341,7 @@ void SectionFeature::saveSection() {
         return;
     }
     m_saved.add(tr("saving a section"), {{}, {}, section->line, m_panel->view().dimensions().all()}, "Section ");
-    m_workspace.report(tr("Saved as %1").arg(QString::fromStdString(m_saved.entries().back().name)));
+    m_saved.reportAdded();
 }
 
 void SectionFeature::renameSection(int row, const QString& name) {

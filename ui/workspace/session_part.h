@@ -110,6 +110,14 @@ public:
         after.push_back(std::move(entry));
         m_part.edit(what, m_entries, std::move(after));
     }
+    /// Says where the entry is that was added last: "Saved as View 3", or that it is in no file.
+    void reportAdded() const {
+        const QString text =
+            m_part.isSaved()
+                ? QCoreApplication::translate("SavedList", "Saved as %1")
+                : QCoreApplication::translate("SavedList", "%1 is not saved: it counts until another board is opened");
+        m_workspace.report(text.arg(QString::fromStdString(m_entries.back().name)));
+    }
     template <class Edit>
     void change(const QString& what, int row, const Edit& edit) {
         List after = m_entries;

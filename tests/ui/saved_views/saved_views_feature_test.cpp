@@ -143,10 +143,24 @@ private slots:
     }
 
     void aSessionThatCannotBeWrittenIsTold() {
+        const QSignalSpy reported(&window().workspace(), &ui::Workspace::reported);
         fs::create_directories(model::session::sessionPath(m_job) / "in the way");
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
         QVERIFY(window().messageBar().isVisible());
         QCOMPARE(names(), QStringList{"View 1"});
+        QCOMPARE(reported.last()[0].toString(),
+                 QString("View 1 is not saved: it counts until another board is opened"));
+    }
+
+    void viewsOfABoardWithoutItsSessionAreNotSaved() {
+        window().workspace().reload([](model::OpenRequest& request) { request.noSession = true; });
+        QTRY_VERIFY(window().workspace().board()->request.noSession);
+        const QSignalSpy reported(&window().workspace(), &ui::Workspace::reported);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        QCOMPARE(names(), QStringList{"View 1"});
+        QCOMPARE(reported.last()[0].toString(),
+                 QString("View 1 is not saved: it counts until another board is opened"));
+        QVERIFY(!fs::exists(model::session::sessionPath(m_job)));
     }
 
     void viewsThatStandInNoFileOutliveAReload() {
@@ -155,7 +169,9 @@ private slots:
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         QCOMPARE(names(), QStringList{"View 1"});
         fs::remove_all(model::session::sessionPath(m_job));
+        const QSignalSpy reported(&window().workspace(), &ui::Workspace::reported);
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);  // now all are saved
+        QCOMPARE(reported.last()[0].toString(), QString("Saved as View 2"));
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         QCOMPARE(names(), (QStringList{"View 1", "View 2"}));
     }
