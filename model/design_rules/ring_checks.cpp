@@ -1,5 +1,7 @@
 #include "model/design_rules/ring_checks.h"
 
+#include <set>
+
 #include "model/clearance/annular_ring.h"
 
 namespace model {
@@ -47,12 +49,37 @@ std::size_t RingChecks::layersOf(ElementId hole) const {
     return count;
 }
 
-void RingChecks::finish() {
+void RingChecks::lookOnOtherLayers() {
+    std::set<ElementId> holes;
     for (const auto& [hole, rings] : m_rings) {
-        const bool isSeenWhole = !m_context.scopeLayer().isValid() && rings.layers == layersOf(hole);
+        if (!rings.removed && !rings.hasCopper && rings.layers < layersOf(hole)) {
+            holes.insert(hole);
+        }
+    }
+    const Document& document = m_context.document();
+    const double reach = m_context.choice().reachOf(RuleKind::AnnularRing);
+    for (std::size_t row = 0; row < document.layers.size() && !holes.empty(); ++row) {
+        if (!document.layers[row].isCopper() || m_context.progress().isCancelled()) {
+            continue;
+        }
+        for (const AnnularRing& found : annularRings(document, LayerId{row}, reach)) {
+            const bool isThere = found.ring.state == RingState::BreaksOut || found.ring.state == RingState::Around;
+            if (isThere && holes.erase(found.hole) > 0) {
+                m_rings[found.hole].hasCopper = true;
+            }
+        }
+    }
+}
+
+void RingChecks::finish() {
+    const bool isWhole = !m_context.scopeLayer().isValid();
+    if (isWhole) {
+        lookOnOtherLayers();
+    }
+    for (const auto& [hole, rings] : m_rings) {
         if (rings.removed) {
             m_context.add(*rings.removed);
-        } else if (!rings.hasCopper && isSeenWhole) {
+        } else if (!rings.hasCopper && isWhole) {
             m_context.add({rings.rule, rings.first, hole, {}, middleOf(hole), FindingReason::NoPad});
         }
     }

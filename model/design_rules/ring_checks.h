@@ -13,8 +13,8 @@ public:
     explicit RingChecks(RuleContext& context) : m_context(context) {}
 
     void check(LayerId layer);
-    /// Holes whose pad the drill takes, and those without a pad, if rules hold for them on all copper layers that they
-    /// join: once per hole, whatever the number of layers.
+    /// Holes whose pad the drill takes, and those without a pad on any copper layer that they join, with a rule or
+    /// without: once per hole, whatever the number of layers. The latter only where no single layer is checked.
     void finish();
 
 private:
@@ -27,6 +27,8 @@ private:
         LayerId first;           ///< the first one of these
     };
 
+    /// Looks for copper of holes that have none where rules hold for them.
+    void lookOnOtherLayers();
     [[nodiscard]] Spacing middleOf(ElementId hole) const;
     /// How many copper layers the plating of a hole joins.
     [[nodiscard]] std::size_t layersOf(ElementId hole) const;

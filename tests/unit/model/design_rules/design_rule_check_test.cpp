@@ -132,7 +132,28 @@ private slots:
         const RuleReport report = check(*document, RuleTable{{}, {top, bottom}});
         QCOMPARE(report.counts, (std::vector<std::size_t>{1, 0}));
         QCOMPARE(report.findings.front().reason, model::FindingReason::NoPad);
-        QVERIFY(check(*document, RuleTable{{}, {top}}).isPassed());  // it may have one at the bottom
+    }
+
+    /// Whether a hole has a pad does not depend on where rings are asked for.
+    void aHoleWithoutAPadIsFoundByARuleOfOneOfItsLayers() {
+        model::Rule top{RuleKind::AnnularRing, 1, {}};
+        top.layer = "to*";
+        const auto found = [&](Nm padBelow) {
+            Board board;
+            board.builder.beginLayer(board.bottom);
+            if (padBelow > 0) {
+                board.builder.addCircle({{0, 0}, padBelow, 0}, of(board.a, model::kPad));
+            }
+            board.builder.beginLayer(board.drill);
+            board.builder.addCircle({{0, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));
+            const RuleReport report = check(*board.builder.finish(), RuleTable{{}, {top}});
+            const bool isNoPad = !report.isPassed() && report.findings.front().reason == model::FindingReason::NoPad &&
+                                 report.findings.front().layer == board.top;
+            return isNoPad ? report.findings.size() : report.isPassed() ? std::size_t{0} : std::size_t{99};
+        };
+        QCOMPARE(found(0), std::size_t{1});
+        QCOMPARE(found(200 * kUm), std::size_t{1});  // the drill takes it
+        QCOMPARE(found(500 * kUm), std::size_t{0});
     }
 
     /// A pad without a net that touches a net is part of it; one that lies alone keeps away from all, other such too.
