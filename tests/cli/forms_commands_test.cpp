@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/cli/program.h"
+#include "tests/zip.h"
 
 using namespace program;
 
@@ -76,6 +77,19 @@ private slots:
             QCOMPARE(run.out.contains("Job " + one.toUtf8()), arguments.contains("html"));
         }
         QVERIFY(!copperscope({"clearance", one}).err.contains("what else is there"));
+    }
+
+    void filesWithNamesBeyondAsciiAreRead() {
+        const QTemporaryDir folder;
+        const std::string pads = "%FSLAX46Y46*%\n%MOMM*%\n%ADD10C,1.5*%D10*X2000000Y2000000D03*X8000000D03*M02*\n";
+        const QByteArray bytes = QByteArray::fromStdString(
+            zip::packed({{"board.gtl", pads}, {"Leiterplatte_Rückseite.gbl", pads, zip::kUtf8Name}}));
+        QFile file(folder.filePath("board.zip"));
+        QVERIFY(file.open(QFile::WriteOnly) && file.write(bytes) == bytes.size());
+        file.close();
+        const Outcome info = copperscope({"info", file.fileName()});
+        QVERIFY2(info.exitCode == 0, info.err.constData());
+        QVERIFY2(info.out.contains("top copper") && info.out.contains("bottom copper"), info.out.constData());
     }
 
     void whatFilesDrawIsSaid() {

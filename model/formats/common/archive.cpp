@@ -43,6 +43,9 @@ bool climbs(const fs::path& name) {
 
 /// Why an entry must not be taken, or nothing.
 std::string_view refusal(const ArchiveStream& stream, std::string_view name) {
+    if (name.empty()) {
+        return "an entry of the archive has no name that can be read and was left out";
+    }
     if (isAbsolute(name)) {
         return "the archive entry has an absolute path and was left out";
     }
@@ -271,7 +274,7 @@ base::Result<Archive> Archive::readAll(ArchiveStream& stream, std::uint64_t stre
         progress.setFraction(
             static_cast<float>(static_cast<double>(stream.position()) / static_cast<double>(streamBytes)));
         const std::string name = normalised(stream.name());
-        if (stream.isFolder() || name.empty()) {
+        if (stream.isFolder()) {
             continue;
         }
         if (const std::string_view reason = refusal(stream, name); !reason.empty()) {

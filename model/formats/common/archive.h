@@ -45,7 +45,8 @@ private:
 /// The files of a board as one tree, whatever they came in: a folder, a .tgz, .tar.gz, .tar (V7 included) or .zip, or
 /// a file that is packed by itself (board.xml.gz), which is then the only one and named without its last ending.
 /// Names are found whatever their case. Archives are held in memory and nothing is ever written to disk; permissions in
-/// the archive are not looked at. Entries with `..` or an absolute path are left out with an error in the diagnostics.
+/// the archive are not looked at. Entries with `..` or an absolute path, and those whose names cannot be read, are left
+/// out with an error in the diagnostics.
 /// Reading is safe from several threads.
 class Archive {
 public:

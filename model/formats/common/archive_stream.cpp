@@ -1,6 +1,7 @@
 #include "model/formats/common/archive_stream.h"
 
 #include <archive_entry.h>
+#include <locale.h>  // newlocale and uselocale, which <clocale> lacks
 
 #include <algorithm>
 #include <array>
@@ -36,6 +37,25 @@ void supportPackings(archive* a) {
         archive_read_support_filter_lz4(a);
     }
 }
+
+/// libarchive converts names that are said to be UTF-8 to the locale of its thread, and has none for those which that
+/// lacks: in the locale "C", that of a program which sets none, all beyond ASCII. While this lives, names stay UTF-8.
+class Utf8Names {
+public:
+    Utf8Names() : m_before(::uselocale(utf8())) {}
+    ~Utf8Names() { ::uselocale(m_before); }
+    Utf8Names(const Utf8Names&) = delete;
+    Utf8Names& operator=(const Utf8Names&) = delete;
+
+private:
+    /// Null where the system lacks it: the locale stays as it is.
+    static locale_t utf8() {
+        static const locale_t kLocale = ::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+        return kLocale;
+    }
+
+    locale_t m_before;
+};
 
 }  // namespace
 
@@ -99,6 +119,7 @@ bool ArchiveStream::next() {
     if (!m_isOpen) {
         return false;
     }
+    const Utf8Names names;
     const int status = archive_read_next_header(m_archive.get(), &m_entry);
     // A warning is about names or times we do not use; the data that follows is sound.
     m_failed = status != ARCHIVE_OK && status != ARCHIVE_WARN && status != ARCHIVE_EOF;
@@ -114,6 +135,7 @@ std::string ArchiveStream::errorText() const {
 }
 
 std::string ArchiveStream::name() const {
+    const Utf8Names names;
     const char* name = archive_entry_pathname(m_entry);
     return name != nullptr ? name : "";
 }

@@ -37,6 +37,7 @@ public:
     [[nodiscard]] bool hasEntries() const { return m_hasEntries; }
     [[nodiscard]] std::string errorText() const;
 
+    /// UTF-8 where the archive says so, else its own bytes. Empty where it is said to be UTF-8 and is not.
     [[nodiscard]] std::string name() const;
     /// Is anything unpacked, or are these the file's own bytes?
     [[nodiscard]] bool isPacked() const;

@@ -1,9 +1,12 @@
 #include "model/formats/common/archive.h"
 
+#include <clocale>
+
 #include "model/formats/common/archive_stream.h"
 #include "model/formats/odb/text/job_tree.h"
 #include "model/text/gzip_stream.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
+#include "tests/zip.h"
 
 using namespace odb_testing;
 using model::Diagnostics;
@@ -344,6 +347,25 @@ private slots:
         QVERIFY(archive.ok());
         QVERIFY(archive->find("STEPS/PCB/LAYERS/assembly text TOP/FEATURES") >= 0);
         QCOMPARE(diagnostics.count(model::Severity::Warning), 1U);
+    }
+
+    /// Commands run in the locale "C", which has no such letters.
+    void namesBeyondAsciiAreRead() {
+        std::setlocale(LC_ALL, "C");
+        Folder folder;
+        const std::string utf8 = "grün.gbl";
+        const std::string codePage437 = "gr\x81n.gbl";
+        const std::string none = "gr\xFCn.gbl";  // of Latin-1
+        const fs::path path = folder.write(
+            "board.zip", zip::packed({{utf8, "a", zip::kUtf8Name}, {codePage437, "b"}, {none, "c", zip::kUtf8Name}}));
+        Diagnostics diagnostics;
+        const auto archive = open(path, diagnostics);
+        QVERIFY(archive.ok());
+        QVERIFY(archive->find(utf8) >= 0);
+        QVERIFY(archive->find(codePage437) >= 0);
+        QCOMPARE(archive->size(), std::size_t{2});
+        QCOMPARE(diagnostics.count(model::Severity::Error), 1U);
+        QVERIFY(findDiagnostic(diagnostics, "has no name that can be read") != nullptr);
     }
 
     void packedMembersAreToldByTheirFirstBytes_data() {
