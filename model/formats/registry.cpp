@@ -7,6 +7,7 @@
 
 #include "model/base/ascii.h"
 #include "model/base/limits.h"
+#include "model/board/diagnostic_facts.h"
 #include "model/formats/board_forms.h"
 #include "model/formats/file_kinds.h"
 #include "model/formats/gerber/gerber_reader.h"
@@ -164,6 +165,12 @@ std::optional<base::Error> unreadFileOf(const formats::Archive& folder) {
     return std::nullopt;
 }
 
+/// What of the input could not be read, which may have been the board.
+std::string leftOutOf(const BoardInput& input) {
+    const Diagnostic* error = firstError(input.unpacking);
+    return error != nullptr ? ", of which not all could be read (" + placeOf(*error) + ": " + error->text + ")" : "";
+}
+
 base::Error unknown(const BoardInput& input) {
     if (const auto unread = input.archive ? unreadFileOf(*input.archive) : std::nullopt) {
         return *unread;
@@ -183,7 +190,8 @@ base::Error unknown(const BoardInput& input) {
                     : "";
     }
     const std::string begin = input.head.empty() ? "" : ", which begins with " + firstBytes(input.head);
-    return badInput(input.path, "this is " + kind + begin + "; what can be read: " + describeFormats());
+    return badInput(input.path,
+                    "this is " + kind + begin + leftOutOf(input) + "; what can be read: " + describeFormats());
 }
 
 /// Unpacks what may be a folder or archive. Errors: what stops it from being one.
@@ -201,6 +209,18 @@ base::Status unpack(BoardInput& input, base::Progress& progress) {
         input.archive = std::move(*archive);
     }
     return base::Done{};
+}
+
+/// A board that is one file lacks nothing where others of its project cannot be read.
+void warnOfOthers(const BoardFormat& format, BoardInput& input) {
+    if (!format.isDesign) {
+        return;
+    }
+    Diagnostics milder;
+    for (const Diagnostic& entry : input.unpacking.entries()) {
+        milder.report(std::min(entry.severity, Severity::Warning), entry.file, entry.line, entry.text);
+    }
+    input.unpacking = std::move(milder);
 }
 
 /// What else lies there is said in the messages of the board.
@@ -261,10 +281,11 @@ void reportUnusedMap(const ReadOptions& options, const BoardFormat& format, Boar
 /// What can be read there, never nothing, the one to read first. Unpacks the input unless it is the board itself.
 base::Result<Forms> findForms(BoardInput& input, const ReadOptions& options, base::Progress& progress) {
     std::error_code error;
-    if (!fs::exists(input.path, error)) {
-        return badInput(input.path, "there is no such file or folder");
+    const fs::file_status status = fs::status(input.path, error);
+    if (!fs::exists(status)) {
+        return badInput(input.path, formats::noneThere(status, error));
     }
-    if (!fs::is_regular_file(input.path, error) && !fs::is_directory(input.path, error)) {
+    if (!fs::is_regular_file(status) && !fs::is_directory(status)) {
         return badInput(input.path, "a board must be a file or folder, and this is a pipe or device");
     }
     Forms forms;
@@ -312,6 +333,7 @@ base::Result<ReadBoard> readAsItIs(const fs::path& path, const ReadOptions& opti
     } else {
         reportOthers(forms, input);
     }
+    warnOfOthers(*chosen.format, input);
     reportUnusedMap(options, *chosen.format, input);
     ASSIGN_OR_RETURN(auto document, readForm(input, chosen, options, progress));
     return ReadBoard{std::move(document), chosen.format, std::move(forms)};

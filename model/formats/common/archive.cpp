@@ -6,6 +6,7 @@
 
 #include "model/base/ascii.h"
 #include "model/formats/common/archive_stream.h"
+#include "model/formats/common/folder_files.h"
 
 namespace model::formats {
 
@@ -120,12 +121,17 @@ std::string bytesText(std::uint64_t bytes) {
                    : std::to_string(bytes) + " bytes";
 }
 
+std::string noneThere(fs::file_status status, std::error_code error) {
+    const bool isKnown = status.type() == fs::file_type::not_found;
+    return isKnown ? "there is no such file or folder" : "it cannot be read: " + error.message();
+}
+
 base::Result<Archive> Archive::open(const fs::path& path, const ArchiveLimits& limits, base::Progress& progress,
                                     Diagnostics& diagnostics) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) {
-        return badInput(path, "there is no such file or folder");
+        return badInput(path, noneThere(status, error));
     }
     return fs::is_directory(status) ? openFolder(path, limits, progress, diagnostics)
                                     : openFile(path, limits, progress, diagnostics);
@@ -133,32 +139,16 @@ base::Result<Archive> Archive::open(const fs::path& path, const ArchiveLimits& l
 
 base::Result<Archive> Archive::openFolder(const fs::path& path, const ArchiveLimits& limits, base::Progress& progress,
                                           Diagnostics& diagnostics) {
-    std::vector<Entry> found;
-    std::error_code error;
-    fs::recursive_directory_iterator location(path, fs::directory_options::skip_permission_denied, error);
-    for (; !error && location != fs::recursive_directory_iterator(); location.increment(error)) {
-        std::error_code ignored;
-        if (!location->is_regular_file(ignored)) {
-            continue;
-        }
-        if (found.size() >= limits.entries) {
-            return tooManyFiles(path, limits);
-        }
-        if (progress.isCancelled()) {
-            return cancelled();
-        }
-        const fs::path relative = location->path().lexically_relative(path);
-        const std::uintmax_t size = location->file_size(ignored);
-        found.push_back({relative.generic_string(), {}, location->path(), ignored ? 0 : size});
+    ASSIGN_OR_RETURN(std::vector<FolderFile> files, filesBelow(path, limits.entries, progress, diagnostics));
+    if (progress.isCancelled()) {
+        return cancelled();
     }
-    if (error) {
-        return badInput(path, "the folder cannot be read: " + error.message());
+    if (files.size() > limits.entries) {
+        return tooManyFiles(path, limits);
     }
-    // The system lists folders in any order; ours must not depend on it.
-    std::ranges::sort(found, {}, &Entry::path);
     Archive tree;
-    for (Entry& entry : found) {
-        tree.add(std::move(entry), diagnostics);
+    for (FolderFile& file : files) {
+        tree.add({std::move(file.path), {}, std::move(file.source), file.size}, diagnostics);
     }
     return tree;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -42,12 +43,15 @@ private:
 /// For messages: "4 GiB", "512 MiB"; what is no whole number of these in bytes.
 [[nodiscard]] std::string bytesText(std::uint64_t bytes);
 
+/// Why nothing exists at a path, as its status and the error of asking for it tell.
+[[nodiscard]] std::string noneThere(std::filesystem::file_status status, std::error_code error);
+
 /// The files of a board as one tree, whatever they came in: a folder, a .tgz, .tar.gz, .tar (V7 included) or .zip, or
 /// a file that is packed by itself (board.xml.gz), which is then the only one and named without its last ending.
 /// Names are found whatever their case. Archives are held in memory and nothing is ever written to disk; permissions in
 /// the archive are not looked at. Entries with `..` or an absolute path, and those whose names cannot be read, are left
 /// out with an error in the diagnostics.
-/// Reading is safe from several threads.
+/// Of folders see filesBelow. Reading is safe from several threads.
 class Archive {
 public:
     /// Errors: BadInput (missing, unreadable, no archive, ends early, over the limits), Cancelled.

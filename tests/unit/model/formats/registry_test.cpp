@@ -122,6 +122,33 @@ private slots:
         QVERIFY(result.error().text.find("a folder without an ODB++ matrix") != std::string::npos);
     }
 
+    void whatOfAFolderCannotBeReadMayHaveBeenTheBoard() {
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.path().toStdString();
+        write(folder, "diary.txt", "Dear diary\n");
+        std::filesystem::create_symlink("missing", path / "board.gtl");
+        base::Progress progress;
+        const auto none = model::readBoard(path, {}, progress);
+        QVERIFY2(none.error().text.find(", of which not all could be read (board.gtl: The link leads to nothing); "
+                                        "what can be read: ") != std::string::npos,
+                 none.error().text.c_str());
+    }
+
+    /// The folder of a project holds much that is not the board.
+    void aDesignLacksNothingWhereOtherFilesCannotBeRead() {
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.path().toStdString();
+        std::filesystem::copy(std::filesystem::path(locations::kTestData) / "kicad" / "small.kicad_pcb", path);
+        std::filesystem::create_symlink("missing", path / "library");
+        base::Progress progress;
+        const auto board = model::readBoard(path, {}, progress);
+        QVERIFY2(board.ok(), board ? "" : board.error().text.c_str());
+        const auto& entries = (*board)->diagnostics.entries();
+        const auto link = std::ranges::find(entries, "library", &model::Diagnostic::file);
+        QVERIFY(link != entries.end());
+        QCOMPARE(link->severity, model::Severity::Warning);
+    }
+
     void everyExtensionIsInTheFilterAndInTheHelp() {
         for (const model::BoardFormat& format : model::knownFormats()) {
             const std::string help = model::describeFormats();

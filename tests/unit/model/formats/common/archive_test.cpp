@@ -1,5 +1,8 @@
 #include "model/formats/common/archive.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <clocale>
 
 #include "model/formats/common/archive_stream.h"
@@ -85,6 +88,34 @@ void writeSpecial(const fs::path& path, unsigned kind, bool isHardLink) {
     addEntry(out, "job/special", kind, isHardLink ? "job/plain" : nullptr);
     archive_write_close(out);
     archive_write_free(out);
+}
+
+/// While it lives, permissions hold for who runs the tests, root included.
+class Unprivileged {
+public:
+    Unprivileged() : m_isIn(::geteuid() != 0 || ::seteuid(65'534) == 0) {}
+    ~Unprivileged() {
+        if (::getuid() == 0 && ::seteuid(0) != 0) {
+            qFatal("cannot be root again");
+        }
+    }
+    Unprivileged(const Unprivileged&) = delete;
+    Unprivileged& operator=(const Unprivileged&) = delete;
+    [[nodiscard]] bool isIn() const { return m_isIn; }
+
+private:
+    bool m_isIn;
+};
+
+/// What is said of a file or folder of a tree.
+std::string saidOf(const Diagnostics& diagnostics, std::string_view file) {
+    std::string all;
+    for (const model::Diagnostic& entry : diagnostics.entries()) {
+        if (entry.file == file) {
+            all += std::string(model::toString(entry.severity)) + ": " + entry.text;
+        }
+    }
+    return all;
 }
 
 }  // namespace
@@ -366,6 +397,56 @@ private slots:
         QCOMPARE(archive->size(), std::size_t{2});
         QCOMPARE(diagnostics.count(model::Severity::Error), 1U);
         QVERIFY(findDiagnostic(diagnostics, "has no name that can be read") != nullptr);
+    }
+
+    void linksInFoldersAreFollowed() {
+        Folder folder;
+        const fs::path job = folder.path() / "job";
+        folder.write("job/board.gtl", "top");
+        folder.write("job/inner/board.drl", "drills");
+        folder.write("elsewhere/board.gbl", "bottom");
+        for (const auto& [name, target] : std::vector<std::pair<std::string, std::string>>{{"bottom", "../elsewhere"},
+                                                                                           {"alias", "inner"},
+                                                                                           {"here", "."},
+                                                                                           {"up", ".."},
+                                                                                           {"gone.gko", "../missing"},
+                                                                                           {"own.gbo", "own.gbo"},
+                                                                                           {".#board", "who@host"}}) {
+            fs::create_symlink(target, job / name);
+        }
+        QCOMPARE(mkfifo((job / "pipe.gto").c_str(), 0600), 0);
+        Diagnostics diagnostics;
+        const auto archive = open(job, diagnostics);
+        QCOMPARE(contentsOf(archive), "board.gtl=3:top\nbottom/board.gbl=6:bottom\ninner/board.drl=6:drills\n");
+        QCOMPARE(saidOf(diagnostics, "alias"), "info: The folder is read by another name, and once only");
+        QCOMPARE(saidOf(diagnostics, "here"), "info: The folder is read by another name, and once only");
+        QCOMPARE(saidOf(diagnostics, "up"), "warning: The link leads to a folder that holds this one and was left out");
+        QCOMPARE(saidOf(diagnostics, "gone.gko"), "error: The link leads to nothing");
+        QVERIFY(saidOf(diagnostics, "own.gbo").starts_with("error: It cannot be read: "));
+        QCOMPARE(saidOf(diagnostics, ".#board"), "info: The link leads to nothing");
+        QCOMPARE(saidOf(diagnostics, "pipe.gto"), "error: It is a pipe or a device and was left out");
+        QCOMPARE(diagnostics.entries().size(), std::size_t{7});
+    }
+
+    void foldersThatMayNotBeReadAreSaid() {
+        Folder folder;
+        const fs::path job = folder.path() / "job";
+        folder.write("job/board.gtl", "top");
+        folder.write("job/bottom/board.gbl", "bottom");
+        fs::permissions(folder.path(), fs::perms{0755});
+        fs::permissions(job / "bottom", fs::perms::none);
+        const auto giveBack = qScopeGuard([&] { fs::permissions(job / "bottom", fs::perms::owner_all); });
+        const Unprivileged unprivileged;
+        if (!unprivileged.isIn()) {
+            QSKIP("permissions do not hold for root");
+        }
+        Diagnostics diagnostics;
+        QCOMPARE(contentsOf(open(job, diagnostics)), "board.gtl=3:top\n");
+        QCOMPARE(saidOf(diagnostics, "bottom"), "error: The folder cannot be read: Permission denied");
+        QCOMPARE(tryRead(job / "bottom").error().text,
+                 (job / "bottom").string() + ": the folder cannot be read: Permission denied");
+        QCOMPARE(tryRead(job / "bottom" / "board.gbl").error().text,
+                 (job / "bottom" / "board.gbl").string() + ": it cannot be read: Permission denied");
     }
 
     void packedMembersAreToldByTheirFirstBytes_data() {
