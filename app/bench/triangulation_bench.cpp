@@ -11,7 +11,6 @@
 #include "app/common/commit.h"
 #include "app/common/console_progress.h"
 #include "app/common/headless_device.h"
-#include "model/formats/registry.h"
 #include "render/modelling/area_meshes.h"
 
 namespace app {
@@ -21,9 +20,9 @@ namespace bench = tri::bench;
 namespace {
 
 /// The areas of a board as polygons that can be triangulated: after the repair of those that cross themselves.
-base::Result<bench::Set> boardSet(const std::string& path) {
+base::Result<bench::Set> boardSet(const std::string& path, const model::ReadOptions& reading) {
     ConsoleProgress console;
-    ASSIGN_OR_RETURN(const auto document, model::readBoard(path, {}, console.progress()));
+    ASSIGN_OR_RETURN(const auto document, model::readBoard(path, reading, console.progress()));
     std::vector<render::ShapeMesh> meshes;
     for (const model::ShapeId shape : render::shapesInUse(*document)) {
         meshes.emplace_back().polygons = model::discretise(document->shapes, shape, {});
@@ -64,7 +63,7 @@ base::Result<std::vector<bench::Set>> collectSets(const TriangulationBenchArgume
     RETURN_IF_ERROR(checkNames(arguments.sets, generated));
     std::vector<bench::Set> sets;
     for (const std::string& path : arguments.boards) {
-        ASSIGN_OR_RETURN(bench::Set set, boardSet(path));
+        ASSIGN_OR_RETURN(bench::Set set, boardSet(path, arguments.reading));
         sets.push_back(std::move(set));
     }
     for (bench::Set& set : generated) {

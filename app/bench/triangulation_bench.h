@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "app/common/exit_code.h"
+#include "model/formats/registry.h"
 
 namespace app {
 
 struct TriangulationBenchArguments {
     std::vector<std::string> boards;
+    model::ReadOptions reading{};  ///< of the boards
     bool asJson = false;
     std::vector<std::string> triangulators;  ///< empty: all there are
     std::vector<int> threads = {1, 0};       ///< 0: all cores

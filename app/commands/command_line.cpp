@@ -500,6 +500,7 @@ void addBench(CLI::App& parent, Command& chosen) {
             throw CLI::RequiredError("BOARD");
         }
         all->triangulation.boards = all->interaction.boards = all->frames.boards;
+        all->triangulation.reading.limits = all->frames.modelling.request.limits;
         all->triangulation.hasStages = all->frames.hasStages;
         all->triangulation.asJson = all->interaction.asJson = all->calibration.asJson = all->frames.asJson;
         all->interaction.request.board = all->frames.modelling.request;

@@ -174,6 +174,9 @@ private slots:
         }
         QCOMPARE(copperscope({"bench"}).exitCode, 1);
         QCOMPARE(copperscope({"bench", "--triangulation", "no-such-board"}).exitCode, 2);
+        const Outcome limited =
+            copperscope({"bench", "--triangulation", locations::kSample, "--sets", "none", "--max-unpacked", "10K"});
+        QVERIFY2(limited.exitCode == 2 && limited.err.contains("unpacks to too much"), limited.err.constData());
     }
 };
 
