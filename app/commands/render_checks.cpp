@@ -52,6 +52,7 @@ base::Status checkPipeline(const RenderArguments& arguments) {
         {"--backend", arguments.backend != usual.backend},
         {"--lod", arguments.levels != usual.levels},
         {"--triangulator", arguments.board.triangulator != usual.board.triangulator},
+        {"--as-designed", arguments.isAsDesigned},
     };
     for (const auto& option : options) {
         if (arguments.pipeline == "standard" && option.isGiven) {

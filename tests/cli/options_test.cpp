@@ -176,6 +176,7 @@ private slots:
         ofRender("--pipeline standard --backend pull", "--backend is of the hybrid pipeline");
         ofRender("--pipeline standard --lod paper", "--lod is of the hybrid pipeline");
         ofRender("--pipeline standard --triangulator cgal", "--triangulator is of the hybrid pipeline");
+        ofRender("--pipeline standard --as-designed", "--as-designed is of the hybrid pipeline");
         row("clearance --rules default --print", "excludes");
         QTest::newRow("agree without layers")
             << QStringList{"agree", "a.tgz", "b.tgz", "--aspects", "nets", "--tolerance", "20um"}
