@@ -73,7 +73,9 @@ Result<model::ExportRequest> requestFor(const Document& board, const model::Expo
     model::ExportRequest request;
     ASSIGN_OR_RETURN(request.choice, choiceOf(board, arguments));
     request.looks = looksOf(board, format);
-    ASSIGN_OR_RETURN(request.time, timeOfWriting());
+    if (format.isStep) {
+        ASSIGN_OR_RETURN(request.time, timeOfWriting());
+    }
     request.isWrittenOut = arguments.isWrittenOut;
     request.hasPolylines = arguments.hasPolylines;
     request.isOnePage = arguments.isOnePage;

@@ -15,7 +15,7 @@ constexpr std::time_t kLastOfYear9999 = 253'402'300'799;  // years of more digit
 
 base::Result<std::string> timeOfWriting() {
     std::time_t time = std::time(nullptr);
-    if (const char* set = std::getenv("SOURCE_DATE_EPOCH")) {
+    if (const char* set = std::getenv("SOURCE_DATE_EPOCH"); set != nullptr && *set != '\0') {
         const std::string_view text(set);
         const auto read = std::from_chars(text.data(), text.data() + text.size(), time);
         if (read.ec != std::errc() || read.ptr != text.data() + text.size() || time < 0 || time > kLastOfYear9999) {

@@ -230,7 +230,8 @@ private slots:
         QVERIFY(first.size() > 1000 && first == bytes("b", "1000000000"));
         QVERIFY(ending != "step" || first.contains("'2001-09-09T01:46:40Z'"));
         QVERIFY(ending == "pdf" || first != bytes("c", "1000000001"));
-        QCOMPARE(bytes("d", "yesterday"), QByteArray("1"));
+        QCOMPARE(bytes("d", "yesterday"), ending == "pdf" ? first : QByteArray("1"));
+        QVERIFY(bytes("e", "").size() > 1000);
     }
 
     void solidsAreProvedByAnIndependentReader() {

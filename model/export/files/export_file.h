@@ -17,7 +17,7 @@ namespace model {
 struct ExportRequest {
     SolidChoice choice;            ///< drawings use its layers only
     std::vector<SolidLook> looks;  ///< by row of the board's layers
-    std::string time;              ///< ISO 8601, for headers
+    std::string time;              ///< ISO 8601, for headers; empty where the format has no place for it
     bool isWrittenOut = false;     ///< StepOptions::isWrittenOut
     bool hasPolylines = false;     ///< StepOptions::hasPolylines
     bool isOnePage = false;        ///< PDF: all layers on one page
@@ -50,7 +50,7 @@ struct ExportFormat {
     std::string_view endings;  ///< in lower case, separated by spaces: ".step .stp"
     std::string_view purpose;  ///< "exact solids for mechanical CAD"
     bool isSolid = false;      ///< it knows all of SolidChoice but isOnePart; otherwise layers only
-    bool isStep = false;       ///< it knows ExportRequest::isWrittenOut and hasPolylines
+    bool isStep = false;       ///< it knows ExportRequest::time, isWrittenOut and hasPolylines
     bool isPdf = false;        ///< it knows ExportRequest::isOnePage and isMirrored
     bool isGlb = false;        ///< it knows ExportRequest::isCompressed and isInstanced
     bool isTree = false;       ///< it knows SolidChoice::isOnePart
