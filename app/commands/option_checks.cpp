@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/export/files/export_file.h"
+#include "model/formats/board_forms.h"
 
 namespace app {
 
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isWritten(const CLI::Option* option) {
-    return option->check_lname("output") || option->check_lname("write-waivers");
+    return option->check_lname("output") || option->check_lname("write-waivers") || option->check_lname("map");
 }
 
 bool isRead(const CLI::Option* option) {
@@ -29,6 +30,13 @@ bool isAddedTo(const CLI::Option& out, const CLI::Option& in) {
 bool isSameFile(const fs::path& a, const fs::path& b) {
     std::error_code error;
     return fs::equivalent(a, b, error) && !error;
+}
+
+/// Would writing the file change what the option names: that file, or one of a board that is a folder?
+bool isOfInput(const fs::path& file, const CLI::Option& in, const std::string& read) {
+    std::error_code error;
+    const bool isInBoard = in.get_positional() && fs::is_directory(read, error) && fs::is_regular_file(file, error);
+    return isSameFile(file, read) || (isInBoard && model::isReadIn(read, file));
 }
 
 /// What writing the file that an option names writes.
@@ -51,9 +59,9 @@ std::optional<std::string> overwrittenInput(const CLI::App& command) {
         for (const CLI::Option* in : command.get_options(isRead)) {
             for (const std::string& written : out->results()) {
                 for (const fs::path& file : filesBy(command, written)) {
-                    const bool isOfInput = std::ranges::any_of(
-                        in->results(), [&](const std::string& read) { return isSameFile(file, read); });
-                    if (isOfInput && !isAddedTo(*out, *in)) {
+                    const bool isRead = std::ranges::any_of(
+                        in->results(), [&](const std::string& read) { return isOfInput(file, *in, read); });
+                    if (isRead && !isAddedTo(*out, *in)) {
                         return refusal(*out, file, written);
                     }
                 }

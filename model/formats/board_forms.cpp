@@ -10,6 +10,8 @@
 #include "model/base/ascii.h"
 #include "model/base/limits.h"
 #include "model/formats/gerber/gerber_reader.h"
+#include "model/formats/gerber/job_files.h"
+#include "model/formats/odb/text/job_tree.h"
 
 namespace model {
 
@@ -58,16 +60,51 @@ std::vector<BoardForm> packedForms(BoardInput& input, int row, base::Progress& p
     return isFile ? openForms(*inner, input.path / member, {}) : openForms(*inner, input.path, member);
 }
 
-bool isGerberFile(const fs::path& path) {
+/// How a file begins; nothing of what is none or cannot be read.
+std::string headOf(const fs::path& path) {
     std::error_code error;
     std::string head(fs::is_regular_file(path, error) ? std::size_t{4096} : 0, '\0');
     std::ifstream in(path, std::ios::binary);
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(in.gcount()));
-    return gerber::looksLikeFile(head, path);
+    return head;
+}
+
+bool isGerberFile(const fs::path& path) {
+    return gerber::looksLikeFile(headOf(path), path);
+}
+
+/// Rules and net classes, which lie beside a board of KiCad.
+bool isNamedLikeProject(std::string_view path) {
+    return path.ends_with(".kicad_pro") || path.ends_with(".kicad_dru");
+}
+
+/// May a file of a folder be read for a board there?
+bool isRead(const formats::Archive& folder, const fs::path& file, const std::string& path) {
+    if (isNamedLikeArchive(path) || isNamedLikeProject(path) || odb::isOfJob(folder, path)) {
+        return true;
+    }
+    const BoardInput input{file, headOf(file), {}, {}, {}};
+    const auto isBoard = [&](const BoardFormat& format) { return format.probe != nullptr && format.probe(input); };
+    return std::ranges::any_of(knownFormats(), isBoard) ||
+           gerber::kindOf(input.head, file.filename().string()) != gerber::ReadFile::Kind::Other;
 }
 
 }  // namespace
+
+bool isReadIn(const fs::path& folder, const fs::path& file) {
+    base::Progress progress;
+    Diagnostics ignored;
+    const base::Result<formats::Archive> files = formats::Archive::open(folder, {}, progress, ignored);
+    if (!files) {
+        return false;
+    }
+    return std::ranges::any_of(files->rows(), [&](const auto& entry) {
+        std::error_code error;
+        const std::string& path = files->path(entry.second);
+        return fs::equivalent(folder / path, file, error) && isRead(*files, folder / path, path);
+    });
+}
 
 fs::path jobOfFiles(std::span<const fs::path> files) {
     const fs::path folder = files.empty() ? fs::path() : files.front().parent_path();

@@ -26,6 +26,10 @@ namespace model {
 /// Which of several forms was read, the first, and what else is there: "read as KiCad board, a.kicad_pcb; what else …".
 [[nodiscard]] std::string choiceText(std::span<const BoardForm> forms, const std::filesystem::path& path);
 
+/// Is the file, under whatever name, one that may be read where the folder is opened as a board? By what it is and
+/// where it lies, so that reports and pictures there are none.
+[[nodiscard]] bool isReadIn(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 /// The folder of files that were named together if at least two of them are of one Gerber job; else empty.
 [[nodiscard]] std::filesystem::path jobOfFiles(std::span<const std::filesystem::path> files);
 

@@ -54,7 +54,7 @@ set(architecture_rows
     "model/formats/kicad/shapes    | model::kicad    | model/formats/common model/geometry model/geometry/loops |"
     "model/formats/kicad           | model::kicad    | model/board model/formats/common model/formats/drawing model/formats/kicad/shapes model/formats/kicad/text model/geometry model/geometry/loops model/text | json"
     "model/formats/paper           | model::paper    | model/board model/geometry |"
-    "model/formats                 | model           | model/board model/formats/common model/formats/drawing model/formats/gerber model/formats/ipc2581 model/formats/kicad model/formats/kicad/text model/formats/odb model/formats/paper model/nets model/text |"
+    "model/formats                 | model           | model/board model/formats/common model/formats/drawing model/formats/gerber model/formats/ipc2581 model/formats/kicad model/formats/kicad/text model/formats/odb model/formats/odb/text model/formats/paper model/nets model/text |"
     "model/opening                 | model           | model/board model/clearance model/formats model/session |"
     "shaders/shared                | shader          | | glm"
     "shaders/tri                   | shader::tri     | | glm"

@@ -2,6 +2,7 @@
 #include <QDir>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <filesystem>
 
 #include "tests/cli/program.h"
 
@@ -30,7 +31,29 @@ private slots:
                               "--author", "y"})
                      .exitCode,
                  1);
+        const Outcome map = copperscope({"clearance", board, "--layer", "L01-TOP_LAYER", "--map", board});
+        QCOMPARE(map.exitCode, 1);
+        QVERIFY2(map.err.contains("name another file for --map"), map.err.constData());
         QCOMPARE(bytes(), before);
+    }
+
+    /// What lies in the folder and is no part of the job is replaced.
+    void jobsThatAreFoldersAreNotWrittenTo() {
+        const QTemporaryDir folder;
+        const std::filesystem::path job = folder.filePath("job").toStdString();
+        std::filesystem::copy(std::filesystem::path(locations::kTestData) / "odb" / "drills", job,
+                              std::filesystem::copy_options::recursive);
+        const QString path = folder.filePath("job");
+        const QString matrix = path + "/matrix/matrix";
+        const qint64 size = QFileInfo(matrix).size();
+        const Outcome refused = copperscope({"clearance", path, "--format", "csv", "-o", matrix});
+        QCOMPARE(refused.exitCode, 1);
+        QVERIFY2(refused.err.contains("is read, so it is not written over"), refused.err.constData());
+        QCOMPARE(QFileInfo(matrix).size(), size);
+        for (int time = 0; time < 2; ++time) {
+            const Outcome run = copperscope({"export", path, "-o", path + "/board.svg"});
+            QVERIFY2(run.exitCode == 0, run.err.constData());
+        }
     }
 
     /// The board has the name of the materials.

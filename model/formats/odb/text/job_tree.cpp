@@ -1,6 +1,9 @@
 #include "model/formats/odb/text/job_tree.h"
 
 #include <algorithm>
+#include <array>
+
+#include "model/base/ascii.h"
 
 namespace model::odb {
 
@@ -35,6 +38,16 @@ base::Result<formats::FileTree> findJob(const formats::Archive& archive) {
                            "this is no ODB++ job: no folder in it holds both matrix/matrix and steps/"};
     }
     return formats::FileTree(archive, roots.front());
+}
+
+bool isOfJob(const formats::Archive& archive, std::string_view path) {
+    constexpr std::array<std::string_view, 6> kFolders = {"fonts/", "matrix/",  "misc/",
+                                                          "steps/", "symbols/", "wheels/"};
+    const std::string file = base::lowerCase(path);
+    return std::ranges::any_of(jobRoots(archive), [&](const std::string& root) {
+        const std::string_view below = file.starts_with(root) ? std::string_view(file).substr(root.size()) : "";
+        return std::ranges::any_of(kFolders, [&](std::string_view folder) { return below.starts_with(folder); });
+    });
 }
 
 std::vector<std::string> otherJobs(const formats::Archive& archive) {

@@ -187,6 +187,30 @@ private slots:
         QVERIFY(!saysOthers(*board, "what else is there"));
     }
 
+    void whatIsReadInAFolderIsTold() {
+        Folder folder;
+        fill(folder.path());
+        fs::copy(dataJob("drills"), folder.path() / "job", fs::copy_options::recursive);
+        folder.write("gerber/top.gbr", kImage);
+        folder.write("gerber/board.ipc", "P  CODE 00\nP  UNITS CUST 0\n999\n");
+        folder.write("board.kicad_pro", "{}");
+        folder.write("report.csv", "spacing,limit\n1,2\n");
+        folder.write("report.txt", "Spacings of the board\n");
+        folder.write("report.xml", "<?xml version=\"1.0\"?>\n<testsuites/>\n");
+        folder.write("job/report.json", "{}");
+        folder.write("picture.svg", "<svg/>");
+        fs::create_symlink("job/matrix/matrix", folder.path() / "link");
+        for (const char* file : {"job/matrix/matrix", "link", "gerber/top.gbr", "gerber/board.ipc", "gerber.zip",
+                                 "board-c.xml", "board.kicad_pcb", "board.kicad_pro"}) {
+            QVERIFY2(model::isReadIn(folder.path(), folder.path() / file), file);
+        }
+        for (const char* file :
+             {"report.csv", "report.txt", "report.xml", "job/report.json", "picture.svg", "none", "job"}) {
+            QVERIFY2(!model::isReadIn(folder.path(), folder.path() / file), file);
+        }
+        QVERIFY(!model::isReadIn(folder.path() / "gerber", folder.path() / "board.kicad_pcb"));
+    }
+
     void imagesThatAreNamedTogetherAreAJob() {
         Folder folder;
         const fs::path top = folder.path() / "a.gtl";
