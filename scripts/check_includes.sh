@@ -6,9 +6,9 @@ set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 build=$(readlink -f "${1:-$root/build/test}")
 
-# Of "... -Winvalid-pch -include HEADERS -MD ... -o OBJECT -c SOURCE" the flags before and the source.
+# Of "... -Winvalid-pch -include HEADERS -MD ... -o OBJECT -c SOURCE" the flags before and the source, which is quoted where it has blanks.
 commands=$(ninja -C "$build" -t commands copperscope |
-    sed -nE 's|^(.*) -Winvalid-pch -include [^ ]+ .* -c ([^ ]*/ui/[^ ]*\.cpp)$|\1 -fsyntax-only \2|p')
+    sed -nE "s#^(.*) -Winvalid-pch -include .* -MD .* -c ([^ ]*/ui/[^ ]*\.cpp|'.*/ui/[^']*\.cpp')\$#\1 -fsyntax-only \2#p")
 [ -n "$commands" ] || { echo "check_includes: no source of ui/ in $build uses precompiled headers" >&2; exit 1; }
 cd "$build"
 xargs -P "$(nproc)" -d '\n' -n 1 bash -c <<<"$commands"

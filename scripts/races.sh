@@ -17,7 +17,7 @@ setup_machine build run software test
 build_preset_target tsan copperscope
 use_windowless_surroundings "$root/build/tsan/surroundings"
 # Qt and the driver are not instrumented, and hand over between their threads in ways that it does not see: what they do themselves is left out.
-export QT_QPA_PLATFORM=offscreen TSAN_OPTIONS="halt_on_error=0 exitcode=66 ignore_noninstrumented_modules=1 suppressions=$root/scripts/sanitizers/tsan.supp print_suppressions=0"
+export QT_QPA_PLATFORM=offscreen TSAN_OPTIONS="halt_on_error=0 exitcode=66 ignore_noninstrumented_modules=1 suppressions='$root/scripts/sanitizers/tsan.supp' print_suppressions=0"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 

@@ -26,7 +26,7 @@ use_test_surroundings "$root/build/$preset/surroundings"
 # Of stacks of allocations four frames, and little memory that was freed is kept: both take longer than what is watched.
 few="malloc_context_size=4:quarantine_size_mb=32:thread_local_quarantine_size_kb=64"
 export COPPERSCOPE_VALIDATION=abort ASAN_OPTIONS=detect_stack_use_after_return=1:abort_on_error=1:$few UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
-export LSAN_OPTIONS=suppressions=$root/scripts/sanitizers/lsan.supp:print_suppressions=0
+export LSAN_OPTIONS="suppressions='$root/scripts/sanitizers/lsan.supp':print_suppressions=0"
 
 folder=${COPPERSCOPE_BOARDS:-$root/tests/data/boards}
 mapfile -t boards < <(find "$folder" -maxdepth 2 \( -name '*.tgz' -o -name '*.kicad_pcb' -o -name '*.zip' \) | sort)

@@ -9,7 +9,7 @@ set(COPPERSCOPE_MANUAL ${COPPERSCOPE_MANUAL} PARENT_SCOPE)  # for the tests
 add_custom_command(OUTPUT ${COPPERSCOPE_MANUAL}/copperscope.bash
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${COPPERSCOPE_MANUAL}
     COMMAND copperscope_manual ${COPPERSCOPE_MANUAL}
-    COMMAND sh -c "${GZIP} -9nk ${COPPERSCOPE_MANUAL}/*.1"
+    COMMAND sh -c "\"$0\" -9nk \"$1\"/*.1" ${GZIP} ${COPPERSCOPE_MANUAL}
     DEPENDS copperscope_manual VERBATIM)
 add_custom_target(manual ALL DEPENDS ${COPPERSCOPE_MANUAL}/copperscope.bash)
 
