@@ -84,6 +84,14 @@ setup_machine() {
 
     [ -z "$newer_mesa" ] || missing=${missing/ mesa-vulkan-drivers/}
     announce "$missing${newer_mesa:+ mesa-vulkan-drivers}" "$@"
+    if ! may_install; then
+        local needed=$missing${newer_mesa:+$(mesa_if_missing)}
+        [ -z "$needed" ] || give_up "$needed" "$why_not."
+        keep_older_mesa "$why_not"
+        return
+    fi
+    mkdir -p "$root/build" || give_up "$missing" "cannot write to $root/build."
+    say "installing with apt-get (once; the log is build/setup.log)"
     install_packages "$missing"
     [ -z "$newer_mesa" ] || newer_mesa_or_pull || install_packages "$(mesa_if_missing)"
 }
@@ -97,7 +105,7 @@ require_dpkg() {
 
 print_rows() { awk '{ name = $1; $1 = ""; printf "    %-26s%s\n", name, substr($0, 2) }' >&2; }
 
-# announce "MISSING" SECTION...: says what will be installed and why.
+# announce "MISSING" SECTION...: says what is to be installed and why.
 announce() {
     local missing=" $1 "
     shift
@@ -105,12 +113,14 @@ announce() {
     package_rows "$@" | while read -r name purpose; do
         case $missing in *" $name "*) echo "$name $purpose" ;; esac
     done | print_rows
-    if [ "$(id -u)" != 0 ]; then
-        command -v sudo >/dev/null || give_up "$missing" "you are not root, and there is no sudo."
-        sudo true || give_up "$missing" "sudo does not let you."
-    fi
-    mkdir -p "$root/build" || give_up "$missing" "cannot write to $root/build."
-    say "installing with apt-get (once; the log is build/setup.log)"
+}
+
+# Whether this user can install packages; otherwise why_not says why.
+may_install() {
+    why_not=""
+    [ "$(id -u)" != 0 ] || return 0
+    command -v sudo >/dev/null || { why_not="you are not root, and there is no sudo"; return 1; }
+    sudo true || { why_not="sudo does not let you"; return 1; }
 }
 
 as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi; }
@@ -146,7 +156,7 @@ give_up() {
 
 # --- Debian 12: a software device with mesh shaders comes from the backports suite -----------------------------------------------
 
-readonly kNoBackports=build/no-backports  # left behind when the suite cannot be had, so that it is tried once a day at most
+readonly kNoBackports=build/no-backports  # left behind when the suite cannot be had or installed, so that it is tried once a day at most
 
 wants_newer_mesa() {
     local installed=$1 version
@@ -165,9 +175,14 @@ mesa_if_missing() { [ -n "$(installed_versions mesa-vulkan-drivers)" ] || echo "
 newer_mesa_or_pull() {
     say "no hardware Vulkan driver here: the software one comes from Debian's bookworm-backports, where it has mesh shaders"
     add_backports && apt_get install --no-install-recommends -t bookworm-backports mesa-vulkan-drivers && return
-    touch "$root/$kNoBackports"
-    say "bookworm-backports cannot be had: going on with the older software device, which has the \`pull\` back end only"
+    keep_older_mesa "bookworm-backports cannot be had"
     return 1
+}
+
+# keep_older_mesa WHY: says so, and leaves the mark that it was.
+keep_older_mesa() {
+    mkdir -p "$root/build" && touch "$root/$kNoBackports" || true
+    say "$1: going on with the older software device, which has the \`pull\` back end only"
 }
 
 # Makes the suite known to apt: adds an entry unless the machine has one, and takes it back if the suite turns out not to be there.

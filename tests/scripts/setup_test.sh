@@ -141,6 +141,46 @@ test_packages_are_named_once_with_a_purpose() {
     expect "sections are kept apart" "xvfb libocct-data-exchange-dev libfontconfig-dev libtinygltf-dev vulkan-validationlayers desktop-file-utils appstream libxml2-utils groff-base zsh strace" "$(package_names test | xargs)"
 }
 
+# user_without_root "PACKAGE VERSION"...: what ./test says to a user who may not install on a Debian 12 without graphics card, and the code
+# it ends with; of g++ and mesa-vulkan-drivers those given are installed.
+user_without_root() {
+    local made_up=$scratch/without_root there
+    there=$(printf '%s\n' "$@")
+    mkdir -p "$made_up/scripts"
+    printf 'build g++ compiles\nsoftware mesa-vulkan-drivers draws\n' >"$made_up/scripts/packages.txt"
+    (
+        root=$made_up
+        id() { echo 1000; }
+        sudo() { return 1; }
+        codename() { echo bookworm; }
+        vulkan_kind() { echo none; }
+        require_dpkg() { :; }
+        installed_versions() { for name; do grep "^$name " <<<"$there" || true; done; }
+        apt_get() { echo "installs" >&2; }
+        trap 'echo "code $?"' EXIT
+        set -e  # as ./test does; a call in a condition would switch it off
+        setup_machine build software
+    ) 2>&1
+    return 0
+}
+
+test_an_older_mesa_is_enough_for_who_may_not_install() {
+    local said
+    rm -rf "$scratch/without_root"
+    said=$(user_without_root "g++ 12" "mesa-vulkan-drivers 22.3.6")
+    expect "the older software device is kept" "copperscope: this machine lacks:
+    mesa-vulkan-drivers       draws
+copperscope: sudo does not let you: going on with the older software device, which has the \`pull\` back end only
+code 0" "$said"
+    expect "it is said once" "code 0" "$(user_without_root "g++ 12" "mesa-vulkan-drivers 22.3.6")"
+    rm -rf "$scratch/without_root"
+    said=$(user_without_root "g++ 12")
+    expect "without any device it ends" "code 4" "$(tail -n 1 <<<"$said")"
+    expect "it names what to install by hand" "    apt-get install --no-install-recommends mesa-vulkan-drivers" "$(grep apt-get <<<"$said")"
+    said=$(user_without_root "mesa-vulkan-drivers 22.3.6")
+    expect "what the build needs is no choice" "    apt-get install --no-install-recommends g++" "$(grep apt-get <<<"$said")"
+}
+
 mkdir -p "$scratch"
 for name in $(compgen -A function test_); do
     "$name"
