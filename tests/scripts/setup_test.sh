@@ -139,6 +139,7 @@ test_packages_are_named_once_with_a_purpose() {
     expect "no package is listed twice" "" "$(cut -d ' ' -f 1 <<<"$rows" | sort | uniq -d)"
     expect "every package says what it is for" "" "$(awk 'NF < 3' <<<"$rows")"
     expect "sections are kept apart" "xvfb libocct-data-exchange-dev libfontconfig-dev libtinygltf-dev vulkan-validationlayers desktop-file-utils appstream libxml2-utils groff-base zsh strace" "$(package_names test | xargs)"
+    expect "fuzzing needs git for its table" "clang libclang-rt-dev git" "$(package_names fuzz | xargs)"
 }
 
 # user_without_root "PACKAGE VERSION"...: what ./test says to a user who may not install on a Debian 12 without graphics card, and the code
