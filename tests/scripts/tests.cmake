@@ -12,6 +12,10 @@ add_test(NAME configure_once
     COMMAND ${BASH} ${CMAKE_CURRENT_LIST_DIR}/build_test.sh ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/build_scratch)
 set_tests_properties(configure_once PROPERTIES LABELS unit TIMEOUT 60)
 
+add_test(NAME package_options
+    COMMAND ${BASH} ${CMAKE_CURRENT_LIST_DIR}/package_test.sh ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/package_scratch)
+set_tests_properties(package_options PROPERTIES LABELS unit TIMEOUT 60)
+
 add_test(NAME blanks_in_paths COMMAND ${BASH} ${CMAKE_CURRENT_LIST_DIR}/blanks_test.sh ${PROJECT_SOURCE_DIR})
 set_tests_properties(blanks_in_paths PROPERTIES LABELS unit TIMEOUT 60)
 
