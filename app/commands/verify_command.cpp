@@ -1,47 +1,20 @@
 #include "app/commands/verify_command.h"
 
-#include <unistd.h>
-
 #include <cstdio>
-#include <filesystem>
 
 #include "app/common/console_progress.h"
+#include "app/common/temporary_folder.h"
 #include "app/verify/step_file.h"
 #include "app/verify/verify_report.h"
 #include "model/export/solids/step_export.h"
 
 namespace app {
 
-namespace fs = std::filesystem;
 using base::Result;
 using model::Document;
 using model::SolidPlan;
 
 namespace {
-
-/// The file to read back: the user's, or one of ours that goes when this does.
-class VerifiedFile {
-public:
-    explicit VerifiedFile(const std::string& named)
-        : m_isOurs(named.empty()),
-          m_path(m_isOurs ? fs::temp_directory_path() / ("copperscope-verify-" + std::to_string(::getpid()) + ".step")
-                          : fs::path(named)) {}
-    ~VerifiedFile() {
-        std::error_code error;
-        if (m_isOurs) {
-            fs::remove(m_path, error);
-        }
-    }
-    VerifiedFile(const VerifiedFile&) = delete;
-    VerifiedFile& operator=(const VerifiedFile&) = delete;
-
-    [[nodiscard]] const fs::path& path() const { return m_path; }
-    [[nodiscard]] bool isOurs() const { return m_isOurs; }
-
-private:
-    bool m_isOurs;
-    fs::path m_path;
-};
 
 Result<SolidPlan> planFor(const Document& board, const VerifyArguments& arguments, base::Progress& progress) {
     model::SolidChoice choice;
@@ -57,19 +30,28 @@ Result<SolidPlan> planFor(const Document& board, const VerifyArguments& argument
     return plan;
 }
 
-Result<VerifyReport> verify(const Document& board, const VerifyArguments& arguments, base::Progress& progress) {
-    ASSIGN_OR_RETURN(const SolidPlan plan, planFor(board, arguments, progress));
-    const VerifiedFile file(arguments.step);
+/// Those of the file that is named, or of one that is written for it and goes once it is read.
+Result<std::unique_ptr<StepFile>> readSolids(const SolidPlan& plan, const VerifyArguments& arguments,
+                                             base::Progress& progress) {
+    if (!arguments.step.empty()) {
+        progress.beginPhase("Reading solids");
+        return StepFile::read(arguments.step, arguments.isStrict);
+    }
+    ASSIGN_OR_RETURN(const TemporaryFolder folder, TemporaryFolder::make());
+    const std::filesystem::path path = folder.path() / "board.step";
     model::StepOptions options;
     options.hasPolylines = arguments.hasPolylines;
-    if (file.isOurs()) {
-        ASSIGN_OR_RETURN(const model::SolidReport written, model::exportStep(plan, options, file.path(), progress));
-        std::fprintf(stderr, "%.1f MB written\n", static_cast<double>(written.bytes) / 1e6);
-    }
+    ASSIGN_OR_RETURN(const model::SolidReport written, model::exportStep(plan, options, path, progress));
+    std::fprintf(stderr, "%.1f MB written\n", static_cast<double>(written.bytes) / 1e6);
     progress.beginPhase("Reading solids");
-    ASSIGN_OR_RETURN(const std::unique_ptr<StepFile> read, StepFile::read(file.path(), arguments.isStrict));
+    return StepFile::read(path, arguments.isStrict);
+}
+
+Result<VerifyReport> verify(const Document& board, const VerifyArguments& arguments, base::Progress& progress) {
+    ASSIGN_OR_RETURN(const SolidPlan plan, planFor(board, arguments, progress));
+    ASSIGN_OR_RETURN(const std::unique_ptr<StepFile> read, readSolids(plan, arguments, progress));
     VerifyReport report;
-    compareSolids(*read, expectedSolids(plan, options.limits), report);
+    compareSolids(*read, expectedSolids(plan, model::StepOptions().limits), report);
     progress.beginPhase("Comparing points");
     report.points = comparePoints(plan, *read, arguments.points, 1);
     if (!arguments.noPictures) {

@@ -23,7 +23,8 @@ struct VerifyArguments {
 /// Reads the STEP file back with OpenCASCADE, checks every solid, compares its volume with the formula, and random
 /// points and pictures of both pipelines. Exit code 4 if a solid is not valid, not closed, wrong by more than 1e-6 of
 /// its volume, or if fewer than 99.99 % of the points agree, or a picture differs by a grey MSE of more than 0.001.
-/// Errors: BadUsage without the module that reads STEP; BadInput; DeviceFailed.
+/// Errors: DeviceFailed, without the module that reads STEP too; OutputFailed without a folder for temporary files;
+/// BadInput; BadUsage.
 ///
 /// JSON: {"solids", "expected", "shapes": [{"shape", "solids", "invalid", "open", "volume_error", "tolerance_nm"}],
 /// "points": {"count", "agreeing", "inside", "share"}, "pictures": [{"view", "grey_mse"}], "passed"}

@@ -1,8 +1,6 @@
 // The loadable module behind app/verify/step_file.h.
 #include "app/step_reader/step_reader.h"
 
-#include <unistd.h>
-
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
@@ -153,57 +151,54 @@ Quality qualityOf(const TopoDS_Shape& shape) {
             BRepCheck_Analyzer(shape).IsValid() == Standard_True, isClosed && shells == 1};
 }
 
-/// The reader takes its repairs from a file named STEP in the folder that the environment names.
+/// Settings of a reader that makes few repairs, in a file as it looks for it. Errors: OutputFailed.
+base::Status writeStrictSettings(const fs::path& path) {
+    static constexpr const char* kKept[] = {"Solid",     "Shell",      "Face",          "Wire",        "EdgeCurves",
+                                            "AddPCurve", "AddCurve3d", "SameParameter", "MissingSeam", "Shifted"};
+    static constexpr const char* kLeft[] = {"FreeShell",
+                                            "FreeFace",
+                                            "FreeWire",
+                                            "Orientation",
+                                            "SmallAreaWire",
+                                            "IntersectingWires",
+                                            "LoopWires",
+                                            "SplitFace",
+                                            "Reorder",
+                                            "Small",
+                                            "Connected",
+                                            "Degenerated",
+                                            "Lacking",
+                                            "SelfIntersection",
+                                            "Gaps3d",
+                                            "Gaps2d",
+                                            "Reversed2d",
+                                            "RemovePCurve",
+                                            "RemoveCurve3d",
+                                            "Seam",
+                                            "SelfIntersectingEdge",
+                                            "IntersectingEdges",
+                                            "NonAdjacentIntersectingEdges",
+                                            "Tail"};
+    std::ofstream file(path);
+    file << "FromSTEP.exec.op: FixShape\n";
+    for (const char* mode : kKept) {
+        file << "FromSTEP.FixShape.Fix" << mode << "Mode: 1\n";
+    }
+    for (const char* mode : kLeft) {
+        file << "FromSTEP.FixShape.Fix" << mode << "Mode: 0\n";
+    }
+    file.close();
+    return file ? base::Status(base::Done{})
+                : base::Error{base::ErrorCode::OutputFailed, path.string() + " cannot be written"};
+}
+
+/// While it lives, the reader takes its repairs from the file named STEP in the folder.
 class StrictReading {
 public:
-    StrictReading() : m_folder(fs::temp_directory_path() / ("copperscope-strict-" + std::to_string(::getpid()))) {
-        static constexpr const char* kKept[] = {"Solid",     "Shell",      "Face",          "Wire",        "EdgeCurves",
-                                                "AddPCurve", "AddCurve3d", "SameParameter", "MissingSeam", "Shifted"};
-        static constexpr const char* kLeft[] = {"FreeShell",
-                                                "FreeFace",
-                                                "FreeWire",
-                                                "Orientation",
-                                                "SmallAreaWire",
-                                                "IntersectingWires",
-                                                "LoopWires",
-                                                "SplitFace",
-                                                "Reorder",
-                                                "Small",
-                                                "Connected",
-                                                "Degenerated",
-                                                "Lacking",
-                                                "SelfIntersection",
-                                                "Gaps3d",
-                                                "Gaps2d",
-                                                "Reversed2d",
-                                                "RemovePCurve",
-                                                "RemoveCurve3d",
-                                                "Seam",
-                                                "SelfIntersectingEdge",
-                                                "IntersectingEdges",
-                                                "NonAdjacentIntersectingEdges",
-                                                "Tail"};
-        fs::create_directories(m_folder);
-        std::ofstream file(m_folder / "STEP");
-        file << "FromSTEP.exec.op: FixShape\n";
-        for (const char* mode : kKept) {
-            file << "FromSTEP.FixShape.Fix" << mode << "Mode: 1\n";
-        }
-        for (const char* mode : kLeft) {
-            file << "FromSTEP.FixShape.Fix" << mode << "Mode: 0\n";
-        }
-        ::setenv("CSF_STEPDefaults", m_folder.c_str(), 1);
-    }
-    ~StrictReading() {
-        ::unsetenv("CSF_STEPDefaults");
-        std::error_code error;
-        fs::remove_all(m_folder, error);
-    }
+    explicit StrictReading(const fs::path& folder) { ::setenv("CSF_STEPDefaults", folder.c_str(), 1); }
+    ~StrictReading() { ::unsetenv("CSF_STEPDefaults"); }
     StrictReading(const StrictReading&) = delete;
     StrictReading& operator=(const StrictReading&) = delete;
-
-private:
-    fs::path m_folder;
 };
 
 base::Error cannotRead(const fs::path& path, const std::string& why) {
@@ -248,9 +243,13 @@ bool OcctStepFile::contains(std::size_t row, const std::array<double, 3>& point)
     return classifier.State() == TopAbs_IN || classifier.State() == TopAbs_ON;
 }
 
-base::Result<std::unique_ptr<StepFile>> read(const fs::path& path, bool isStrict) {
+base::Result<std::unique_ptr<StepFile>> read(const fs::path& path, const fs::path& strictIn) {
     Message::DefaultMessenger()->ChangePrinters().Clear();
-    const std::unique_ptr<StrictReading> strict = isStrict ? std::make_unique<StrictReading>() : nullptr;
+    std::optional<StrictReading> strict;
+    if (!strictIn.empty()) {
+        RETURN_IF_ERROR(writeStrictSettings(strictIn / "STEP"));
+        strict.emplace(strictIn);
+    }
     std::vector<TopoDS_Solid> solids;
     try {
         STEPControl_Reader reader;
@@ -269,8 +268,8 @@ base::Result<std::unique_ptr<StepFile>> read(const fs::path& path, bool isStrict
 
 }  // namespace
 
-void readStepFile(const fs::path& path, bool isStrict, base::Result<std::unique_ptr<StepFile>>& result) {
-    result = read(path, isStrict);
+void readStepFile(const fs::path& path, const fs::path& strictIn, base::Result<std::unique_ptr<StepFile>>& result) {
+    result = read(path, strictIn);
 }
 
 }  // namespace app

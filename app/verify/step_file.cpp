@@ -2,14 +2,17 @@
 
 #include <dlfcn.h>
 
+#include <optional>
 #include <string>
 
 #include "app/common/beside_program.h"
+#include "app/common/temporary_folder.h"
 
 namespace app {
 namespace {
 
-using Read = void (*)(const std::filesystem::path&, bool, base::Result<std::unique_ptr<StepFile>>&);
+using Read = void (*)(const std::filesystem::path&, const std::filesystem::path&,
+                      base::Result<std::unique_ptr<StepFile>>&);
 
 /// What the module offers.
 struct Reader {
@@ -38,8 +41,13 @@ base::Status StepFile::checkReader() {
 
 base::Result<std::unique_ptr<StepFile>> StepFile::read(const std::filesystem::path& path, bool isStrict) {
     ASSIGN_OR_RETURN(const Reader reader, loadedReader());
+    std::optional<TemporaryFolder> strictIn;
+    if (isStrict) {
+        ASSIGN_OR_RETURN(TemporaryFolder folder, TemporaryFolder::make());
+        strictIn.emplace(std::move(folder));
+    }
     base::Result<std::unique_ptr<StepFile>> result(nullptr);
-    reader.read(path, isStrict, result);
+    reader.read(path, strictIn ? strictIn->path() : std::filesystem::path(), result);
     return result;
 }
 

@@ -27,7 +27,7 @@ public:
     /// module (app/step_reader) is missing or cannot be loaded.
     [[nodiscard]] static base::Status checkReader();
     /// `isStrict` reads without the repairs that readers make on their own, which hide wrong loops. Loads the module
-    /// that reads. Errors: BadInput, those of checkReader.
+    /// that reads. Errors: BadInput, those of checkReader, and strictly those of TemporaryFolder.
     [[nodiscard]] static base::Result<std::unique_ptr<StepFile>> read(const std::filesystem::path& path, bool isStrict);
 
     [[nodiscard]] virtual std::size_t size() const = 0;

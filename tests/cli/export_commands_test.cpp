@@ -266,6 +266,28 @@ private slots:
         QVERIFY(done.out.isEmpty() && QDir(folder.filePath("written")).isEmpty());
     }
 
+    void withoutAFolderForTemporaryFilesVerifyFails_data() {
+        QTest::addColumn<QString>("folder");
+        QTest::addColumn<QStringList>("more");
+        QTest::newRow("a file") << QString(locations::kSample) << QStringList{};
+        QTest::newRow("nowhere") << "/nowhere" << QStringList{};
+        QTest::newRow("for settings of the reader")
+            << "/nowhere" << QStringList{"--strict", "--step", locations::kTestData + QStringLiteral("/no.step")};
+        QTest::newRow("nothing can be made there") << "/proc" << QStringList{};
+    }
+    void withoutAFolderForTemporaryFilesVerifyFails() {
+        QFETCH(QString, folder);
+        QFETCH(QStringList, more);
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("TMPDIR", folder);
+        const QStringList words{"verify", locations::kSample, "--layers", "top_paste", "--no-pictures"};
+        const Outcome done = copperscope(words + more, {}, environment);
+        QCOMPARE(done.exitCode, 3);
+        QVERIFY2(done.err.contains("OpenCASCADE") || done.err.contains("(TMPDIR)") ||
+                     done.err.contains("no folder can be made in /proc"),
+                 done.err.constData());
+    }
+
     void wallsWithBendsAreProvedToo() {
         const Outcome done = copperscope({"verify", locations::kSample, "--layers", "L02-INNER_LAYER", "--sample", "60",
                                           "--points", "200", "--no-pictures", "--polylines", "--json"});
