@@ -58,9 +58,10 @@ void AssignmentFeature::look(bool isAsked) {
         return;
     }
     m_isAsked = isAsked;
+    std::error_code error;
     m_search.run(
         [path = board.request.path, map = board.request.layerMap,
-         isMapped = fs::exists(mapPath())](base::Progress& progress) -> base::Result<Found> {
+         isMapped = fs::exists(mapPath(), error)](base::Progress& progress) -> base::Result<Found> {
             model::formats::ReadOptions options;
             options.layerMap = map;
             ASSIGN_OR_RETURN(auto proposals, model::gerber::proposeLayers(path, options, progress));

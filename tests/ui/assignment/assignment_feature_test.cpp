@@ -149,6 +149,16 @@ private slots:
         QCOMPARE(files().model()->rowCount(), 2);
     }
 
+    /// The system refuses to look for a file of such a name.
+    void aNameTooLongForAMapBesideItHasNone() {
+        m_job = m_job.parent_path() / std::string(250, 'j');
+        write(m_job / "board.gtl", image("1"));
+        QVERIFY(m_fixture->openAndWait(ui::fromPath(m_job)));
+        window().actions()[ActionId::AssignLayers].trigger();
+        QTRY_VERIFY(dialog() != nullptr);
+        QCOMPARE(files().model()->rowCount(), 1);
+    }
+
     void aBoardThatIsNoGerberJobSaysSo() {
         QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
         window().actions()[ActionId::AssignLayers].trigger();
