@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/common/console_progress.h"
+#include "app/common/interrupt.h"
 #include "app/common/temporary_folder.h"
 #include "app/verify/step_file.h"
 #include "app/verify/verify_report.h"
@@ -30,12 +31,12 @@ Result<SolidPlan> planFor(const Document& board, const VerifyArguments& argument
     return plan;
 }
 
-/// Those of the file that is named, or of one that is written for it and goes once it is read.
+/// Those of the file that is named, or of one that is written for it and goes once it is read, or when a signal comes.
 Result<std::unique_ptr<StepFile>> readSolids(const SolidPlan& plan, const VerifyArguments& arguments,
                                              base::Progress& progress) {
+    const Interrupt interrupt(progress);
     if (!arguments.step.empty()) {
-        progress.beginPhase("Reading solids");
-        return StepFile::read(arguments.step, arguments.isStrict);
+        return StepFile::read(arguments.step, arguments.isStrict, progress);
     }
     ASSIGN_OR_RETURN(const TemporaryFolder folder, TemporaryFolder::make());
     const std::filesystem::path path = folder.path() / "board.step";
@@ -43,13 +44,15 @@ Result<std::unique_ptr<StepFile>> readSolids(const SolidPlan& plan, const Verify
     options.hasPolylines = arguments.hasPolylines;
     ASSIGN_OR_RETURN(const model::SolidReport written, model::exportStep(plan, options, path, progress));
     std::fprintf(stderr, "%.1f MB written\n", static_cast<double>(written.bytes) / 1e6);
-    progress.beginPhase("Reading solids");
-    return StepFile::read(path, arguments.isStrict);
+    return StepFile::read(path, arguments.isStrict, progress);
 }
 
 Result<VerifyReport> verify(const Document& board, const VerifyArguments& arguments, base::Progress& progress) {
     ASSIGN_OR_RETURN(const SolidPlan plan, planFor(board, arguments, progress));
     ASSIGN_OR_RETURN(const std::unique_ptr<StepFile> read, readSolids(plan, arguments, progress));
+    if (progress.isCancelled()) {  // by a signal at the last moment; from here on it ends the program itself
+        return base::Error{base::ErrorCode::Cancelled, "verifying was cancelled"};
+    }
     VerifyReport report;
     compareSolids(*read, expectedSolids(plan, model::StepOptions().limits), report);
     progress.beginPhase("Comparing points");

@@ -24,7 +24,7 @@ struct VerifyArguments {
 /// points and pictures of both pipelines. Exit code 4 if a solid is not valid, not closed, wrong by more than 1e-6 of
 /// its volume, or if fewer than 99.99 % of the points agree, or a picture differs by a grey MSE of more than 0.001.
 /// Errors: DeviceFailed, without the module that reads STEP too; OutputFailed without a folder for temporary files;
-/// BadInput; BadUsage.
+/// Cancelled, by a signal; BadInput; BadUsage.
 ///
 /// JSON: {"solids", "expected", "shapes": [{"shape", "solids", "invalid", "open", "volume_error", "tolerance_nm"}],
 /// "points": {"count", "agreeing", "inside", "share"}, "pictures": [{"view", "grey_mse"}], "passed"}

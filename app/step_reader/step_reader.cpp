@@ -13,6 +13,7 @@
 #include <Geom_BSplineCurve.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Message_ProgressIndicator.hxx>
 #include <STEPControl_Reader.hxx>
 #include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <Standard_Failure.hxx>
@@ -201,6 +202,17 @@ public:
     StrictReading& operator=(const StrictReading&) = delete;
 };
 
+/// Asked by the reader whether it is to stop.
+class StopSign : public Message_ProgressIndicator {
+public:
+    explicit StopSign(const base::Progress& progress) : m_progress(progress) {}
+    Standard_Boolean UserBreak() override { return m_progress.isCancelled(); }
+    void Show(const Message_ProgressScope&, const Standard_Boolean) override {}
+
+private:
+    const base::Progress& m_progress;
+};
+
 base::Error cannotRead(const fs::path& path, const std::string& why) {
     return {base::ErrorCode::BadInput, path.string() + " cannot be read as STEP: " + why};
 }
@@ -243,7 +255,8 @@ bool OcctStepFile::contains(std::size_t row, const std::array<double, 3>& point)
     return classifier.State() == TopAbs_IN || classifier.State() == TopAbs_ON;
 }
 
-base::Result<std::unique_ptr<StepFile>> read(const fs::path& path, const fs::path& strictIn) {
+base::Result<std::unique_ptr<StepFile>> read(const fs::path& path, const fs::path& strictIn,
+                                             const base::Progress& progress) {
     Message::DefaultMessenger()->ChangePrinters().Clear();
     std::optional<StrictReading> strict;
     if (!strictIn.empty()) {
@@ -256,7 +269,11 @@ base::Result<std::unique_ptr<StepFile>> read(const fs::path& path, const fs::pat
         if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) {
             return cannotRead(path, "it is damaged, or no STEP file");
         }
-        reader.TransferRoots();
+        const Handle(StopSign) stop = new StopSign(progress);
+        reader.TransferRoots(stop->Start());
+        if (progress.isCancelled()) {
+            return base::Error{base::ErrorCode::Cancelled, "reading STEP was cancelled"};
+        }
         for (TopExp_Explorer at(reader.OneShape(), TopAbs_SOLID); at.More(); at.Next()) {
             solids.push_back(TopoDS::Solid(at.Current()));
         }
@@ -268,8 +285,9 @@ base::Result<std::unique_ptr<StepFile>> read(const fs::path& path, const fs::pat
 
 }  // namespace
 
-void readStepFile(const fs::path& path, const fs::path& strictIn, base::Result<std::unique_ptr<StepFile>>& result) {
-    result = read(path, strictIn);
+void readStepFile(const fs::path& path, const fs::path& strictIn, const base::Progress& progress,
+                  base::Result<std::unique_ptr<StepFile>>& result) {
+    result = read(path, strictIn, progress);
 }
 
 }  // namespace app

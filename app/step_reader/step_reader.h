@@ -11,6 +11,6 @@ namespace app {
 /// boards take to read; so the program loads them where a STEP file is to be read, and not whenever it starts. With an
 /// empty folder to write settings into, `strictIn`, it reads strictly (StepFile::read); no path: it does not.
 extern "C" void readStepFile(const std::filesystem::path& path, const std::filesystem::path& strictIn,
-                             base::Result<std::unique_ptr<StepFile>>& result);
+                             const base::Progress& progress, base::Result<std::unique_ptr<StepFile>>& result);
 
 }  // namespace app

@@ -11,7 +11,7 @@
 namespace app {
 namespace {
 
-using Read = void (*)(const std::filesystem::path&, const std::filesystem::path&,
+using Read = void (*)(const std::filesystem::path&, const std::filesystem::path&, const base::Progress&,
                       base::Result<std::unique_ptr<StepFile>>&);
 
 /// What the module offers.
@@ -39,7 +39,9 @@ base::Status StepFile::checkReader() {
     return reader ? base::Status(base::Done{}) : base::Status(reader.error());
 }
 
-base::Result<std::unique_ptr<StepFile>> StepFile::read(const std::filesystem::path& path, bool isStrict) {
+base::Result<std::unique_ptr<StepFile>> StepFile::read(const std::filesystem::path& path, bool isStrict,
+                                                       base::Progress& progress) {
+    progress.beginPhase("Reading solids");
     ASSIGN_OR_RETURN(const Reader reader, loadedReader());
     std::optional<TemporaryFolder> strictIn;
     if (isStrict) {
@@ -47,7 +49,7 @@ base::Result<std::unique_ptr<StepFile>> StepFile::read(const std::filesystem::pa
         strictIn.emplace(std::move(folder));
     }
     base::Result<std::unique_ptr<StepFile>> result(nullptr);
-    reader.read(path, strictIn ? strictIn->path() : std::filesystem::path(), result);
+    reader.read(path, strictIn ? strictIn->path() : std::filesystem::path(), progress, result);
     return result;
 }
 

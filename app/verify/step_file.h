@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "model/base/progress.h"
 #include "model/base/result.h"
 
 namespace app {
@@ -27,8 +28,10 @@ public:
     /// module (app/step_reader) is missing or cannot be loaded.
     [[nodiscard]] static base::Status checkReader();
     /// `isStrict` reads without the repairs that readers make on their own, which hide wrong loops. Loads the module
-    /// that reads. Errors: BadInput, those of checkReader, and strictly those of TemporaryFolder.
-    [[nodiscard]] static base::Result<std::unique_ptr<StepFile>> read(const std::filesystem::path& path, bool isStrict);
+    /// that reads. Stops late: a large file is taken apart before the reader asks. Errors: BadInput, Cancelled, those
+    /// of checkReader, and strictly those of TemporaryFolder.
+    [[nodiscard]] static base::Result<std::unique_ptr<StepFile>> read(const std::filesystem::path& path, bool isStrict,
+                                                                      base::Progress& progress);
 
     [[nodiscard]] virtual std::size_t size() const = 0;
     [[nodiscard]] virtual StepSolid solid(std::size_t row) const = 0;

@@ -1,5 +1,6 @@
 // export and verify: what leaves a board, and the proof of it.
 #include <QDir>
+#include <QDirIterator>
 #include <QJsonDocument>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -11,14 +12,23 @@ using namespace program;
 
 namespace {
 
-/// Sends the signal once the program writes beside the file, and waits for its end. How it ended: the signal it died
-/// of, or 0.
-int signalWhileItWrites(const QStringList& arguments, const QDir& folder, int signal) {
+/// Sends the signal once the folder, or one in it, has a file of that name, and waits for the program's end. How it
+/// ended: the signal it died of, or 0.
+int signalOnceThereIs(const QString& name, const QDir& folder, const QStringList& arguments, int signal) {
     QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("TMPDIR", folder.path());
+    process.setProcessEnvironment(environment);
     process.setChildProcessModifier([signal] { std::signal(signal, SIG_DFL); });  // whoever runs the test may ignore it
     process.start(locations::kProgram, arguments);
-    while (folder.entryList({"*.part*"}).isEmpty() && process.state() != QProcess::NotRunning) {
+    const auto isThere = [&] {
+        return QDirIterator(folder.path(), {name}, QDir::Files, QDirIterator::Subdirectories).hasNext();
+    };
+    while (!isThere() && process.state() != QProcess::NotRunning) {
         process.waitForFinished(1);
+    }
+    if (process.state() == QProcess::NotRunning) {
+        return 0;
     }
     ::kill(static_cast<pid_t>(process.processId()), signal);
     process.waitForFinished(300'000);
@@ -201,11 +211,28 @@ private slots:
         const QTemporaryDir folder;
         QFile kept(folder.filePath("kept." + ending));
         QVERIFY(kept.open(QFile::ReadWrite) && kept.write("kept") == 4 && kept.flush());
-        QCOMPARE(signalWhileItWrites(arguments + QStringList{"-o", kept.fileName()}, folder.path(), signal), signal);
+        arguments += QStringList{"-o", kept.fileName()};
+        QCOMPARE(signalOnceThereIs("*.part*", folder.path(), arguments, signal), signal);
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"kept." + ending});
         kept.close();
         QVERIFY(kept.open(QFile::ReadOnly));
         QCOMPARE(kept.readAll(), QByteArray("kept"));
+    }
+
+    void signalsLeaveNothingOfWhatIsVerified_data() {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("while it is written") << "*.step.part*";
+        QTest::newRow("while it is read") << "*.step";
+        QTest::newRow("while it is read strictly") << "STEP";
+    }
+    void signalsLeaveNothingOfWhatIsVerified() {
+        if (copperscope({"verify", "/nowhere"}).err.contains("OpenCASCADE")) {
+            QSKIP("this build has no OpenCASCADE");
+        }
+        QFETCH(QString, file);
+        const QTemporaryDir folder;
+        QCOMPARE(signalOnceThereIs(file, folder.path(), {"verify", locations::kSample, "--strict"}, SIGINT), SIGINT);
+        QVERIFY(QDir(folder.path()).isEmpty());
     }
 
     void theTimeInAFileCanBeSet_data() {
