@@ -6,6 +6,11 @@ endforeach()
 target_compile_definitions(cli_test PRIVATE COPPERSCOPE_VERSION="${PROJECT_VERSION}")
 target_compile_definitions(bench_commands_test PRIVATE COPPERSCOPE_HAS_WORKBENCH=$<BOOL:${COPPERSCOPE_GUI}>)
 
+if(COPPERSCOPE_GUI)
+    copperscope_test(start_test cli/start_test.cpp LABEL cli LINK copperscope_options)
+    add_dependencies(start_test copperscope)
+endif()
+
 foreach(name IN ITEMS flat_render_test kicad_raster_test)
     copperscope_test(${name} cli/${name}.cpp LABEL cli LINK copperscope_options PNG::PNG)
     add_dependencies(${name} copperscope)

@@ -4,6 +4,7 @@
 #include <QIcon>
 #include <clocale>
 #include <cstdio>
+#include <cstdlib>
 
 #include "ui/canvas/gpu_context.h"
 #include "ui/shell/card_calibration.h"
@@ -14,13 +15,25 @@ namespace ui {
 namespace {
 
 constexpr int kFailed = 3;
+constexpr const char* kNoDisplay =
+    "there is no display to show the window on; `copperscope render` and `copperscope info` need none";
+
+QtMessageHandler s_handlerBefore = nullptr;
 
 int fail(const std::string& reason) {
     std::fprintf(stderr, "copperscope: %s\n", reason.c_str());
     return kFailed;
 }
 
-/// Qt ends the program when it finds no display; ask first.
+/// Qt aborts where it cannot reach the display; what it said before is why.
+void endWithoutDisplay(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+    if (type == QtFatalMsg) {
+        std::_Exit(fail(kNoDisplay));
+    }
+    s_handlerBefore(type, context, text);
+}
+
+/// Where none is named, one sentence is enough.
 bool hasDisplay() {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
@@ -34,12 +47,14 @@ bool hasDisplay() {
 
 int runWorkbench(int argc, char** argv, const StartOptions& options) {
     if (!hasDisplay()) {
-        return fail("there is no display to show the window on; `copperscope render` and `copperscope info` need none");
+        return fail(kNoDisplay);
     }
     if (!options.device.empty()) {
         qputenv("COPPERSCOPE_DEVICE", QByteArray::fromStdString(options.device));
     }
+    s_handlerBefore = qInstallMessageHandler(endWithoutDisplay);
     QApplication application(argc, argv);
+    qInstallMessageHandler(s_handlerBefore);
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's: numbers in files would have commas
     QApplication::setApplicationName(QStringLiteral("Copperscope"));
     QApplication::setApplicationVersion(QStringLiteral(COPPERSCOPE_VERSION));
