@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "tests/cli/program.h"
+#include "tests/patience.h"
 
 using namespace program;
 
@@ -34,6 +35,40 @@ private slots:
         const Outcome run = copperscope({locations::kSample}, {}, environment);
         QVERIFY2(run.exitCode == 3, run.err.constData());
         QVERIFY2(run.err.contains("copperscope: there is no display to show the window on"), run.err.constData());
+    }
+
+    void withoutADriverASentenceIsSaid() {
+        const Outcome run = copperscope({locations::kSample}, {}, withoutDriver("offscreen"));
+        QVERIFY2(run.exitCode == 3, run.err.constData());
+        QVERIFY2(run.err.contains("copperscope: ") && run.err.contains("Vulkan"), run.err.constData());
+    }
+
+    /// It waits for somebody to close the dialog.
+    void withoutADriverADialogIsShown() {
+        if (qEnvironmentVariableIsEmpty("DISPLAY")) {
+            QSKIP("there is no display");
+        }
+        QProcess process;
+        process.setProcessEnvironment(withoutDriver("xcb"));
+        process.setReadChannel(QProcess::StandardError);
+        process.start(locations::kProgram, {locations::kSample});
+        QByteArray said;
+        while (!said.contains("Vulkan") && process.waitForReadyRead(kPatienceMs)) {
+            said += process.readAllStandardError();
+        }
+        QVERIFY2(said.contains("Vulkan"), said.constData());
+        QVERIFY(!process.waitForFinished(2000));
+        process.kill();
+        process.waitForFinished();
+    }
+
+private:
+    static QProcessEnvironment withoutDriver(const QString& platform) {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("QT_QPA_PLATFORM", platform);
+        environment.insert("VK_DRIVER_FILES", "/nowhere.json");
+        environment.insert("VK_ICD_FILENAMES", "/nowhere.json");
+        return environment;
     }
 };
 

@@ -9,6 +9,7 @@ target_compile_definitions(bench_commands_test PRIVATE COPPERSCOPE_HAS_WORKBENCH
 if(COPPERSCOPE_GUI)
     copperscope_test(start_test cli/start_test.cpp LABEL cli LINK copperscope_options)
     add_dependencies(start_test copperscope)
+    set_tests_properties(start_test PROPERTIES RESOURCE_LOCK display)
 endif()
 
 foreach(name IN ITEMS flat_render_test kicad_raster_test)

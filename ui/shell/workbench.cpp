@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QIcon>
+#include <QMessageBox>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -31,6 +32,16 @@ void endWithoutDisplay(QtMsgType type, const QMessageLogContext& context, const 
         std::_Exit(fail(kNoDisplay));
     }
     s_handlerBefore(type, context, text);
+}
+
+/// In a dialog too: who starts from a menu sees no terminal. Not on platforms without a screen, where nobody closes it.
+int failVisibly(const std::string& reason) {
+    const int code = fail(reason);
+    const QString platform = QGuiApplication::platformName();
+    if (platform != QLatin1String("offscreen") && platform != QLatin1String("minimal")) {
+        QMessageBox::critical(nullptr, QGuiApplication::applicationName(), QString::fromStdString(reason));
+    }
+    return code;
 }
 
 /// Where none is named, one sentence is enough.
@@ -63,7 +74,7 @@ int runWorkbench(int argc, char** argv, const StartOptions& options) {
     QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("copperscope")));
     base::Result<std::unique_ptr<GpuContext>> context = GpuContext::create();
     if (!context) {
-        return fail(context.error().text);
+        return failVisibly(context.error().text);
     }
     const CardCalibration calibration((*context)->device().caps());
     Settings settings;
