@@ -1,5 +1,7 @@
 #include "ui/shell/workbench.h"
 
+#include <unistd.h>
+
 #include <QApplication>
 #include <QIcon>
 #include <QMessageBox>
@@ -34,11 +36,15 @@ void endWithoutDisplay(QtMsgType type, const QMessageLogContext& context, const 
     s_handlerBefore(type, context, text);
 }
 
-/// In a dialog too: who starts from a menu sees no terminal. Not on platforms without a screen, where nobody closes it.
+/// Did somebody start the program from the menu of a desktop? Who did sees no terminal.
+bool isStartedFromMenu() {
+    return !qEnvironmentVariableIsEmpty("XDG_CURRENT_DESKTOP") && ::isatty(STDERR_FILENO) == 0;
+}
+
+/// In a dialog too where nobody reads what is on stderr; scripts would wait for ever until it is closed.
 int failVisibly(const std::string& reason) {
     const int code = fail(reason);
-    const QString platform = QGuiApplication::platformName();
-    if (platform != QLatin1String("offscreen") && platform != QLatin1String("minimal")) {
+    if (isStartedFromMenu()) {
         QMessageBox::critical(nullptr, QGuiApplication::applicationName(), QString::fromStdString(reason));
     }
     return code;

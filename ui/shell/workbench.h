@@ -14,7 +14,7 @@ struct StartOptions {
 };
 
 /// Shows the window and returns when it is closed. Answers the exit code of the program: 0, or 3 after saying on stderr
-/// why no window can be shown (no display; no usable Vulkan device, which a dialog says too).
+/// why no window can be shown (no display; no usable Vulkan device: to who starts from a menu a dialog says it too).
 [[nodiscard]] int runWorkbench(int argc, char** argv, const StartOptions& options);
 
 }  // namespace ui
