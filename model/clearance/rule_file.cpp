@@ -354,7 +354,9 @@ base::Result<RuleFile> usable(RuleFile file) {
 }  // namespace
 
 base::Result<RuleFile> readRules(const std::filesystem::path& path) {
-    if (const RulePreset* preset = findPreset(path.string()); preset != nullptr && !std::filesystem::exists(path)) {
+    std::error_code unreadable;
+    if (const RulePreset* preset = findPreset(path.string());
+        preset != nullptr && !std::filesystem::exists(path, unreadable)) {
         ASSIGN_OR_RETURN(RuleTable table, parseRules(preset->text));
         return RuleFile{std::move(table), {}};
     }

@@ -274,7 +274,9 @@ base::Status saveList(const fs::path& board, const Document& document, const Par
 }  // namespace
 
 fs::path sessionPath(const fs::path& board) {
-    fs::path path = fs::absolute(board).lexically_normal();
+    std::error_code noWorkingFolder;
+    fs::path path = fs::absolute(board, noWorkingFolder);
+    path = (noWorkingFolder ? board : path).lexically_normal();
     path = path.has_filename() ? path : path.parent_path();
     return path.string() + ".copperscope.json";
 }
