@@ -77,7 +77,7 @@ void BoardViews::watch(BoardView& view) {
     connect(&controller, &CameraController::used, this,
             [this, &view] { setActive(m_pointed != nullptr ? *m_pointed : view); });
     connect(&controller, &CameraController::hovered, this, [this, &view] { onPointed(view); });
-    connect(&controller, &CameraController::left, this, [this] { m_pointed = nullptr; });
+    connect(&controller, &CameraController::left, this, [this, &view] { onLeft(view); });
 }
 
 /// The keyboard comes along from the other view or from a panel, but not from a field that is typed in.
@@ -87,9 +87,16 @@ void BoardViews::onPointed(BoardView& view) {
     }
     const bool isHere =
         QApplication::activeWindow() == window() || std::ranges::any_of(m_views, &BoardView::hasKeyboard);
-    setActive(view);
     if (isHere && !view.hasKeyboard() && !isKeyboardNeeded()) {
         view.takeKeyboard();
+    }
+}
+
+/// A view that was only crossed gives the keyboard to the one in use: keys go where commands go.
+void BoardViews::onLeft(BoardView& view) {
+    m_pointed = nullptr;
+    if (&view != m_active && view.hasKeyboard() && !isKeyboardNeeded()) {
+        m_active->takeKeyboard();
     }
 }
 
@@ -271,6 +278,9 @@ void BoardViews::setArrangement(Arrangement arrangement) {
     m_splitter->setOrientation(arrangement == Arrangement::Stacked ? Qt::Vertical : Qt::Horizontal);
     flat().setVisible(arrangement != Arrangement::Solid);
     solid().setVisible(arrangement != Arrangement::Flat);
+    if (m_pointed != nullptr && m_pointed->isHidden()) {
+        m_pointed = nullptr;  // not every platform says that the pointer left it
+    }
     if (arrangement == Arrangement::Flat || arrangement == Arrangement::Solid) {
         setActive(arrangement == Arrangement::Flat ? flat() : solid());
     } else {

@@ -22,8 +22,9 @@ namespace ui {
 using ElementStateLists = std::vector<render::ElementStates>;
 
 /// The 2D and the 3D view of one board: one scene on the device, one set of ids, two cameras. Either alone, side by
-/// side, or one above the other. Commands and keys go to the view in use, which has a coloured edge: the one that the
-/// pointer is on, or was on last; with the pointer elsewhere, the one that has the keyboard.
+/// side, or one above the other. Commands go to the view in use, which has a coloured edge: the one where a button, a
+/// wheel or a key was used last. A pointer that crosses a view changes nothing of that, but keys are for the view that
+/// it is on: the first one makes it the view in use.
 class BoardViews : public QWidget {
     Q_OBJECT
 
@@ -98,6 +99,7 @@ protected:
 private:
     void watch(BoardView& view);
     void onPointed(BoardView& view);
+    void onLeft(BoardView& view);
     void makeScene();
     void loadScene();
     void loadInTurn();

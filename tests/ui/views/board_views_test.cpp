@@ -82,22 +82,27 @@ private slots:
         QVERIFY(std::abs(solid().mmPerPixel() / whole - 1.0F) < 0.01F);
     }
 
-    void keysActOnTheViewUnderThePointer() {
-        const auto moveOver = [](BoardView& view) {
-            QMouseEvent event(QEvent::MouseMove, QPointF(60, 60), view.mapToGlobal(QPointF(60, 60)), Qt::NoButton,
-                              Qt::NoButton, Qt::NoModifier);
-            QCoreApplication::sendEvent(&view.canvas(), &event);
-        };
+    void aViewThatThePointerCrossesGetsNoCommands() {
+        click(views().solid(), {60, 60});
+        const float scale = flat().mmPerPixel();
+        const float solidScale = solid().mmPerPixel();
         moveOver(views().flat());
-        QCOMPARE(&views().active(), &views().flat());
+        QCOMPARE(&views().active(), &views().solid());
+        leave(views().flat());
+        window().actions()[ActionId::ZoomIn].trigger();
+        QCOMPARE(flat().mmPerPixel(), scale);
+        QVERIFY(solid().mmPerPixel() < solidScale * 0.9F);
+    }
+
+    void keysActOnTheViewUnderThePointer() {
+        moveOver(views().flat());
         const float scale = flat().mmPerPixel();
         const float solidScale = solid().mmPerPixel();
         key(views().solid(), Qt::Key_Plus);  // the keyboard is still there
         QCOMPARE(&views().active(), &views().flat());
         QVERIFY(flat().mmPerPixel() < scale * 0.99F);
         QCOMPARE(solid().mmPerPixel(), solidScale);
-        QEvent leave(QEvent::Leave);
-        QCoreApplication::sendEvent(&views().flat().canvas(), &leave);
+        leave(views().flat());
         QCOMPARE(&views().active(), &views().flat());
         key(views().solid(), Qt::Key_Plus);
         QCOMPARE(&views().active(), &views().solid());
@@ -256,6 +261,15 @@ private:
     static void mouse(BoardView& view, QEvent::Type type, Qt::MouseButton button, QPointF at) {
         const Qt::MouseButtons held = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::MouseButtons(button);
         QMouseEvent event(type, at, at, type == QEvent::MouseMove ? Qt::NoButton : button, held, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view.canvas(), &event);
+    }
+    static void moveOver(BoardView& view) {
+        QMouseEvent event(QEvent::MouseMove, QPointF(60, 60), view.mapToGlobal(QPointF(60, 60)), Qt::NoButton,
+                          Qt::NoButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&view.canvas(), &event);
+    }
+    static void leave(BoardView& view) {
+        QEvent event(QEvent::Leave);
         QCoreApplication::sendEvent(&view.canvas(), &event);
     }
     static void click(BoardView& view, QPointF at) {
