@@ -109,7 +109,7 @@ MeasureFeature::MeasureFeature(FeatureContext& context)
     }
     connectCommands(context);
     addPanel(context);
-    context.escapes.emplace_back([this] { return stepBack(); });
+    context.escapes.emplace(EscapeRank::Tool, [this] { return stepBack(); });
     const auto repaint = [this] { m_views.requestOverlay(); };
     connect(&m_workspace, &Workspace::unitChanged, this, repaint);
     connect(&m_workspace, &Workspace::boardOpened, this, &MeasureFeature::setBoard);

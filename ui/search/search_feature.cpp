@@ -113,8 +113,7 @@ void addSearch(FeatureContext& context) {
     auto* hint = new Hint(workspace, box);
     QObject::connect(&workspace.selection(), &SelectionModel::selectionChanged, hint, &Hint::end);
     QObject::connect(&workspace.selection(), &SelectionModel::netsChanged, hint, &Hint::end);
-    // Before what was there when the location was looked for.
-    context.escapes.insert(context.escapes.begin(), [mark] { return mark->clear(); });
+    context.escapes.emplace(EscapeRank::Mark, [mark] { return mark->clear(); });
     context.on(ActionId::Find, box, [box] { box->open({}); });
     context.on(ActionId::Commands, box, [box] { box->open(QStringLiteral(">")); });
     QObject::connect(box, &SearchBox::chosen, &workspace, [&context, box, mark, hint](const Found& found) {

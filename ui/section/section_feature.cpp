@@ -127,8 +127,8 @@ void SectionFeature::connectCommands(FeatureContext& context) {
         context.saveFile(tr("Export section"), tr("section"), {tr("Drawings (*.svg)"), tr("Documents (*.pdf)")},
                          [this](const QString& path) { return save(path); });
     });
-    context.escapes.emplace_back([this] { return m_panel->view().stepBack(); });
-    context.escapes.emplace_back([this] {
+    context.escapes.emplace(EscapeRank::Tool, [this] { return m_panel->view().stepBack(); });
+    context.escapes.emplace(EscapeRank::Tool, [this] {
         const bool isDrawing = m_line.isDrawing();
         m_line.setDrawing(false);
         return isDrawing;

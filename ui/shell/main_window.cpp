@@ -332,7 +332,8 @@ void MainWindow::connectCommands() {
 
 void MainWindow::escape() {
     if (!m_workspace.cancelWork() && !m_keyboard->returnToView() &&
-        std::ranges::none_of(m_features.escapes, [](const auto& end) { return end(); }) && !m_messageBar->end()) {
+        std::ranges::none_of(m_features.escapes, [](const auto& ranked) { return ranked.second(); }) &&
+        !m_messageBar->end()) {
         m_workspace.selection().clearStep();
     }
 }

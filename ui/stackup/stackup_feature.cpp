@@ -60,7 +60,7 @@ void connectRows(FeatureContext& context, StackupPanel& panel, const StackupMode
     QObject::connect(&context.workspace, &Workspace::currentLayerChanged, &panel, &StackupPanel::selectLayer);
     QObject::connect(&panel.view(), &StackupView::isolateRequested, &context.workspace,
                      [&context](model::LayerId layer) { isolate(context, layer); });
-    context.escapes.emplace_back([&layers = context.layers] {
+    context.escapes.emplace(EscapeRank::Alone, [&layers = context.layers] {
         const bool isAlone = layers.soloLayer().isValid();
         if (isAlone) {
             layers.toggleSolo(layers.soloLayer());

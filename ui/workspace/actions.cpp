@@ -150,7 +150,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {ShowMeasurements, MenuId::Measure, QT_TR_NOOP("Sho&w measurements"), "Ctrl+K,H", QT_TR_NOOP("Draw the measurements that were made, in both views"), kCheckable | kNewGroup | kNeedsBoard},
     {DeleteMeasurements, MenuId::Measure, QT_TR_NOOP("&Delete all measurements"), "Ctrl+K,X", QT_TR_NOOP("Delete all measurements of this board; Undo brings them back"), kNeedsBoard},
     {ExportMeasurements, MenuId::Measure, QT_TR_NOOP("E&xport measurements…"), "Ctrl+Alt+M", QT_TR_NOOP("Export all measurements as a table (CSV)"), kNeedsBoard},
-    {ClearSelection, MenuId::Select, QT_TR_NOOP("&Clear"), "Esc", QT_TR_NOOP("Stop work, measuring or drawing, or else close an error message, or else clear the selected elements, or else the highlighted nets"), kNeedsBoard},
+    {ClearSelection, MenuId::Select, QT_TR_NOOP("&Clear"), "Esc", QT_TR_NOOP("Step back, one thing at a time: stop work, measuring or drawing, remove a location mark, show all layers again, close an error message, clear the selected elements, the highlighted nets"), kNeedsBoard},
     {ShowSelection, MenuId::Select, QT_TR_NOOP("&Show in both views"), "Z", QT_TR_NOOP("Zoom both views to the selected elements, or else to the highlighted nets"), kNeedsBoard},
     {SelectComponent, MenuId::Select, QT_TR_NOOP("Select com&ponent"), "P", QT_TR_NOOP("Select all pads, holes and the body of the component under the pointer, or of the selected element"), kNeedsBoard},
     {SelectPin, MenuId::Select, QT_TR_NOOP("Select p&in"), "Shift+P", QT_TR_NOOP("Select all pads and the hole of the pin under the pointer, or of the selected element"), kNeedsBoard},

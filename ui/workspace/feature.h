@@ -2,7 +2,10 @@
 
 #include <QDialog>
 #include <QMainWindow>
+#include <functional>
+#include <map>
 #include <utility>
+#include <vector>
 
 #include "ui/workspace/actions.h"
 #include "ui/workspace/settings.h"
@@ -26,6 +29,13 @@ struct DockSpec {
     Qt::DockWidgetArea area;  ///< where it opens, unless the use of the window has another place for it
 };
 
+/// What Esc ends before what: of one rank in the order of the features.
+enum class EscapeRank {
+    Tool,  ///< what clicks are for, a step or all of it
+    Mark,  ///< of a location that was found
+    Alone  ///< a layer that is shown alone
+};
+
 /// What the features of a window share. A feature (layers, clearances, …) is made once by its row in
 /// ui/shell/features.cpp; it connects its actions, adds its panel and listens to the workspace. What it makes are
 /// children of the window.
@@ -44,7 +54,7 @@ struct FeatureContext {
     PositionReadout& position;
 
     /// What Esc ends once no work is left to stop: the first that returns true was it.
-    std::vector<std::function<bool()>> escapes{};
+    std::multimap<EscapeRank, std::function<bool()>> escapes{};
     /// Put what the settings hold into effect, at the start and when they are reset.
     std::vector<std::function<void()>> restorers{};
 

@@ -244,6 +244,24 @@ private slots:
         QTRY_VERIFY2(filter->hasFocus(), "who gives up goes on typing");
     }
 
+    void escEndsTheToolThenTheMarkThenTheLayerAlone() {
+        window().workspace().setCurrentLayer(window().document()->findLayer("L02-INNER_LAYER"));
+        m_fixture->key(Qt::Key_H);
+        m_fixture->key(Qt::Key_M);
+        type("10, 20 mm");
+        take();
+        const ui::LocationMark& mark = window().find<ui::LocationMark>();
+        const auto isMeasuring = [&] { return window().actions()[ActionId::MeasurePoints].isChecked(); };
+        const auto isAlone = [&] { return window().layers().soloLayer().isValid(); };
+        QVERIFY(isMeasuring() && mark.location().has_value() && isAlone());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!isMeasuring() && mark.location().has_value() && isAlone());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!mark.location().has_value() && isAlone());
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!isAlone());
+    }
+
     void arrowsChooseAndEscapeCloses() {
         type("1pps");
         QCOMPARE(box().list().currentRow(), 0);
