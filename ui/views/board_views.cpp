@@ -242,6 +242,9 @@ void BoardViews::setTopLayer(model::LayerId layer) {
 }
 
 void BoardViews::setContrastLayer(model::LayerId layer) {
+    if (layer == m_contrastLayer) {
+        return;
+    }
     m_contrastLayer = layer;
     if (m_scene) {
         flat().setStyles(stylesOf(flat()));

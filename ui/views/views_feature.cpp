@@ -41,6 +41,12 @@ void connectBoard(FeatureContext& context) {
     });
     QObject::connect(&views, &BoardViews::troubled, &workspace, &Workspace::errorReported);
     QObject::connect(&views, &BoardViews::deviceGoes, &workspace, &Workspace::deviceGoes);
+}
+
+/// The layer that stands out is the one shown alone, or else the current one.
+void connectContrast(FeatureContext& context) {
+    Workspace& workspace = context.workspace;
+    BoardViews& views = context.views;
     const auto setContrast = [&context] {
         const bool isOn = context.actions[ActionId::Contrast].isChecked();
         const model::LayerId solo = context.layers.soloLayer();
@@ -56,6 +62,7 @@ void connectBoard(FeatureContext& context) {
     });
     QObject::connect(&workspace, &Workspace::currentLayerChanged, &views, &BoardViews::setTopLayer);
     QObject::connect(&workspace, &Workspace::currentLayerChanged, &views, setContrast);
+    QObject::connect(&context.layers, &LayerModel::stylesChanged, &views, setContrast);
     QObject::connect(&workspace, &Workspace::boardOpened, &views, setContrast);
 }
 
@@ -184,6 +191,7 @@ void connectPictures(FeatureContext& context) {
 
 void addViews(FeatureContext& context) {
     connectBoard(context);
+    connectContrast(context);
     connectCameras(context);
     connectProbing(context);
     addViewMenu(context);

@@ -150,10 +150,24 @@ private slots:
         const model::LayerId bottom = window().document()->findLayer("BOTTOM");
         window().layers().toggleSolo(bottom);
         QCOMPARE(window().workspace().currentLayer(), bottom);
+        QVERIFY(isAloneInFlat(bottom));
+    }
+
+    void highContrastGoesOnWithTheLayerShownAlone() {
+        const model::LayerId top = window().document()->findLayer("TOP");
+        window().layersPanel().select(top);
+        trigger(ActionId::Contrast);
+        trigger(ActionId::SoloLayer);
+        QVERIFY(isAloneInFlat(top));
+        m_fixture->key(Qt::Key_PageDown);
+        const model::LayerId next = window().layers().soloLayer();
+        QVERIFY(next.isValid() && next != top);
+        QVERIFY(isAloneInFlat(next));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!window().layers().soloLayer().isValid());
         const auto& styles = window().views().flat().styles();
-        for (std::size_t row = 0; row < styles.size(); ++row) {
-            QCOMPARE(styles[row].isVisible, row == bottom.row());
-        }
+        QCOMPARE(styles[next.row()].opacity, 1.0F);
+        QVERIFY(styles[top.row()].opacity < 1.0F);
     }
 
     void aRightClickLeavesTheLayerThatIsShownAlone() {
@@ -257,6 +271,15 @@ private:
     [[nodiscard]] bool isShown(const char* layer) {
         const std::vector<std::string> names = window().layers().visibleNames();
         return std::ranges::find(names, layer) != names.end();
+    }
+    [[nodiscard]] bool isAloneInFlat(model::LayerId layer) {
+        const auto& styles = window().views().flat().styles();
+        for (std::size_t row = 0; row < styles.size(); ++row) {
+            if (styles[row].isVisible != (row == layer.row())) {
+                return false;
+            }
+        }
+        return !styles.empty();
     }
     TestWindow& window() { return m_fixture->window(); }
     ui::LayerSets& sets() { return window().find<ui::LayerSets>(); }
