@@ -146,11 +146,21 @@ void LayerModel::offerSets(std::vector<model::session::LayerSet> sets) {
 }
 
 void LayerModel::setVisible(std::span<const model::LayerId> layers, bool isVisible) {
+    if (layers.empty()) {
+        return;
+    }
     change(isVisible ? tr("showing a layer") : tr("hiding a layer"), -1, [&] {
+        m_solo = {};
         for (const model::LayerId layer : layers) {
             m_styles[layer.row()].isVisible = isVisible;
         }
     });
+}
+
+void LayerModel::show(model::LayerId layer) {
+    if (layer != m_solo) {
+        setVisible({&layer, 1}, true);
+    }
 }
 
 std::vector<bool> LayerModel::visibility() const {

@@ -39,7 +39,7 @@ struct LayerEdit {
 
 /// The layers of a document as an editable table; row n is LayerId n. Styles live here, the document stays frozen. At
 /// most one layer is shown alone ("solo"): then it alone is drawn, whatever the check marks say, and they are untouched
-/// when solo ends.
+/// when solo ends. Whatever sets visibility ends it, so that its effect is seen.
 class LayerModel : public TableModel {
     Q_OBJECT
 
@@ -73,7 +73,7 @@ public:
     /// Sets of saved views, for the menu of layer sets.
     void offerSets(std::vector<model::session::LayerSet> sets);
     [[nodiscard]] const std::vector<model::session::LayerSet>& offeredSets() const { return m_offered; }
-    /// Shows or hides some, as one edit.
+    /// Shows or hides some, as one edit; none is no edit.
     void setVisible(std::span<const model::LayerId> layers, bool isVisible);
     /// By check marks, one entry per layer.
     [[nodiscard]] std::vector<bool> visibility() const;
@@ -89,7 +89,8 @@ public:
     /// What the user chose of the colours a fabricator offers; the 3D view draws them (ui/layers/board_colour_menu.h).
     void setBoardColours(const model::BoardColourChoice& chosen);
     [[nodiscard]] const model::BoardColourChoice& boardColours() const { return m_boardColours; }
-    void show(model::LayerId layer) { setVisible({&layer, 1}, true); }
+    /// Makes the layer visible; the one shown alone is.
+    void show(model::LayerId layer);
     /// Null before the first board.
     [[nodiscard]] const model::Document* document() const { return m_document.get(); }
     /// As drawn, one per layer.

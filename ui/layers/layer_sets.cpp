@@ -64,6 +64,9 @@ QString LayerSets::shownName() const {
     if (document == nullptr) {
         return {};
     }
+    if (const model::LayerId alone = m_layers.soloLayer(); alone.isValid()) {
+        return tr("Only %1").arg(QString::fromStdString(document->layer(alone).name));
+    }
     const std::vector<bool> visible = m_layers.visibility();
     if (visible == m_layers.defaultVisibility()) {
         return plainText(m_actions[ActionId::ShowDefaultLayers]);
@@ -84,6 +87,9 @@ QString LayerSets::shownName() const {
 }
 
 bool LayerSets::isShown(const std::vector<std::string>& names) const {
+    if (m_layers.soloLayer().isValid()) {
+        return false;
+    }
     const std::vector<bool> visible = m_layers.visibility();
     for (std::size_t row = 0; row < visible.size(); ++row) {
         const bool isIn = std::ranges::find(names, m_layers.document()->layers[row].name) != names.end();

@@ -20,7 +20,7 @@ public:
 
     [[nodiscard]] QMenu& menu() { return m_menu; }
     [[nodiscard]] const List& own() const { return m_own; }
-    /// Of the set whose layers are visible, or empty if none has just those.
+    /// Of the set whose layers are visible ("Only TOP" of a layer shown alone), or empty if none has just those.
     [[nodiscard]] QString shownName() const;
     /// Saves the visible layers; a set of that name is replaced.
     void save(const QString& name);

@@ -186,7 +186,9 @@ void LayersPanel::goToOuterCopper(bool isTop) {
     }
     const auto face = isTop ? model::LayerSide::Top : model::LayerSide::Bottom;
     if (const model::LayerId outer = model::outerCopper(*m_model.document(), face); outer.isValid()) {
-        m_model.show(outer);
+        if (!m_model.soloLayer().isValid()) {
+            m_model.show(outer);  // else it is shown alone
+        }
         makeCurrent(outer);
     }
 }

@@ -33,7 +33,7 @@ public:
     /// While a layer is shown alone, all layers of the board count, and the one moved to is shown alone instead. Layers
     /// that draw nothing are passed over.
     void step(int by);
-    /// Goes to the uppermost or the lowest copper and shows it.
+    /// Goes to the uppermost or the lowest copper and shows it, alone where another layer is.
     void goToOuterCopper(bool isTop);
     [[nodiscard]] TableView& table() { return *m_table; }
     [[nodiscard]] GroupedLayers& rows() { return *m_rows; }

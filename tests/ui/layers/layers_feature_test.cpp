@@ -46,6 +46,28 @@ private slots:
         QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
     }
 
+    void showingOrHidingLayersEndsOneThatIsShownAlone() {
+        const model::LayerId top = window().document()->findLayer("TOP");
+        const model::LayerId bottom = window().document()->findLayer("BOTTOM");
+        const auto alone = [this] { return window().layers().soloLayer(); };
+        window().layers().toggleSolo(top);
+        QCOMPARE(button().text(), QString("Only TOP"));
+        m_fixture->key(Qt::Key_C, Qt::ShiftModifier);
+        QVERIFY(!alone().isValid() && isShown("bodies top") && isShown("BOTTOM"));
+        window().layers().toggleSolo(top);
+        clickOn("BOTTOM", ui::LayerModel::Visible);
+        QVERIFY(!alone().isValid() && isShown("TOP") && !isShown("BOTTOM"));
+        window().layers().toggleSolo(top);
+        window().workspace().showLayer(top);
+        QCOMPARE(alone(), top);
+        trigger(ActionId::BottomCopper);
+        QCOMPARE(alone(), bottom);
+        window().workspace().showLayer(top);
+        QVERIFY(!alone().isValid() && isShown("TOP"));
+        trigger(ActionId::Undo);
+        QCOMPARE(alone(), bottom);
+    }
+
     /// Both steps merge with their like, and neither with the other.
     void theColourOfALayerAndAHighlightAreTwoSteps() {
         ui::LayerModel& layers = window().layers();
