@@ -298,6 +298,12 @@ void BoardViews::setActive(BoardView& view) {
     }
 }
 
+void BoardViews::reveal(const BoardView& view) {
+    if (isVisible() && view.isHidden()) {  // else no board is shown
+        emit bothWanted();
+    }
+}
+
 void BoardViews::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const bool isSplit = m_arrangement == Arrangement::SideBySide || m_arrangement == Arrangement::Stacked;

@@ -83,6 +83,8 @@ public:
     /// The view that commands are for; it is always shown.
     [[nodiscard]] BoardView& active() { return *m_active; }
     void setActive(BoardView& view);
+    /// What is done with this view is to be seen: asks for both of them where it is hidden.
+    void reveal(const BoardView& view);
     /// Null while no board is shown. Where the device is software it gets there after the first flat picture.
     [[nodiscard]] render::BoardScene* scene() { return m_scene.get(); }
 
@@ -90,6 +92,8 @@ signals:
     /// The device failed and is about to be renewed: who made something from it gives that up.
     void deviceGoes();
     void timed(const render::FrameStats& stats);
+    /// A view that is hidden is needed beside the other one.
+    void bothWanted();
     /// The device failed; says whether it works again.
     void troubled(const QString& what);
 

@@ -82,6 +82,7 @@ QSlider* HeightControls::addSlider(const char* name, int least, int most, const 
     slider->setFocusPolicy(Qt::TabFocus);  // keys stay with the view that is looked at
     slider->setToolTip(tip);
     slider->installEventFilter(this);
+    connect(slider, &QSlider::actionTriggered, &m_views, [this] { m_views.reveal(m_views.solid()); });
     layout()->addWidget(slider);
     return slider;
 }

@@ -66,6 +66,18 @@ void connectContrast(FeatureContext& context) {
     QObject::connect(&workspace, &Workspace::boardOpened, &views, setContrast);
 }
 
+/// Before what the commands do: hints on it are about a view that is seen.
+void connectHiddenViews(FeatureContext& context) {
+    BoardViews& views = context.views;
+    QObject::connect(&views, &BoardViews::bothWanted, &context.actions[ActionId::ShowSideBySide], &QAction::trigger);
+    for (const ActionSpec& spec : ActionSet::kSpecs) {
+        if ((spec.flags & (kInFlat | kInSolid)) != 0) {
+            const BoardView& view = (spec.flags & kInFlat) != 0 ? views.flat() : views.solid();
+            context.on(spec.id, &views, [&views, &view] { views.reveal(view); });
+        }
+    }
+}
+
 void connectCameras(FeatureContext& context) {
     BoardViews& views = context.views;
     const auto on = [&](ActionId id, auto slot) {
@@ -191,6 +203,7 @@ void connectPictures(FeatureContext& context) {
 
 void addViews(FeatureContext& context) {
     connectBoard(context);
+    connectHiddenViews(context);
     connectContrast(context);
     connectCameras(context);
     connectProbing(context);

@@ -84,6 +84,8 @@ struct ActionSpec {
 inline constexpr unsigned kCheckable = 1U;
 inline constexpr unsigned kNewGroup = 2U;  ///< a separator goes before it
 inline constexpr unsigned kNeedsBoard = 4U;
+inline constexpr unsigned kInFlat = 8U;    ///< what it does is seen in the 2D view alone
+inline constexpr unsigned kInSolid = 16U;  ///< in the 3D view alone
 
 [[nodiscard]] QString menuTitle(MenuId menu);
 /// Keys written as in ActionSpec::shortcuts.

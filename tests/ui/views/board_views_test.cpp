@@ -45,6 +45,27 @@ private slots:
         QCOMPARE(&views().active(), &views().flat());
     }
 
+    void aCommandAboutAHiddenViewShowsIt() {
+        const auto& actions = window().actions();
+        for (const ActionId about3D : {ActionId::ViewIso, ActionId::Explode, ActionId::SectionPlane}) {
+            actions[ActionId::ShowFlat].trigger();
+            actions[about3D].trigger();
+            QVERIFY(views().flat().isVisible() && views().solid().isVisible());
+            QVERIFY(actions[ActionId::ShowSideBySide].isChecked());
+        }
+        actions[ActionId::Explode].trigger();
+        views().setExplode(0.0F);  // at once
+        actions[ActionId::SectionPlane].trigger();
+        actions[ActionId::ShowSolid].trigger();
+        m_fixture->key(Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(views().flat().isVisible() && views().solid().isVisible());
+        QVERIFY(actions[ActionId::DrawSection].isChecked());
+        m_fixture->key(Qt::Key_Escape);
+        actions[ActionId::ShowSolid].trigger();
+        actions[ActionId::Fit].trigger();
+        QVERIFY2(!views().flat().isVisible(), "this is about either");
+    }
+
     void commandsGoToTheViewInUse() {
         const float solidScale = solid().mmPerPixel();
         const float flatScale = flat().mmPerPixel();
