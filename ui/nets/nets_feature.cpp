@@ -24,7 +24,7 @@ NetsFeature::NetsFeature(FeatureContext& context)
         new HiddenNetsBadge(m_styles, context.actions[ActionId::ShowAllNets]));
     connectCommands(context);
     connectPanel(context);
-    connectDimming(context.actions[ActionId::DimOthers]);
+    connectDimming(context);
 }
 
 void NetsFeature::connectCommands(FeatureContext& context) {
@@ -58,11 +58,17 @@ void NetsFeature::connectPanel(FeatureContext& context) {
     });
 }
 
-void NetsFeature::connectDimming(QAction& dimOthers) {
+void NetsFeature::connectDimming(FeatureContext& context) {
+    QAction& dimOthers = context.actions[ActionId::DimOthers];
+    Settings& settings = context.settings;
     QSlider& slider = m_panel->dimSlider();
     slider.setValue(qRound(m_styles.dim() * 100.0F));
-    connect(&slider, &QSlider::valueChanged, this,
-            [this](int percent) { m_styles.setDim(static_cast<float>(percent) / 100.0F); });
+    context.restorers.emplace_back(
+        [&settings, &slider, first = slider.value()] { slider.setValue(settings.dimPercent(first)); });
+    connect(&slider, &QSlider::valueChanged, this, [this, &settings](int percent) {
+        settings.setDimPercent(percent);
+        m_styles.setDim(static_cast<float>(percent) / 100.0F);
+    });
     // Whoever moves it wants to see what it does.
     connect(&slider, &QSlider::sliderMoved, &dimOthers, [&dimOthers] {
         if (!dimOthers.isChecked()) {

@@ -19,7 +19,7 @@ public:
 private:
     void connectCommands(FeatureContext& context);
     void connectPanel(FeatureContext& context);
-    void connectDimming(QAction& dimOthers);
+    void connectDimming(FeatureContext& context);
     /// Highlights the nets of what is pointed at or selected and no others, or ends that.
     void highlightNets();
     /// Adds them to those that are highlighted, or takes them away.

@@ -343,9 +343,10 @@ void MainWindow::connectHelp() {
     m_features.on(ActionId::ShowKeys, [this] { showKeyList(*this, m_actions.keys()); });
     m_features.on(ActionId::About, [this] { showAbout(*this); });
     m_features.on(ActionId::ResetSettings, [this] {
-        auto* question = new QMessageBox(QMessageBox::Question, tr("Reset settings"),
-                                         tr("Reset panels, theme, back end and the list of recent boards?"),
-                                         QMessageBox::Reset | QMessageBox::Cancel, this);
+        auto* question =
+            new QMessageBox(QMessageBox::Question, tr("Reset settings"),
+                            tr("Reset panels, theme, back end, what the views show and the list of recent boards?"),
+                            QMessageBox::Reset | QMessageBox::Cancel, this);
         question->setAttribute(Qt::WA_DeleteOnClose);
         connect(question, &QMessageBox::buttonClicked, this, [this, question](QAbstractButton* button) {
             if (question->standardButton(button) == QMessageBox::Reset) {
@@ -415,6 +416,7 @@ void MainWindow::addChoices() {
                                {ActionId::UseClearance, Use::Clearance}},
                               [this](Use use) { m_arrangements->show(use); });
     m_features.on(ActionId::RestorePanels, [this] { m_arrangements->restoreDefault(); });
+    m_features.keepSwitches();
     m_features.restorers.emplace_back([this] { m_workspace.setUnit(m_settings.choice<LengthUnit>()); });
 }
 

@@ -51,7 +51,7 @@ BoardViews::BoardViews(GpuContext& context, QWidget* parent)
         connect(view, &BoardView::deviceLost, this, &BoardViews::onDeviceLost);
         watch(*view);
     }
-    connect(m_splitter, &QSplitter::splitterMoved, this, qOverload<>(&QWidget::update));
+    connect(m_splitter, &QSplitter::splitterMoved, this, &BoardViews::onSplitterMoved);
     m_load.setSingleShot(true);
     connect(&m_load, &QTimer::timeout, this, &BoardViews::loadScene);
     connect(&context.turns(), &DeviceTurns::came, this, [this](QObject* user) {
@@ -287,9 +287,25 @@ void BoardViews::setArrangement(Arrangement arrangement) {
     if (arrangement == Arrangement::Flat || arrangement == Arrangement::Solid) {
         setActive(arrangement == Arrangement::Flat ? flat() : solid());
     } else {
-        m_splitter->setSizes({1000, 1000});  // both alike, whatever the room
+        divide(m_flatShare);
     }
     update();
+}
+
+void BoardViews::divide(double flatShare) {
+    m_flatShare = flatShare;
+    if (!flat().isHidden() && !solid().isHidden()) {
+        constexpr double kAll = 2000.0;  // whatever the room
+        m_splitter->setSizes({qRound(flatShare * kAll), qRound((1.0 - flatShare) * kAll)});
+        update();
+    }
+}
+
+void BoardViews::onSplitterMoved() {
+    const QList<int> sizes = m_splitter->sizes();
+    m_flatShare = static_cast<double>(sizes[0]) / std::max(sizes[0] + sizes[1], 1);
+    update();
+    emit divided(m_flatShare);
 }
 
 void BoardViews::setActive(BoardView& view) {

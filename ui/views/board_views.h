@@ -52,6 +52,8 @@ public:
     }
     void setArrangement(Arrangement arrangement);
     [[nodiscard]] Arrangement arrangement() const { return m_arrangement; }
+    /// How much of their room the 2D view has where both are shown, between 0 and 1.
+    void divide(double flatShare);
     /// Spreads the layers of the 3D view apart by so much (render::ViewSettings::explode), with a short animation, or
     /// at once.
     void explode(float by);
@@ -92,6 +94,8 @@ signals:
     /// The device failed and is about to be renewed: who made something from it gives that up.
     void deviceGoes();
     void timed(const render::FrameStats& stats);
+    /// The user moved the line between the views.
+    void divided(double flatShare);
     /// A view that is hidden is needed beside the other one.
     void bothWanted();
     /// The device failed; says whether it works again.
@@ -104,6 +108,7 @@ private:
     void watch(BoardView& view);
     void onPointed(BoardView& view);
     void onLeft(BoardView& view);
+    void onSplitterMoved();
     void makeScene();
     void loadScene();
     void loadInTurn();
@@ -136,6 +141,7 @@ private:
     std::function<model::LayerId()> m_anchor = [] { return model::LayerId{}; };
     float m_exploded = 0.0F;
     Arrangement m_arrangement = Arrangement::SideBySide;
+    double m_flatShare = 0.5;
     bool m_isUntried = false;  ///< the device was renewed and has not finished a frame since
     QSplitter* m_splitter = nullptr;
     std::array<BoardView*, 2> m_views{};

@@ -143,6 +143,23 @@ void connectOverlays(FeatureContext& context) {
     }
 }
 
+/// The arrangement that is there already, chosen again, makes both views alike.
+void connectDivision(FeatureContext& context) {
+    BoardViews& views = context.views;
+    const auto keep = [&settings = context.settings](double share) { settings.setFlatShare(share); };
+    QObject::connect(&views, &BoardViews::divided, &context.window, keep);
+    for (const auto& [id, arrangement] : {std::pair(ActionId::ShowSideBySide, Arrangement::SideBySide),
+                                          std::pair(ActionId::ShowStacked, Arrangement::Stacked)}) {
+        context.on(id, [&views, keep, own = arrangement] {
+            if (views.arrangement() == own) {
+                keep(0.5);
+                views.divide(0.5);
+            }
+        });
+    }
+    context.restorers.emplace_back([&context] { context.views.divide(context.settings.flatShare()); });
+}
+
 void connectAppearance(FeatureContext& context) {
     BoardViews& views = context.views;
     context.addChoice<Arrangement>({{ActionId::ShowFlat, Arrangement::Flat},
@@ -209,6 +226,7 @@ void addViews(FeatureContext& context) {
     connectProbing(context);
     addViewMenu(context);
     connectOverlays(context);
+    connectDivision(context);
     connectAppearance(context);
     connectPictures(context);
 }

@@ -169,7 +169,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {ShowPinNames, MenuId::View, QT_TR_NOOP("Pi&n names"), "Shift+W", QT_TR_NOOP("Show the names of pins on their pads in 2D, where there is room"), kCheckable | kInFlat},
     {ShowGuide, MenuId::Help, QT_TR_NOOP("&Guide"), "F1", QT_TR_NOOP("How to open boards, follow nets, measure, check clearances, cut and export, with pictures")},
     {ShowKeys, MenuId::Help, QT_TR_NOOP("&Keys and mouse"), "?", QT_TR_NOOP("All keys and mouse gestures on one page")},
-    {ResetSettings, MenuId::Help, QT_TR_NOOP("&Reset settings…"), "Ctrl+K,Delete", QT_TR_NOOP("Reset window, panels, theme and recent boards"), kNewGroup},
+    {ResetSettings, MenuId::Help, QT_TR_NOOP("&Reset settings…"), "Ctrl+K,Delete", QT_TR_NOOP("Reset window, panels, theme, what the views show and recent boards"), kNewGroup},
     {About, MenuId::Help, QT_TR_NOOP("&About Copperscope"), "Shift+F1", QT_TR_NOOP("Version and licence"), kNewGroup},
 };
 // clang-format on

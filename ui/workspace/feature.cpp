@@ -61,6 +61,18 @@ bool areCut(const QString& filters) {
 
 }  // namespace
 
+void FeatureContext::keepSwitches() {
+    for (const Settings::Switch& kept : Settings::kSwitches) {
+        QAction& action = actions[kept.id];
+        on(kept.id, [this, &kept](bool isOn) { settings.setOn(kept, isOn); });
+        restorers.emplace_back([this, &kept, &action, isOnAtFirst = action.isChecked()] {
+            if (settings.isOn(kept, isOnAtFirst) != action.isChecked()) {
+                action.trigger();
+            }
+        });
+    }
+}
+
 void FeatureContext::addPanel(const DockSpec& spec, QWidget& panel) const {
     nameControls(panel, spec.title);
     auto* dock = new QDockWidget(spec.title, &window);

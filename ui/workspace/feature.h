@@ -83,6 +83,9 @@ struct FeatureContext {
         restorers.emplace_back([this, choose] { choose(settings.choice<Value>()); });
     }
 
+    /// What Settings::kSwitches names is kept in the settings; at first each is as it is now.
+    void keepSwitches();
+
     /// Takes the panel over. Its action brings it to the front, and hides it when it is there. Whether it is shown at
     /// first is a matter of the use of the window (ui/shell/panel_arrangements.h).
     void addPanel(const DockSpec& spec, QWidget& panel) const;

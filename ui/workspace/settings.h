@@ -21,8 +21,8 @@ enum class Arrangement { SideBySide, Stacked, Flat, Solid };
 /// What the window is used for: each has panels of its own.
 enum class Use { General, Stackup, Nets, Clearance };
 
-/// What is kept between runs: window place, panels, theme, back end, recent boards. Stored where the system keeps
-/// settings, or in one file for tests.
+/// What is kept between runs: window place, panels, theme, back end, what the views show, recent boards. Stored where
+/// the system keeps settings, or in one file for tests.
 class Settings {
 public:
     Settings() : m_store(QStringLiteral("Copperscope"), QStringLiteral("Copperscope")) {}
@@ -45,6 +45,36 @@ public:
         const Choices choices = choicesOf(value);
         m_store.setValue(choices.key, choices.words[static_cast<qsizetype>(value)]);
     }
+
+    /// A command that is on or off: which one it is, is kept under a word.
+    struct Switch {
+        ActionId id;
+        const char* word;
+    };
+    static constexpr Switch kSwitches[] = {{ActionId::ShowGrid, "grid"},
+                                           {ActionId::ShowNames, "net names"},
+                                           {ActionId::ShowPinNames, "pin names"},
+                                           {ActionId::ShowOutlines, "outlines"},
+                                           {ActionId::ShowViewCube, "view cube"},
+                                           {ActionId::DimOthers, "dim others"},
+                                           {ActionId::FollowInSolid, "follow in 3d"},
+                                           {ActionId::FollowInFlat, "follow in 2d"},
+                                           {ActionId::FollowInTables, "follow in tables"},
+                                           {ActionId::FollowFromTables, "follow tables"}};
+    /// `other` where nothing was chosen.
+    [[nodiscard]] bool isOn(const Switch& kept, bool other) const { return m_store.value(keyOf(kept), other).toBool(); }
+    void setOn(const Switch& kept, bool isOn) { m_store.setValue(keyOf(kept), isOn); }
+
+    /// How far what does not stand out is darkened, in percent; `other` where nothing was chosen.
+    [[nodiscard]] int dimPercent(int other) const { return m_store.value("view/dim", other).toInt(); }
+    void setDimPercent(int percent) { m_store.setValue("view/dim", percent); }
+    /// How much of the room of both views the 2D view has: between 0 and 1, at first one half.
+    [[nodiscard]] double flatShare() const {
+        constexpr double kHalf = 0.5;
+        const double share = m_store.value("view/2d share", kHalf).toDouble();
+        return share > 0.0 && share < 1.0 ? share : kHalf;
+    }
+    void setFlatShare(double share) { m_store.setValue("view/2d share", share); }
 
     /// Paths, newest first.
     [[nodiscard]] QStringList recentBoards() const { return m_store.value("files/recent").toStringList(); }
@@ -99,6 +129,7 @@ private:
     static Choices choicesOf(KeyPreset) {
         return {"view/keys", {"copperscope", "kicad", "altium", "allegro", "klayout"}};
     }
+    static QString keyOf(const Switch& kept) { return QStringLiteral("view/switches/") + QLatin1String(kept.word); }
     static QString stateKey(Use use) {
         return QStringLiteral("window/panels ") + choicesOf(use).words[static_cast<qsizetype>(use)];
     }

@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSplitter>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QUrl>
@@ -433,6 +434,40 @@ private slots:
         QVERIFY(!second.findChild<QDockWidget*>("layers")->isHidden());
         QVERIFY(second.actions()[ActionId::ThemeSystem].isChecked());
         QVERIFY(m_fixture->settings().recentBoards().isEmpty());
+    }
+
+    void whatTheViewsShowIsKept() {
+        constexpr ActionId kOff[] = {ActionId::ShowGrid, ActionId::ShowPinNames, ActionId::FollowInTables};
+        constexpr ActionId kOn[] = {ActionId::ShowOutlines, ActionId::DimOthers, ActionId::FollowInSolid};
+        const auto areSet = [&](bool isOn) {
+            const auto isSo = [&](ActionId id) { return window().actions()[id].isChecked() == isOn; };
+            return std::ranges::all_of(kOn, isSo) && std::ranges::none_of(kOff, isSo);
+        };
+        const auto share = [this] {
+            const ui::BoardViews& views = window().views();
+            return double(views.both()[0]->width()) / (views.both()[0]->width() + views.both()[1]->width());
+        };
+        QVERIFY(m_fixture->openAndWait(kSample));
+        QVERIFY(areSet(false));
+        for (const ActionId id : {kOff[0], kOff[1], kOff[2], kOn[0], kOn[1], kOn[2]}) {
+            window().actions()[id].trigger();
+        }
+        const int dim = window().netsPanel().dimSlider().value();
+        window().netsPanel().dimSlider().setValue(dim / 2);
+        auto* splitter = window().views().findChild<QSplitter*>();
+        splitter->setSizes({1000, 3000});
+        emit splitter->splitterMoved(1000, 1);  // as the user does
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(kSample));
+        QVERIFY(areSet(true));
+        QVERIFY2(window().views().flat().controller().margins().isNull(), "no rulers either");
+        QVERIFY(!window().actions()[ActionId::ShowViewCube].isChecked());
+        QCOMPARE(window().netsPanel().dimSlider().value(), dim / 2);
+        QVERIFY2(share() < 0.4, qPrintable(QString::number(share())));
+        window().resetSettings();
+        QVERIFY(areSet(false) && window().actions()[ActionId::ShowViewCube].isChecked());
+        QCOMPARE(window().netsPanel().dimSlider().value(), dim);
+        QTRY_VERIFY(std::abs(share() - 0.5) < 0.05);
     }
 
     void panelsAreToggledByKeys() {

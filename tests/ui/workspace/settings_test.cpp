@@ -31,6 +31,9 @@ private slots:
             settings.setWindowState(ui::Use::Nets, "state");
             settings.choose(ui::Use::Clearance);
             settings.setLastFolder("/boards");
+            settings.setOn(Settings::kSwitches[0], false);
+            settings.setDimPercent(30);
+            settings.setFlatShare(0.25);
         }
         const Settings settings(iniFile());
         QCOMPARE(settings.choice<ui::Theme>(), ui::Theme::Dark);
@@ -42,6 +45,10 @@ private slots:
         QVERIFY(settings.windowState(ui::Use::General).isEmpty());
         QCOMPARE(settings.choice<ui::Use>(), ui::Use::Clearance);
         QCOMPARE(settings.lastFolder(), "/boards");
+        QVERIFY(!settings.isOn(Settings::kSwitches[0], true));
+        QVERIFY(settings.isOn(Settings::kSwitches[1], true) && !settings.isOn(Settings::kSwitches[1], false));
+        QCOMPARE(settings.dimPercent(70), 30);
+        QCOMPARE(settings.flatShare(), 0.25);
     }
 
     void whatCannotBeWrittenIsKeptForThisRunAlone() {
@@ -58,10 +65,12 @@ private slots:
             QSettings store(iniFile(), QSettings::IniFormat);
             store.setValue("view/theme", "sepia");
             store.setValue("view/backend", 7);
+            store.setValue("view/2d share", "nan");
         }
         const Settings settings(iniFile());
         QCOMPARE(settings.choice<ui::Theme>(), ui::Theme::System);
         QCOMPARE(settings.choice<render::Backend>(), render::Backend::Auto);
+        QCOMPARE(settings.flatShare(), 0.5);
     }
 
     void resetForgetsEverything() {
