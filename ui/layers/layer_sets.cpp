@@ -105,7 +105,7 @@ void LayerSets::requestName() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Save layer set"));
     dialog->setLabelText(tr("Name of the set of visible layers:"));
-    dialog->setTextValue(tr("Set %1").arg(m_own.size() + 1));
+    dialog->setTextValue(QString::fromStdString(freeName(m_own, tr("Set").toStdString() + ' ')));
     connect(dialog, &QInputDialog::textValueSelected, this, &LayerSets::save);
     dialog->open();
 }
@@ -117,13 +117,15 @@ void LayerSets::save(const QString& name) {
     List after = m_own;
     session::LayerSet set{name.trimmed().toStdString(), m_layers.visibleNames()};
     const auto same = std::ranges::find(after, set.name, &session::LayerSet::name);
-    if (same != after.end()) {
+    const bool isReplaced = same != after.end();
+    if (isReplaced) {
         *same = std::move(set);
     } else {
         after.push_back(std::move(set));
     }
-    m_part.edit(tr("saving a layer set"), m_own, std::move(after));
-    m_workspace.report(tr("Saved the layer set %1").arg(name.trimmed()));
+    m_part.edit(isReplaced ? tr("replacing a layer set") : tr("saving a layer set"), m_own, std::move(after));
+    m_workspace.report(
+        (isReplaced ? tr("Replaced the layer set %1") : tr("Saved the layer set %1")).arg(name.trimmed()));
 }
 
 void LayerSets::remove(const QString& name) {

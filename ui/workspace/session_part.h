@@ -78,6 +78,17 @@ private:
     bool m_isRead = true;  ///< whoever reads the file now finds the last edit in it
 };
 
+/// "View 3": a name that no entry has, counted on from their number.
+template <class Entry>
+[[nodiscard]] std::string freeName(const std::vector<Entry>& entries, const std::string& word) {
+    std::size_t number = entries.size();
+    std::string name;
+    do {
+        name = word + std::to_string(++number);
+    } while (std::ranges::find(entries, name, &Entry::name) != entries.end());
+    return name;
+}
+
 /// A list in a board's session whose entries have a name and the step they are of: views, measurements, sections.
 template <class Entry>
 class SavedList {
@@ -99,13 +110,10 @@ public:
     }
 
     [[nodiscard]] const List& entries() const { return m_entries; }
-    /// Adds an entry of the step on the screen: "View 3", a name that no other has, counted on from the length.
+    /// Adds an entry of the step on the screen, with a free name that begins with `word`.
     void add(const QString& what, Entry entry, const std::string& word) {
         entry.step = m_workspace.board()->document->job.step;
-        std::size_t number = m_entries.size();
-        do {
-            entry.name = word + std::to_string(++number);
-        } while (std::ranges::find(m_entries, entry.name, &Entry::name) != m_entries.end());
+        entry.name = freeName(m_entries, word);
         List after = m_entries;
         after.push_back(std::move(entry));
         m_part.edit(what, m_entries, std::move(after));

@@ -1,6 +1,8 @@
 // Layers are shown in sets, and what is done to them is undone like every other edit.
 
+#include <QInputDialog>
 #include <QMenu>
+#include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 #include <QtTest>
@@ -101,6 +103,24 @@ private slots:
         QVERIFY(sets().own().empty());
         trigger(ActionId::Undo);
         QCOMPARE(sets().own().size(), std::size_t{1});
+    }
+
+    void theProposedNameOfASetReplacesNone() {
+        sets().save("Set 1");
+        window().layers().showOnly({"TOP"});
+        sets().save("Set 2");
+        sets().remove("Set 1");
+        window().layers().showOnly({"BOTTOM"});
+        trigger(ActionId::SaveLayerSet);
+        auto* dialog = window().findChild<QInputDialog*>();
+        QVERIFY(dialog != nullptr);
+        dialog->accept();
+        QCOMPARE(sets().own().size(), std::size_t{2});
+        QCOMPARE(sets().own()[0].layers, std::vector<std::string>{"TOP"});
+        QCOMPARE(window().statusBar()->currentMessage(), QString("Saved the layer set Set 3"));
+        sets().save("Set 2");
+        QCOMPARE(sets().own()[0].layers, std::vector<std::string>{"BOTTOM"});
+        QCOMPARE(window().statusBar()->currentMessage(), QString("Replaced the layer set Set 2"));
     }
 
     void savedViewsOfferTheirLayers() {
