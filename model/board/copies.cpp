@@ -2,6 +2,8 @@
 
 #include <unordered_map>
 
+#include "model/board/board_heights.h"
+
 namespace model {
 
 namespace {
@@ -37,6 +39,32 @@ private:
 };
 
 }  // namespace
+
+ZRange heightsInCopy(const Document& step, LayerId layer, bool isFlipped) {
+    const Layer& on = step.layer(step.layerOfCopy(layer, isFlipped));
+    const ZRange z{on.z, on.z + on.thickness};
+    if (!isFlipped || step.layer(layer).opposite.isValid()) {
+        return z;
+    }
+    const ZRange board = boardHeights(step);
+    const Nm faces = board.bottom + board.top;
+    return {faces - z.top, faces - z.bottom};
+}
+
+ZRange heightsInCopy(const Document& step, ElementId element, bool isFlipped) {
+    const LayerId layer = step.elements.layer[element.row()];
+    const ZRange z = heightsInCopy(step, layer, isFlipped);
+    const Body* body = step.bodyOf(element);
+    if (body == nullptr) {
+        return z;
+    }
+    return growsDownInCopy(step, layer, isFlipped) ? ZRange{z.top - body->height, z.top}
+                                                   : ZRange{z.bottom, z.bottom + body->height};
+}
+
+bool growsDownInCopy(const Document& step, LayerId layer, bool isFlipped) {
+    return (step.layer(layer).side == LayerSide::Bottom) != isFlipped;
+}
 
 StepTree unfoldCopies(const Document& board) {
     Unfolder unfolder;

@@ -38,6 +38,14 @@ struct BoardNet {
     constexpr auto operator<=>(const BoardNet&) const = default;
 };
 
+/// From where to where on the board lies what is on a layer of a step, in a copy: an upright one has the heights of the
+/// layer, a flipped one those of Layer::opposite, or mirrored through the board (boardHeights) where that is none.
+[[nodiscard]] ZRange heightsInCopy(const Document& step, LayerId layer, bool isFlipped);
+/// The same of an element, with its own height if it is the body of a component.
+[[nodiscard]] ZRange heightsInCopy(const Document& step, ElementId element, bool isFlipped);
+/// Do the bodies of a layer grow down from their board in a copy, from the upper face of where the layer lies?
+[[nodiscard]] bool growsDownInCopy(const Document& step, LayerId layer, bool isFlipped);
+
 [[nodiscard]] StepTree unfoldCopies(const Document& board);
 
 /// Every document once, the board itself first.

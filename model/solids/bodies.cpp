@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/board/flip.h"
 #include "model/solids/body_floors.h"
 
 namespace model {
@@ -246,6 +247,7 @@ void addBodies(DocumentBuilder& builder, const TallestBodies& tallest) {
             maker.addLayer(floor, thickness, faces);
         }
     }
+    setSyntheticOpposites(builder.layers());
 }
 
 void placeBodies(Document& document) {

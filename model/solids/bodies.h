@@ -23,6 +23,8 @@ struct TallestBodies {
 /// and those without a height whose outline covers much of the board, or other components. What is assumed or left out
 /// is reported, once per cause.
 ///
+/// Layers of the two sides are each other's Layer::opposite.
+///
 /// All steps of a panel have the same rows: `tallest` is that of all of them.
 void addBodies(DocumentBuilder& builder, const TallestBodies& tallest);
 

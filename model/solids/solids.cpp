@@ -4,6 +4,7 @@
 #include <map>
 
 #include "model/base/parallel.h"
+#include "model/board/flip.h"
 #include "model/board/holes.h"
 #include "model/geometry/boolean.h"
 #include "model/geometry/curve_edges.h"
@@ -233,6 +234,7 @@ bool addSolids(DocumentBuilder& builder, const base::Progress& progress) {
             builder.addArea({builder.addShape(plate.sketch), {}}, {});
         }
     }
+    setSyntheticOpposites(builder.layers());
     return !progress.isCancelled();
 }
 

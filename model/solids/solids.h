@@ -23,6 +23,7 @@ inline constexpr Nm kWidestTent = 500'000;
 /// - the solder masks (LayerType::SolderMask): the outline minus the mask's openings and minus the
 /// holes
 ///   that stay open (routs, NPTHs, plated ones wider than kWidestTent), named "<mask> solder mask".
+/// Where copies of the board are flipped, the layers lie on each other (Layer::opposite).
 /// Layers with an outline of their own keep within it. On a panel all that the outlines of the steps it places enclose
 /// is cut out: they have solids of their own, and where an outline has a cut-out there is nothing. The layers depend on
 /// those of the job only, so that all steps of a panel have the same rows; they are empty where there is no outline, or

@@ -35,11 +35,6 @@ void addLayers(DocumentBuilder& builder) {
     builder.setBoardThickness(1'600'000);
 }
 
-void linkBodies(DocumentBuilder& builder) {
-    builder.layers()[2].opposite = LayerId{3};
-    builder.layers()[3].opposite = LayerId{2};
-}
-
 /// 12 by 10 mm of copper on both sides, and in the middle of the top a ceramic capacitor of 5.25 by 3.4 mm.
 std::shared_ptr<const Document> card() {
     DocumentBuilder builder;
@@ -67,7 +62,6 @@ std::shared_ptr<const Document> card() {
     component.package = builder.addPackage({}, pins);
     builder.addComponent(std::move(component), {});
     model::addBodies(builder, {2 * kMm, 2 * kMm});
-    linkBodies(builder);
     return builder.finish();
 }
 
@@ -81,7 +75,6 @@ std::shared_ptr<const Document> panel() {
         false);
     builder.setProfile(builder.addShape(outline));
     model::addBodies(builder, {2 * kMm, 2 * kMm});
-    linkBodies(builder);
     const std::uint32_t step = builder.addStep(card());
     builder.addInstance({step, {{-8 * kMm, 0}, 0.0, false}, false});
     builder.addInstance({step, {{8 * kMm, 0}, 0.0, true}, true});

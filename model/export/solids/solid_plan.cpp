@@ -5,7 +5,6 @@
 #include <set>
 
 #include "model/board/holes.h"
-#include "model/board/laser_via.h"
 #include "model/geometry/loops/fit_arcs.h"
 #include "model/geometry/loops/needless_corners.h"
 #include "model/geometry/loops/region_booleans.h"
@@ -106,8 +105,8 @@ void addLayer(StepSolids& step, LayerId layer, std::vector<Member>& members) {
     }
 }
 
-bool isSolid(const Document& document, ElementId element) {
-    const ZRange z = solidHeightsOf(document, element);
+bool isSolid(const Document& document, ElementId element, bool isFlipped) {
+    const ZRange z = solidHeightsOf(document, element, isFlipped);
     const bool isOfHoles = isHoles(document.layer(document.elements.layer[element.row()]).type);
     return z.top > z.bottom && (!isOfHoles || isPlatedHole(document.elements.flags[element.row()]));
 }
@@ -127,7 +126,7 @@ StepSolids solidsOf(const Document& document, bool isFlipped, const SolidChoice&
         const Range range = document.layers[row].elements;
         for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
             const ElementId element{i};
-            if (filter.takes(element) && isSolid(document, element)) {
+            if (filter.takes(element) && isSolid(document, element, isFlipped)) {
                 members.push_back({document.elements.net[i], componentOf(document, element), element});
             }
         }
@@ -199,32 +198,6 @@ void drill(const StepSolids& step, LayerId layer, ElementOutlines& outlines) {
 ElementOutlines milledOutlinesOf(const StepSolids& step, ElementId element) {
     const MilledElement* milled = milledOf(step, element);
     return milled != nullptr ? ElementOutlines{regionsOf(milled->rest), {}} : outlinesOf(*step.document, element);
-}
-
-/// Heights of what lies on another layer once the step is turned over.
-ZRange flippedHeights(const Document& document, ElementId element) {
-    const auto opposite = [&](LayerId layer) -> const Layer& {
-        return document.layer(document.layerOfCopy(layer, true));
-    };
-    const ZRange own = solidHeightsOf(document, element);
-    if (isPlatedHole(document.elements.flags[element.row()])) {
-        const PlatedSpan span = document.platedSpanOf(element);
-        const LayerId target = targetOf(document, element);
-        const Layer& a = opposite(span.top);
-        const Layer& b = opposite(span.bottom);
-        const Layer& low = a.z < b.z ? a : b;
-        const Layer& high = a.z < b.z ? b : a;
-        const bool landsLow = target.isValid() && &opposite(target) == &low;
-        const bool landsHigh = target.isValid() && &opposite(target) == &high;
-        return {landsLow ? low.z + low.thickness : low.z, landsHigh ? high.z : high.z + high.thickness};
-    }
-    const Layer& layer = opposite(document.elements.layer[element.row()]);
-    if (document.bodyOf(element) != nullptr) {
-        const Nm height = own.top - own.bottom;
-        return layer.side == LayerSide::Bottom ? ZRange{layer.z + layer.thickness - height, layer.z + layer.thickness}
-                                               : ZRange{layer.z, layer.z + height};
-    }
-    return {layer.z, layer.z + layer.thickness};
 }
 
 /// A region as the choice wants it, upside down if the step lies so.
@@ -342,7 +315,7 @@ std::string SolidPlan::nameOf(const StepSolids& step, const SolidGroup& group) c
 }
 
 ZRange SolidPlan::heightsOf(const StepSolids& step, ElementId element) const {
-    return step.isFlipped ? flippedHeights(*step.document, element) : solidHeightsOf(*step.document, element);
+    return solidHeightsOf(*step.document, element, step.isFlipped);
 }
 
 ElementShells SolidPlan::shellsOf(const StepSolids& step, ElementId element) const {

@@ -29,7 +29,7 @@ struct SolidGroup {
 /// What of one document of a panel (or of the only one) is written, as it lies or upside down.
 struct StepSolids {
     const Document* document = nullptr;
-    /// Of copies that lie upside down: solids are mirrored x -> -x, and what is on a layer lies on Layer::opposite.
+    /// Of copies that lie upside down: solids are mirrored x -> -x, and heights are those of heightsInCopy.
     bool isFlipped = false;
     std::vector<SolidGroup> groups;   ///< by layer as in the document, then by net
     std::vector<ElementId> elements;  ///< group by group

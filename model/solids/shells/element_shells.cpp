@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
+#include "model/board/copies.h"
 #include "model/board/laser_via.h"
 #include "model/geometry/loops/edge_faults.h"
 #include "model/geometry/loops/edge_union.h"
@@ -105,24 +107,25 @@ ElementOutlines outlinesOf(const Document& document, ElementId element) {
     return {};
 }
 
-ZRange solidHeightsOf(const Document& document, ElementId element) {
+ZRange solidHeightsOf(const Document& document, ElementId element, bool isFlipped) {
     if (!isPlatedHole(document.elements.flags[element.row()])) {
-        return document.heightsOf(element);
+        return heightsInCopy(document, element, isFlipped);
     }
-    const PlatedSpan span = document.platedSpanOf(element);
+    PlatedSpan span = document.platedSpanOf(element);
     if (!span.top.isValid() || !span.bottom.isValid()) {
         return {};
     }
-    const Layer& top = document.layer(span.top);
-    const Layer& bottom = document.layer(span.bottom);
-    ZRange z{bottom.z, top.z + top.thickness};
+    ZRange top = heightsInCopy(document, span.top, isFlipped);
+    ZRange bottom = heightsInCopy(document, span.bottom, isFlipped);
+    if (bottom.bottom > top.bottom) {
+        std::swap(span.top, span.bottom);
+        std::swap(top, bottom);
+    }
     const LayerId target = targetOf(document, element);
     if (target.isValid() && target == span.bottom) {
-        z.bottom = bottom.z + bottom.thickness;
-    } else if (target.isValid() && target == span.top) {
-        z.top = top.z;
+        return {bottom.top, top.top};
     }
-    return z;
+    return {bottom.bottom, target.isValid() && target == span.top ? top.bottom : top.top};
 }
 
 ElementShells shellsOf(const Document& document, ElementId element) {

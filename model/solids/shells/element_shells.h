@@ -25,8 +25,9 @@ struct ElementOutlines {
 /// Those of a shape where no placement lays it.
 [[nodiscard]] ElementOutlines outlinesOf(const Document& document, ShapeId shape);
 /// From where to where the element is solid: its layer, its body, or what is left of the plating of its hole; empty
-/// (equal heights) when that is nothing. A laser via ends on the near face of its target.
-[[nodiscard]] ZRange solidHeightsOf(const Document& document, ElementId element);
+/// (equal heights) when that is nothing. A laser via ends on the near face of its target. `isFlipped`: in copies of the
+/// document that lie upside down (heightsInCopy).
+[[nodiscard]] ZRange solidHeightsOf(const Document& document, ElementId element, bool isFlipped = false);
 [[nodiscard]] ElementShells shellsOf(const Document& document, ElementId element);
 
 }  // namespace model

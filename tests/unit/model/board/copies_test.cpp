@@ -76,6 +76,43 @@ private slots:
         QVERIFY(!tree.copies[6].isFlipped);                                       // turned over twice
     }
 
+    /// Copper of 50 and 35 µm, an ink on top that has no counterpart, and bodies on both sides.
+    void flippedCopiesHaveTheHeightsOfTheOtherSide() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        const auto add = [&](model::LayerType type, model::LayerSide side, model::Nm z, model::Nm thickness) {
+            model::Layer layer;
+            layer.type = type;
+            layer.side = side;
+            layer.z = z;
+            layer.thickness = thickness;
+            return builder.addLayer(layer);
+        };
+        const LayerId ink = add(model::LayerType::SilkScreen, model::LayerSide::Top, 1'600'000, 20'000);
+        const LayerId bodies = add(model::LayerType::ComponentBody, model::LayerSide::Top, 1'600'000, 9'000'000);
+        const LayerId below = add(model::LayerType::ComponentBody, model::LayerSide::Bottom, -1'000'000, 1'000'000);
+        builder.layer(LayerId{0}).z = 1'550'000;
+        builder.layer(LayerId{0}).thickness = 50'000;
+        builder.layer(LayerId{1}).thickness = 35'000;
+        builder.beginLayer(bodies);
+        const model::ElementId body = builder.addCircle({{0, 0}, 1'000'000, 0}, {});
+        builder.addBody({body, {}, 300'000});
+        model::Document card = *builder.finish();
+        const auto of = [&](auto id) {
+            const model::ZRange z = model::heightsInCopy(card, id, true);
+            return std::pair(z.bottom, z.top);
+        };
+        QCOMPARE(of(LayerId{0}), std::pair(0, 35'000));
+        QCOMPARE(of(ink), std::pair(-20'000, 0));
+        QCOMPARE(of(body), std::pair(-300'000, 0));  // a layer without a counterpart
+        QVERIFY(model::growsDownInCopy(card, bodies, true));
+        card.layers[bodies.row()].opposite = below;
+        card.layers[below.row()].opposite = bodies;
+        QCOMPARE(of(body), std::pair(-300'000, 0));
+        const model::ZRange upright = model::heightsInCopy(card, body, false);
+        QCOMPARE(std::pair(upright.bottom, upright.top), std::pair(1'600'000, 1'900'000));
+    }
+
     void countsAndExtentIncludeCopies() {
         const auto panel = holding(card(), {{{{0, 0}, 0.0, false}, false}, {{{0, 0}, 0.0, true}, true}});
         QCOMPARE(panel->elementCounts()[2], 0U);

@@ -366,6 +366,9 @@ private slots:
         Zones board;
         const auto d = board.finish({2 * kMm, kMm, false});
         QCOMPARE(d->layers.back().name, std::string("bodies bottom on l3"));
+        const Layer& top = d->layer(d->findLayer("bodies top"));
+        QCOMPARE(top.opposite, d->findLayer("bodies bottom"));
+        QCOMPARE(d->layer(top.opposite).opposite, d->findLayer("bodies top"));
         QCOMPARE(std::ranges::count(d->layers, LayerType::ComponentBody, &Layer::type), std::ptrdiff_t{4});
     }
 

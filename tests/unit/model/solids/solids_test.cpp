@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "model/base/parallel.h"
+#include "model/board/flip.h"
 #include "model/figures/element_polygons.h"
 #include "model/geometry/discretise.h"
 #include "tests/unit/model/hand_made.h"
@@ -122,6 +123,43 @@ std::shared_ptr<const model::Document> twoZones(const model::ShapeSketch& upper,
     return withSolids(builder);
 }
 
+/// Four copper layers with masks outside, drilled from the first to the second and, if so, from the last to the one
+/// above.
+std::shared_ptr<const model::Document> drilledFromOutside(bool isFromBothSides) {
+    DocumentBuilder builder;
+    addSquare(builder);
+    const auto add = [&](const char* name, LayerType type, model::LayerSide side, model::Nm z, model::Nm thickness) {
+        Layer layer;
+        layer.name = name;
+        layer.type = type;
+        layer.side = side;
+        layer.z = z;
+        layer.thickness = thickness;
+        return builder.addLayer(layer);
+    };
+    using model::LayerSide;
+    add("mask top", LayerType::SolderMask, LayerSide::Top, 1'600'000, 20'000);
+    const model::LayerId copper[] = {add("l1", LayerType::Signal, LayerSide::Top, 1'550'000, 50'000),
+                                     add("l2", LayerType::Signal, LayerSide::Inner, 1'300'000, 50'000),
+                                     add("l3", LayerType::Signal, LayerSide::Inner, 400'000, 50'000),
+                                     add("l4", LayerType::Signal, LayerSide::Bottom, 0, 50'000)};
+    add("mask bottom", LayerType::SolderMask, LayerSide::Bottom, -30'000, 30'000);
+    const auto drill = [&](model::LayerId top, model::LayerId bottom) {
+        const Layer& low = builder.layer(bottom);
+        const Layer& high = builder.layer(top);
+        const model::LayerId id =
+            add("drill", LayerType::Drill, LayerSide::None, low.z, high.z + high.thickness - low.z);
+        builder.layer(id).spanTop = top;
+        builder.layer(id).spanBottom = bottom;
+    };
+    drill(copper[0], copper[1]);
+    if (isFromBothSides) {
+        drill(copper[2], copper[3]);
+    }
+    model::setOpposites(builder.layers());
+    return withSolids(builder);
+}
+
 bool saysThatArcsAreLost(const model::Document& document) {
     return std::ranges::any_of(document.diagnostics.entries(), [](const model::Diagnostic& entry) {
         return entry.text.find("straight edges within 1 µm") != std::string::npos;
@@ -199,6 +237,27 @@ private slots:
         // The narrow plated hole stays under the lacquer.
         QVERIFY(std::abs(areaMm2(*document, coat) - (100.0 - M_PI / 2 - slot - slot)) < 0.01);
         QCOMPARE(document->layer(document->findLayer("empty solder mask")).elements.count, 0U);
+    }
+
+    void syntheticLayersHaveOpposites() {
+        const auto d = drilledFromOutside(true);
+        const auto opposite = [&](const char* name) {
+            const model::LayerId id = d->layer(d->findLayer(name)).opposite;
+            return id.isValid() ? QString::fromStdString(d->layer(id).name) : QString();
+        };
+        QCOMPARE(opposite("mask top solder mask"), QString("mask bottom solder mask"));
+        QCOMPARE(opposite("mask bottom solder mask"), QString("mask top solder mask"));
+        QCOMPARE(opposite("board 1"), QString("board 3"));
+        QCOMPARE(opposite("board 2"), QString("board 2"));
+        QCOMPARE(opposite("board 3"), QString("board 1"));
+    }
+
+    /// Between other copper a part of the substrate would overlap what is drilled there.
+    void partsOfTheSubstrateThatHaveNoMirrorImageAreMirroredThroughTheBoard() {
+        const auto d = drilledFromOutside(false);
+        QVERIFY(d->findLayer("board 2").isValid() && !d->findLayer("board 3").isValid());
+        QVERIFY(!d->layer(d->findLayer("board 1")).opposite.isValid());
+        QVERIFY(!d->layer(d->findLayer("board 2")).opposite.isValid());
     }
 
     void aPanelIsWithoutTheBoardsItHolds() {

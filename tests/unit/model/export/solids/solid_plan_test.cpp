@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/board/flip.h"
+#include "model/solids/solids.h"
 #include "tests/unit/model/hand_made.h"
 
 using namespace hand_made;
@@ -358,6 +360,55 @@ private slots:
         const auto holes = plan.holesNear(step, LayerId{std::size_t{0}}, {{-6 * kMm, -kMm}, {-4 * kMm, kMm}});
         QCOMPARE(holes.size(), std::size_t{1});  // mirrored: the via of the blind drill
         QVERIFY(std::abs(holes.front().edges.front().centre.x + 5 * kMm) < 1);
+    }
+
+    /// A mask on the top alone, a body of 2 mm there and one of 1 mm below.
+    void whatNoLayerOfTheJobDrawsIsFlippedToo() {
+        model::DocumentBuilder builder;
+        std::array<StackLayer, 4> rows = kStackup;
+        addLayers(builder, rows);
+        builder.setProfile(builder.addShape(rectangle({0, 0}, {10 * kMm, 10 * kMm})));
+        model::Layer mask;
+        mask.name = "mask";
+        mask.type = LayerType::SolderMask;
+        mask.side = model::LayerSide::Top;
+        mask.z = 1'635 * kUm;
+        mask.thickness = 20 * kUm;
+        builder.beginLayer(builder.addLayer(mask));
+        builder.addCircle({{kMm, kMm}, kMm, 0}, {});
+        const base::Progress progress;
+        QVERIFY(model::addSolids(builder, progress));
+        const model::ShapeId shape = builder.addShape(rectangle({2 * kMm, 2 * kMm}, {4 * kMm, 4 * kMm}));
+        std::vector<ElementId> bodies;
+        for (const auto& [side, height] :
+             {std::pair(model::LayerSide::Top, 2 * kMm), std::pair(model::LayerSide::Bottom, kMm)}) {
+            model::Layer layer;
+            layer.type = LayerType::ComponentBody;
+            layer.side = side;
+            layer.isSynthetic = true;
+            layer.z = side == model::LayerSide::Top ? 1'655 * kUm : -height;
+            layer.thickness = height;
+            builder.beginLayer(builder.addLayer(layer));
+            bodies.push_back(builder.addArea({shape, {}}, {}));
+            builder.addBody({bodies.back(), {}, height});
+        }
+        model::setSyntheticOpposites(builder.layers());
+        const auto board = std::move(builder).finish();
+        model::Document panel = *board;
+        panel.steps = {board};
+        panel.instances = {model::StepInstance{0, {{20 * kMm, 0}, 0.0, true}, true}};
+        const SolidPlan plan = planOf(panel);
+        const auto heights = [&](ElementId element) {
+            const model::ZRange z = plan.heightsOf(plan.steps[1], element);
+            return std::pair(z.bottom, z.top);
+        };
+        const auto onLayer = [&](const char* name) {
+            return ElementId{board->layer(board->findLayer(name)).elements.first};
+        };
+        QCOMPARE(heights(bodies[0]), std::pair(-2 * kMm, 0));
+        QCOMPARE(heights(bodies[1]), std::pair(1'655 * kUm, 2'655 * kUm));
+        QCOMPARE(heights(onLayer("mask solder mask")), std::pair(-20 * kUm, 0));
+        QCOMPARE(heights(onLayer("board")), std::pair(50 * kUm, 1'600 * kUm));
     }
 
     void flippedCopiesLieMirroredOnTheOppositeLayer() {
