@@ -110,7 +110,7 @@ public:
 private:
     void add(const model::SolidCopy& copy, const model::StepSolids& step, ElementId element) {
         Member member{copy.step, element, copy.placement, m_plan.heightsOf(step, element), {}};
-        if (step.isFlipped) {
+        if (step.isMirrored) {
             member.placement = member.placement.after({{}, 0.0, true});
         }
         member.box = member.placement.boxOf(step.document->boxOf(element));

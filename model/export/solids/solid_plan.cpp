@@ -111,10 +111,18 @@ bool isSolid(const Document& document, ElementId element, bool isFlipped) {
     return z.top > z.bottom && (!isOfHoles || isPlatedHole(document.elements.flags[element.row()]));
 }
 
-StepSolids solidsOf(const Document& document, bool isFlipped, const SolidChoice& choice) {
+/// How a copy of a step lies, but for where.
+struct CopyKind {
+    bool isFlipped = false;
+    bool isMirrored = false;
+    auto operator<=>(const CopyKind&) const = default;
+};
+
+StepSolids solidsOf(const Document& document, const CopyKind& kind, const SolidChoice& choice) {
     StepSolids step;
     step.document = &document;
-    step.isFlipped = isFlipped;
+    step.isFlipped = kind.isFlipped;
+    step.isMirrored = kind.isMirrored;
     const Filter filter(document, choice);
     std::vector<Member> members;
     for (std::size_t row = 0; row < document.layers.size(); ++row) {
@@ -126,7 +134,7 @@ StepSolids solidsOf(const Document& document, bool isFlipped, const SolidChoice&
         const Range range = document.layers[row].elements;
         for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
             const ElementId element{i};
-            if (filter.takes(element) && isSolid(document, element, isFlipped)) {
+            if (filter.takes(element) && isSolid(document, element, kind.isFlipped)) {
                 members.push_back({document.elements.net[i], componentOf(document, element), element});
             }
         }
@@ -164,7 +172,7 @@ const MilledElement* milledOf(const StepSolids& step, ElementId element) {
     return found != step.milled.end() && found->element == element ? &*found : nullptr;
 }
 
-constexpr Placement kUpsideDown{{}, 0.0, true};
+constexpr Placement kMirror{{}, 0.0, true};
 
 constexpr std::string_view kCoarseHoles = "holes are cut out of it with chords of 1 µm";
 
@@ -200,36 +208,36 @@ ElementOutlines milledOutlinesOf(const StepSolids& step, ElementId element) {
     return milled != nullptr ? ElementOutlines{regionsOf(milled->rest), {}} : outlinesOf(*step.document, element);
 }
 
-/// A region as the choice wants it, upside down if the step lies so.
-EdgeLoops finished(EdgeLoops region, const SolidChoice& choice, bool isFlipped) {
+/// A region as the choice wants it, mirrored if the step is.
+EdgeLoops finished(EdgeLoops region, const SolidChoice& choice, bool isMirrored) {
     region = withoutNeedlessCorners(region, kCornerTolerance);
     if (choice.hasFittedArcs) {
         region = withFittedArcs(region, kArcTolerance);
     }
-    return isFlipped ? placed(region, kUpsideDown) : region;
+    return isMirrored ? placed(region, kMirror) : region;
 }
 
-/// The rows of documents of a panel, as they lie and upside down.
+/// The rows of documents of a panel, one for each way in which copies lie.
 class StepRows {
 public:
     explicit StepRows(SolidPlan& plan) : m_plan(plan) {}
 
-    std::uint32_t rowOf(const Document& document, bool isFlipped) {
+    std::uint32_t rowOf(const Document& document, const CopyKind& kind) {
         const auto next = static_cast<std::uint32_t>(m_plan.steps.size());
-        const auto [found, isNew] = m_rows.try_emplace({&document, isFlipped}, next);
+        const auto [found, isNew] = m_rows.try_emplace({&document, kind}, next);
         if (isNew) {
-            m_plan.steps.push_back(solidsOf(document, isFlipped, m_plan.choice));
+            m_plan.steps.push_back(solidsOf(document, kind, m_plan.choice));
         }
         return found->second;
     }
 
 private:
     SolidPlan& m_plan;
-    std::map<std::pair<const Document*, bool>, std::uint32_t> m_rows;
+    std::map<std::pair<const Document*, CopyKind>, std::uint32_t> m_rows;
 };
 
-/// A mirrored placement of a step, as one of the step upside down.
-Placement ofFlipped(const Placement& placement) {
+/// A mirrored placement of a step, as one of the mirrored step.
+Placement ofMirrored(const Placement& placement) {
     return placement.isMirrored ? Placement{placement.origin, -placement.clockwiseDeg, false} : placement;
 }
 
@@ -338,15 +346,15 @@ ElementShells SolidPlan::shellsOf(const StepSolids& step, ElementId element, Ele
         if (isSubstrate && choice.minHole > 0) {
             closeHoles(region, choice.minHole);
         }
-        result.shells.push_back({finished(std::move(region), choice, step.isFlipped), z});
+        result.shells.push_back({finished(std::move(region), choice, step.isMirrored), z});
     }
     return result;
 }
 
 std::vector<EdgeLoops> SolidPlan::holesNear(const StepSolids& step, LayerId layer, const Box& box) const {
     std::vector<EdgeLoops> holes;
-    for (const RegionSearch& hole : step.holes->near(layer, step.isFlipped ? kUpsideDown.boxOf(box) : box)) {
-        holes.push_back(step.isFlipped ? placed(hole.region(), kUpsideDown) : hole.region());
+    for (const RegionSearch& hole : step.holes->near(layer, step.isMirrored ? kMirror.boxOf(box) : box)) {
+        holes.push_back(step.isMirrored ? placed(hole.region(), kMirror) : hole.region());
     }
     return holes;
 }
@@ -364,6 +372,8 @@ std::optional<SharedShape> SolidPlan::sharedShapeOf(const StepSolids& step, Elem
         const ZRange z = heightsOf(step, element);
         shape->key.bottom = z.bottom;
         shape->key.top = z.top;
+    }
+    if (step.isMirrored) {
         shape->placement.origin.x = -shape->placement.origin.x;
         shape->placement.clockwiseDeg = -shape->placement.clockwiseDeg;
     }
@@ -384,7 +394,7 @@ std::optional<MergedShells> SolidPlan::mergedShellsOf(const StepSolids& step, co
         RegionBoolean rest = drilledOn(step, group.layer, std::move(shell.outline));
         merged.problems += rest.isExact ? 0 : 1;
         for (EdgeLoops& region : rest.regions) {
-            shells.push_back({finished(std::move(region), choice, step.isFlipped), z});
+            shells.push_back({finished(std::move(region), choice, step.isMirrored), z});
         }
     }
     merged.shells = std::move(shells);
@@ -400,7 +410,7 @@ ElementShells SolidPlan::shellsOf(const StepSolids& step, const ShapeKey& key) c
     ElementShells result;
     result.problem = !rest.isExact && outlines.problem.empty() ? kCoarseHoles : outlines.problem;
     for (EdgeLoops& region : rest.regions) {
-        result.shells.push_back({finished(std::move(region), choice, step.isFlipped), {key.bottom, key.top}});
+        result.shells.push_back({finished(std::move(region), choice, step.isMirrored), {key.bottom, key.top}});
     }
     return result;
 }
@@ -411,8 +421,8 @@ base::Result<SolidPlan> planSolids(const Document& board, const SolidChoice& cho
     SolidPlan plan{choice, {}, {}, 0};
     StepRows rows(plan);
     for (const StepCopy& copy : tree.copies) {
-        const std::uint32_t row = rows.rowOf(*tree.steps[copy.step], copy.isFlipped);
-        plan.copies.push_back({row, ofFlipped(copy.placement)});
+        const CopyKind kind{copy.isFlipped, copy.placement.isMirrored};
+        plan.copies.push_back({rows.rowOf(*tree.steps[copy.step], kind), ofMirrored(copy.placement)});
     }
     for (StepSolids& step : plan.steps) {
         const bool isPlaced = &step != &plan.steps[plan.copies.front().step];

@@ -26,11 +26,11 @@ struct SolidGroup {
     Range elements;         ///< of StepSolids::elements
 };
 
-/// What of one document of a panel (or of the only one) is written, as it lies or upside down.
+/// What of one document of a panel (or of the only one) is written, as it lies, upside down or mirrored.
 struct StepSolids {
     const Document* document = nullptr;
-    /// Of copies that lie upside down: solids are mirrored x -> -x, and heights are those of heightsInCopy.
-    bool isFlipped = false;
+    bool isFlipped = false;           ///< of copies that lie upside down: heights are those of heightsInCopy
+    bool isMirrored = false;          ///< of copies with such a placement: solids are mirrored x -> -x
     std::vector<SolidGroup> groups;   ///< by layer as in the document, then by net
     std::vector<ElementId> elements;  ///< group by group
     std::vector<MilledElement> milled;
@@ -64,7 +64,7 @@ struct SolidPlan {
     /// The name of a group as people read it: the net, "no net", or the component.
     [[nodiscard]] std::string nameOf(const StepSolids& step, const SolidGroup& group) const;
     /// The solids of an element as the choice wants them: milled, copper drilled, with small holes closed, in the
-    /// coordinates of the step, or of the step upside down. None, and no problem, where a drill takes all of it.
+    /// coordinates of the step, or of the mirrored step. None, and no problem, where a drill takes all of it.
     [[nodiscard]] ElementShells shellsOf(const StepSolids& step, ElementId element) const;
     /// The same without what is drilled through copper: for what is united first and drilled then.
     [[nodiscard]] ElementShells undrilledShellsOf(const StepSolids& step, ElementId element) const;

@@ -70,7 +70,7 @@ private:
     [[nodiscard]] std::string stepName(const StepSolids& step) const {
         const bool isBoard = m_step == 0;
         return (isBoard && !m_options.name.empty() ? m_options.name : step.document->job.step) +
-               (step.isFlipped ? " (flipped)" : "");
+               (step.isFlipped ? " (flipped)" : "") + (step.isMirrored != step.isFlipped ? " (mirrored)" : "");
     }
 
     StepProduct addTree(const StepSolids& step) {

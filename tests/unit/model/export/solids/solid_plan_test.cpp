@@ -127,6 +127,20 @@ DrilledBoard makeDrilledBoard() {
     return board;
 }
 
+model::Box boxOf(const std::vector<model::Shell>& shells, const model::Placement& placement) {
+    model::Box box;
+    for (const model::Shell& shell : shells) {
+        box.include(model::boxOf(model::placed(shell.outline, placement)));
+    }
+    return box;
+}
+
+bool areNear(const model::Box& a, const model::Box& b) {
+    constexpr model::Nm kRounding = 2;
+    return a.grownBy(kRounding).holds(b.min) && a.grownBy(kRounding).holds(b.max) &&
+           b.grownBy(kRounding).holds(a.min) && b.grownBy(kRounding).holds(a.max);
+}
+
 std::vector<ElementId> chosen(const Board& board, const SolidChoice& choice) {
     base::Progress progress;
     const auto plan = model::planSolids(*board.document, choice, progress);
@@ -341,6 +355,47 @@ private slots:
         SolidChoice choice;
         choice.isAsDesigned = true;
         QVERIFY(isNear(areaOf(planOf(*document, choice), copper), 22 - 2 * disc(1)));
+    }
+
+    /// A job may mirror copies without turning them over, and turn them over without mirroring.
+    void allCopiesLieWhereTheirPlacementsSay() {
+        const DrilledBoard board = makeDrilledBoard();
+        model::Document panel = *board.document;
+        panel.steps = {board.document};
+        panel.instances = {model::StepInstance{0, {{40 * kMm, 0}, 90.0, false}, false},
+                           model::StepInstance{0, {{80 * kMm, 0}, 90.0, true}, false},
+                           model::StepInstance{0, {{0, 40 * kMm}, 30.0, true}, true},
+                           model::StepInstance{0, {{40 * kMm, 40 * kMm}, 0.0, false}, true}};
+        const SolidPlan plan = planOf(panel);
+        const model::StepTree tree = model::unfoldCopies(panel);
+        QCOMPARE(plan.copies.size(), std::size_t{5});
+        std::size_t shared = 0;
+        for (std::size_t copy = 0; copy < plan.copies.size(); ++copy) {
+            const model::Placement& placement = plan.copies[copy].placement;
+            const model::StepSolids& step = plan.steps[plan.copies[copy].step];
+            QVERIFY(!placement.isMirrored);
+            QCOMPARE(step.isFlipped, tree.copies[copy].isFlipped);
+            for (const ElementId element : step.elements) {
+                std::vector<model::Shell> expected;
+                for (model::EdgeLoops& region : model::outlinesOf(*step.document, element).regions) {
+                    expected.push_back({std::move(region), {}});
+                }
+                QVERIFY(areNear(boxOf(plan.undrilledShellsOf(step, element).shells, placement),
+                                boxOf(expected, tree.copies[copy].placement)));
+                const auto shape = plan.sharedShapeOf(step, element);
+                const std::vector<model::Shell> drilled = plan.shellsOf(step, element).shells;
+                if (shape && !drilled.empty()) {
+                    QVERIFY(areNear(boxOf(plan.shellsOf(step, shape->key).shells, placement.after(shape->placement)),
+                                    boxOf(drilled, placement)));
+                    ++shared;
+                }
+            }
+        }
+        QVERIFY(shared > 0);
+        const model::ZRange mirrored = plan.heightsOf(plan.steps[plan.copies[2].step], board.pads[0]);
+        QCOMPARE(mirrored.bottom, 1'600 * kUm);
+        const model::ZRange flipped = plan.heightsOf(plan.steps[plan.copies[4].step], board.pads[0]);
+        QCOMPARE(flipped.bottom, 0);
     }
 
     void flippedCopiesAreDrilled() {
