@@ -40,10 +40,14 @@ private:
 
 }  // namespace
 
+bool isMirroredInCopy(const Document& step, LayerId layer, bool isFlipped) {
+    return isFlipped && !step.layer(layer).opposite.isValid();
+}
+
 ZRange heightsInCopy(const Document& step, LayerId layer, bool isFlipped) {
     const Layer& on = step.layer(step.layerOfCopy(layer, isFlipped));
     const ZRange z{on.z, on.z + on.thickness};
-    if (!isFlipped || step.layer(layer).opposite.isValid()) {
+    if (!isMirroredInCopy(step, layer, isFlipped)) {
         return z;
     }
     const ZRange board = boardHeights(step);

@@ -38,6 +38,8 @@ struct BoardNet {
     constexpr auto operator<=>(const BoardNet&) const = default;
 };
 
+/// Does a layer of a flipped copy have no counterpart to lie on?
+[[nodiscard]] bool isMirroredInCopy(const Document& step, LayerId layer, bool isFlipped);
 /// From where to where on the board lies what is on a layer of a step, in a copy: an upright one has the heights of the
 /// layer, a flipped one those of Layer::opposite, or mirrored through the board (boardHeights) where that is none.
 [[nodiscard]] ZRange heightsInCopy(const Document& step, LayerId layer, bool isFlipped);

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "model/board/board_heights.h"
 #include "model/figures/distance.h"
 
 namespace model {
@@ -61,6 +62,12 @@ double sizeOf(const Box& box) {
     return std::hypot(static_cast<double>(box.width()), static_cast<double>(box.height()));
 }
 
+/// Heights of the board's faces added: of what is mirrored through it, the height and that of its mirror image.
+double facesOf(const Document& document) {
+    const ZRange board = boardHeights(document);
+    return double(board.bottom) + board.top;
+}
+
 /// The part of a line of sight between two heights and inside of a box around the board, in steps; empty if first >
 /// last.
 struct ClippedRange {
@@ -81,6 +88,21 @@ struct ClippedRange {
     }
 };
 
+/// The part of a line of sight between two heights and within a box around the board.
+ClippedRange partWithin(const SightLine& line, const Box& around, double low, double high) {
+    ClippedRange range;
+    range.clip(line.z, -line.down, low, high);
+    range.clip(line.origin.x, line.direction.x, around.min.x, around.max.x);
+    range.clip(line.origin.y, line.direction.y, around.min.y, around.max.y);
+    if (line.cutSide) {
+        const auto [at, outward] = *line.cutSide;
+        range.clip((line.origin.x - at.x) * outward.x + (line.origin.y - at.y) * outward.y,
+                   line.direction.x * outward.x + line.direction.y * outward.y,
+                   -std::numeric_limits<double>::infinity(), 0.0);
+    }
+    return range;
+}
+
 }  // namespace
 
 /// What is requested: a straight line over the board between two depths. Of a line of sight, the part within a layer.
@@ -92,7 +114,15 @@ struct Picker::Probe {
     double depthB = 0.0;
     std::span<const PickLayer> layers;
     const SightLine* line = nullptr;  ///< nullptr: seen from straight above
+    LayerId only = {};                ///< of a line of sight
+    bool isMirrored = false;          ///< of `only`, what lies mirrored through the board
 
+    /// Is an element of a layer of a copy, which lies on `onBoard`, looked for?
+    [[nodiscard]] bool takes(const Document& step, LayerId own, LayerId onBoard, bool isFlipped) const {
+        const bool isOther =
+            only.isValid() && (onBoard != only || isMirroredInCopy(step, own, isFlipped) != isMirrored);
+        return layers[onBoard.row()].isVisible && !isOther;
+    }
     /// The part that passes the board between two heights; none if it does not.
     [[nodiscard]] std::optional<Probe> between(double low, double high) const {
         ClippedRange range{depthA, depthB};
@@ -102,19 +132,30 @@ struct Picker::Probe {
         }
         const double length = depthB - depthA;
         const auto at = [&](double depth) { return length > 0.0 ? model::along(a, b, (depth - depthA) / length) : a; };
-        return Probe{at(range.first), at(range.last), reach, range.first, range.last, layers, line};
+        return Probe{at(range.first), at(range.last), reach, range.first, range.last, layers, line, only, isMirrored};
     }
 };
 
-std::pair<double, double> drawnHeights(const Document& step, ElementId element, bool isFlipped,
-                                       const PickLayer& drawn) {
-    if (step.bodyOf(element) == nullptr) {
-        return {drawn.bottom, drawn.top};
+std::pair<double, double> ElementHeights::on(const PickLayer& drawn) const {
+    const double bottom = faces ? *faces - drawn.top : drawn.bottom;
+    const double top = faces ? *faces - drawn.bottom : drawn.top;
+    if (!body) {
+        return {bottom, top};
     }
-    const Layer& layer = step.layer(step.elements.layer[element.row()]);
-    const ZRange z = step.heightsOf(element);
-    const double below = isFlipped ? double(layer.z) + layer.thickness - z.top : double(z.bottom) - layer.z;
-    return {drawn.bottom + below, drawn.bottom + below + (double(z.top) - z.bottom)};
+    return growsDown ? std::pair(top - *body, top) : std::pair(bottom, bottom + *body);
+}
+
+ElementHeights elementHeights(const Document& step, ElementId element, bool isFlipped) {
+    const LayerId layer = step.elements.layer[element.row()];
+    ElementHeights heights;
+    if (isMirroredInCopy(step, layer, isFlipped)) {
+        heights.faces = facesOf(step);
+    }
+    if (const Body* body = step.bodyOf(element)) {
+        heights.body = body->height;
+        heights.growsDown = growsDownInCopy(step, layer, isFlipped);
+    }
+    return heights;
 }
 
 bool Picker::isHidden(std::uint32_t step, ElementId element) const {
@@ -125,7 +166,7 @@ bool Picker::isHidden(std::uint32_t step, ElementId element) const {
     return net.isValid() && net.row() < m_hiddenNets[step].size() && m_hiddenNets[step][net.row()];
 }
 
-void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
+void Picker::collect(const Probe& probe, std::vector<Hit>& hits) {
     for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
         const StepCopy& placed = m_index->tree.copies[copy];
         const Document& step = *m_index->tree.steps[placed.step];
@@ -134,13 +175,13 @@ void Picker::collect(const Probe& probe, LayerId only, std::vector<Hit>& hits) {
         m_index->elements[placed.step].visit(box, [&](std::uint32_t row) {
             const ElementId element{row};
             const LayerId layer = step.layerOfCopy(step.elements.layer[row], placed.isFlipped);
-            const bool isOther = only.isValid() && layer != only;
-            if (!probe.layers[layer.row()].isVisible || isOther || isHidden(placed.step, element)) {
+            if (!probe.takes(step, step.elements.layer[row], layer, placed.isFlipped) ||
+                isHidden(placed.step, element)) {
                 return;
             }
             std::optional<Probe> own = probe;
             if (probe.line != nullptr && step.bodyOf(element) != nullptr) {
-                const auto [low, high] = drawnHeights(step, element, placed.isFlipped, probe.layers[layer.row()]);
+                const auto [low, high] = elementHeights(step, element, placed.isFlipped).on(probe.layers[layer.row()]);
                 own = probe.between(low, high);
             }
             if (!own) {
@@ -177,14 +218,17 @@ void sortHits(std::vector<Hit>& hits) {
 
 std::vector<Hit> Picker::at(PointD location, double reach, std::span<const PickLayer> layers, bool isFromBelow) {
     std::vector<Hit> hits;
-    collect({location, location, reach, 0.0, 0.0, layers}, {}, hits);
+    collect({location, location, reach, 0.0, 0.0, layers}, hits);
     double nearest = isFromBelow ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
     for (const PickLayer& layer : layers) {
         nearest = isFromBelow ? std::min(nearest, layer.bottom) : std::max(nearest, layer.top);
     }
     for (Hit& hit : hits) {
-        const PickLayer& layer = layers[hit.layer.row()];
-        hit.depth = isFromBelow ? layer.bottom - nearest : nearest - layer.top;
+        const StepCopy& copy = m_index->tree.copies[hit.at.copy];
+        ElementHeights heights = elementHeights(m_index->stepOf(hit.at.copy), hit.at.element, copy.isFlipped);
+        heights.body.reset();  // of bodies their layer counts
+        const auto [bottom, top] = heights.on(layers[hit.layer.row()]);
+        hit.depth = isFromBelow ? bottom - nearest : nearest - top;
     }
     sortHits(hits);
     return hits;
@@ -194,25 +238,28 @@ std::vector<Hit> Picker::along(const SightLine& line, double reach, std::span<co
     Box around = m_index->board->extent;
     around.include(m_index->extents.front());
     around = around.grownBy(1'000'000);
+    const double faces = facesOf(*m_index->board);
+    const bool hasFlipped = std::ranges::any_of(m_index->tree.copies, &StepCopy::isFlipped);
     std::vector<Hit> hits;
-    for (std::size_t row = 0; row < layers.size(); ++row) {
-        ClippedRange range;
-        range.clip(line.z, -line.down, layers[row].bottom, layers[row].top);
-        range.clip(line.origin.x, line.direction.x, around.min.x, around.max.x);
-        range.clip(line.origin.y, line.direction.y, around.min.y, around.max.y);
-        if (line.cutSide) {
-            const auto [at, outward] = *line.cutSide;
-            range.clip((line.origin.x - at.x) * outward.x + (line.origin.y - at.y) * outward.y,
-                       line.direction.x * outward.x + line.direction.y * outward.y,
-                       -std::numeric_limits<double>::infinity(), 0.0);
-        }
-        if (!layers[row].isVisible || range.first > range.last || !std::isfinite(range.last)) {
-            continue;
+    const auto take = [&](LayerId layer, bool isMirrored) {
+        const ElementHeights heights{isMirrored ? std::optional(faces) : std::nullopt};
+        const auto [low, high] = heights.on(layers[layer.row()]);
+        const ClippedRange range = partWithin(line, around, low, high);
+        if (range.first > range.last || !std::isfinite(range.last)) {
+            return;
         }
         const PointD end = {line.origin.x + line.direction.x, line.origin.y + line.direction.y};
         collect({model::along(line.origin, end, range.first), model::along(line.origin, end, range.last), reach,
-                 range.first, range.last, layers, &line},
-                LayerId{row}, hits);
+                 range.first, range.last, layers, &line, layer, isMirrored},
+                hits);
+    };
+    for (std::size_t row = 0; row < layers.size(); ++row) {
+        if (layers[row].isVisible) {
+            take(LayerId{row}, false);
+        }
+        if (layers[row].isVisible && hasFlipped && isMirroredInCopy(*m_index->board, LayerId{row}, true)) {
+            take(LayerId{row}, true);
+        }
     }
     sortHits(hits);
     return hits;

@@ -19,10 +19,18 @@ struct PickLayer {
     bool isSeenThrough = false;  ///< hides nothing that lies beneath
 };
 
-/// Where an element is drawn, nm: as high as its layer is drawn, or, a component's body, at its own height within it.
-/// In a copy of its step that is flipped that is upside down.
-[[nodiscard]] std::pair<double, double> drawnHeights(const Document& step, ElementId element, bool isFlipped,
-                                                     const PickLayer& drawn);
+/// Where an element of a copy is drawn, whatever the heights of its layer: as high as that is, mirrored through the
+/// board where a flipped copy has no layer to lie on, or, a component's body, as high as this is from the face it
+/// stands on.
+struct ElementHeights {
+    std::optional<double> faces = {};  ///< nm, heights of the board's faces added; mirrored layers only
+    std::optional<double> body = {};   ///< nm, how high it is
+    bool growsDown = false;            ///< bodies: from the upper face of their layer
+
+    /// Lower and upper end, nm. `drawn`: Document::layerOfCopy, as upright copies are drawn.
+    [[nodiscard]] std::pair<double, double> on(const PickLayer& drawn) const;
+};
+[[nodiscard]] ElementHeights elementHeights(const Document& step, ElementId element, bool isFlipped);
 
 /// What is left of a board that is cut by a section plane: what does not lie beyond a line.
 struct CutSide {
@@ -75,7 +83,7 @@ public:
 private:
     struct Probe;
     [[nodiscard]] bool isHidden(std::uint32_t step, ElementId element) const;
-    void collect(const Probe& probe, LayerId only, std::vector<Hit>& hits);
+    void collect(const Probe& probe, std::vector<Hit>& hits);
 
     std::shared_ptr<const BoardIndex> m_index;
     std::vector<std::vector<bool>> m_hiddenNets;

@@ -82,12 +82,6 @@ PlatedSpan spanOf(const Document& step, ElementId element) {
     return isHole ? PlatedSpan{element, layer.spanTop, layer.spanBottom} : PlatedSpan{element, own, own};
 }
 
-/// Where a body lies within its layer, which may be flipped.
-ZRange rotated(ZRange z, const Layer& from, const Layer& to) {
-    const Nm above = from.z + from.thickness - z.top;
-    return {to.z + above, to.z + above + (z.top - z.bottom)};
-}
-
 Piece pieceOf(const BoardIndex& index, BoardElement at) {
     const StepCopy& copy = index.tree.copies[at.copy];
     const Document& step = *index.tree.steps[copy.step];
@@ -101,17 +95,13 @@ Piece pieceOf(const BoardIndex& index, BoardElement at) {
     if (piece.bottom < piece.top) {
         std::swap(piece.top, piece.bottom);
     }
-    const Document& board = *index.board;
-    piece.hasHeights = isInStackup(board.layer(piece.layer));
-    if (isPlatedHole(step.elements.flags[at.element.row()]) && piece.top.isValid()) {
-        const Layer& top = board.layer(piece.top);
-        piece.z = {board.layer(piece.bottom).z, top.z + top.thickness};
-    } else if (step.bodyOf(at.element) != nullptr) {
-        const ZRange z = step.heightsOf(at.element);
-        piece.z = copy.isFlipped ? rotated(z, step.layer(own), board.layer(piece.layer)) : z;
+    piece.hasHeights = isInStackup(index.board->layer(piece.layer));
+    if (isPlatedHole(step.elements.flags[at.element.row()]) && span.top.isValid()) {
+        const ZRange a = heightsInCopy(step, span.top, copy.isFlipped);
+        const ZRange b = heightsInCopy(step, span.bottom, copy.isFlipped);
+        piece.z = {std::min(a.bottom, b.bottom), std::max(a.top, b.top)};
     } else {
-        const Layer& layer = board.layer(piece.layer);
-        piece.z = {layer.z, layer.z + layer.thickness};
+        piece.z = heightsInCopy(step, at.element, copy.isFlipped);
     }
     return piece;
 }

@@ -337,8 +337,11 @@ void LegShaper::shapeStretch(const Stretch& stretch, LegCut& leg) const {
 /// `stacks`.
 void LegShaper::shapeFace(const Stretch& stretch, const BoardFace& face, std::vector<LaidStack>& stacks,
                           LegCut& leg) const {
+    // In a flipped copy a mask without a counterpart lies on the other side.
     const auto isMask = [&](const SectionPiece& piece) {
-        return face.maskLayer.isValid() && piece.layer == face.maskLayer;
+        const bool isThisSide =
+            stretch.isBounded || (face.isTop ? piece.bottom >= face.copper : piece.top <= face.copper);
+        return face.maskLayer.isValid() && piece.layer == face.maskLayer && isThisSide;
     };
     const auto isInk = [&](const SectionPiece& piece) {
         const bool isThisSide =

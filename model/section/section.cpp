@@ -147,21 +147,22 @@ private:
         const std::optional<LandingVia> via =
             isHole && !isMilled && !found.covered.empty() ? landingOf(placed, element, leg) : std::nullopt;
         if (isHole) {
-            const ZRange bore =
-                via ? ZRange{std::min(via->entry, via->target), std::max(via->entry, via->target)} : boreOf(layer);
+            const ZRange bore = via ? ZRange{std::min(via->entry, via->target), std::max(via->entry, via->target)}
+                                    : boreOf(placed, element);
             add(m_leg.bores, SectionPiece{layer, piece.at}, bore, found.covered, leg);
         }
         if (via && m_layers[layer.row()]) {
             m_leg.vias.emplace_back(*via, piece);
             ++landed;
         } else if (isLeftCopper) {
-            add(m_leg.leftCopper, piece, heightsOf(placed, element, layer), found.covered, leg);
+            add(m_leg.leftCopper, piece, heightsInCopy(step, element, placed.how.isFlipped), found.covered, leg);
         } else if (m_layers[layer.row()] && (!isHole || (flags & kPlated) != 0)) {
             const Intervals solid = subtracted(found.covered, found.opening);
             if (isHole && !hasWalls && !found.covered.empty()) {
                 wallless.emplace(placed.copy, element);
             }
-            const auto heights = isHole ? platingOf(placed, element) : heightsOf(placed, element, layer);
+            const auto heights =
+                isHole ? platingOf(placed, element) : heightsInCopy(step, element, placed.how.isFlipped);
             add(m_leg.pieces, piece, heights, solid, leg);
         }
     }
@@ -214,7 +215,8 @@ private:
     void cutPart(const Placed& placed, const Body& body, LayerId layer, const Leg& leg) {
         const BodyPlan none;
         const SectionPiece like{layer, {placed.copy, body.element}};
-        StandingPart part{board().layer(layer).side != LayerSide::Bottom, {}};
+        const LayerId own = placed.step.elements.layer[body.element.row()];
+        StandingPart part{!growsDownInCopy(placed.step, own, placed.how.isFlipped), {}};
         const BodyPlan& plan = body.component.isValid() ? m_plans.of(placed.step, body.component) : none;
         for (SectionPiece piece : partPieces(placed.step, body, plan, placed.line, like)) {
             piece.from = leg.start + std::clamp(piece.from, 0.0, leg.length);
@@ -237,10 +239,10 @@ private:
         }
         const Layer& drill = step.layer(step.elements.layer[hole.row()]);
         const LayerId beginsOn = landsOn == drill.spanTop ? drill.spanBottom : drill.spanTop;
-        const Layer& entry = board().layer(board().layerOfCopy(beginsOn, placed.how.isFlipped));
-        const Layer& target = board().layer(board().layerOfCopy(landsOn, placed.how.isFlipped));
-        const bool isFromTop = entry.z > target.z;
-        const auto faceOf = [](const Layer& of, bool isUpper) { return isUpper ? of.z + of.thickness : of.z; };
+        const ZRange entry = heightsInCopy(step, beginsOn, placed.how.isFlipped);
+        const ZRange target = heightsInCopy(step, landsOn, placed.how.isFlipped);
+        const bool isFromTop = entry.bottom > target.bottom;
+        const auto faceOf = [](const ZRange& of, bool isUpper) { return isUpper ? of.top : of.bottom; };
         const CircleGeometry& circle = step.circles[step.elements.geometry[hole.row()]];
         const PointD centre = base::toDouble(circle.centre);
         LandingVia via{leg.start + placed.line.along(centre), std::abs(placed.line.beside(centre)),
@@ -251,35 +253,28 @@ private:
         return via.shoulder != via.target ? std::optional(via) : std::nullopt;
     }
 
-    [[nodiscard]] ZRange boreOf(LayerId drill) const {
-        const Layer& layer = board().layer(drill);
-        return layer.spanTop.isValid() && layer.spanBottom.isValid() ? between(layer.spanTop, layer.spanBottom)
-                                                                     : ZRange{layer.z, layer.z + layer.thickness};
+    [[nodiscard]] static ZRange boreOf(const Placed& placed, ElementId hole) {
+        const LayerId drill = placed.step.elements.layer[hole.row()];
+        const Layer& layer = placed.step.layer(drill);
+        return layer.spanTop.isValid() && layer.spanBottom.isValid()
+                   ? between(placed, layer.spanTop, layer.spanBottom)
+                   : heightsInCopy(placed.step, drill, placed.how.isFlipped);
     }
 
     /// None: other drills have taken all of it.
-    [[nodiscard]] std::optional<ZRange> platingOf(const Placed& placed, ElementId hole) const {
+    [[nodiscard]] static std::optional<ZRange> platingOf(const Placed& placed, ElementId hole) {
         const PlatedSpan span = placed.step.platedSpanOf(hole);
         if (!span.top.isValid() || !span.bottom.isValid()) {
             return std::nullopt;
         }
-        return between(placed.step.layerOfCopy(span.top, placed.how.isFlipped),
-                       placed.step.layerOfCopy(span.bottom, placed.how.isFlipped));
+        return between(placed, span.top, span.bottom);
     }
 
     /// From the outer face of one copper layer to that of the other, in either order.
-    [[nodiscard]] ZRange between(LayerId top, LayerId bottom) const {
-        const Layer& a = board().layer(top);
-        const Layer& b = board().layer(bottom);
-        return {std::min(a.z, b.z), std::max(a.z + a.thickness, b.z + b.thickness)};
-    }
-
-    [[nodiscard]] std::optional<ZRange> heightsOf(const Placed& placed, ElementId element, LayerId onBoard) const {
-        const Layer& own = placed.step.layer(placed.step.elements.layer[element.row()]);
-        const Layer& layer = board().layer(onBoard);
-        const ZRange z = placed.step.heightsOf(element);
-        const Nm above = placed.how.isFlipped ? own.z + own.thickness - z.top : z.bottom - own.z;
-        return ZRange{layer.z + above, layer.z + above + (z.top - z.bottom)};
+    [[nodiscard]] static ZRange between(const Placed& placed, LayerId top, LayerId bottom) {
+        const ZRange a = heightsInCopy(placed.step, top, placed.how.isFlipped);
+        const ZRange b = heightsInCopy(placed.step, bottom, placed.how.isFlipped);
+        return {std::min(a.bottom, b.bottom), std::max(a.top, b.top)};
     }
 
     static void add(std::vector<SectionPiece>& to, SectionPiece piece, const std::optional<ZRange>& heights,

@@ -38,21 +38,6 @@ model::PolygonSet loopsOf(const model::Document& step, model::ElementId element,
     return model::unite(parts);
 }
 
-/// Where a body is drawn above the lower face of its layer, which may be flipped.
-std::optional<render::ZRange> bodyHeights(const model::Document& step, model::ElementId element, bool isFlipped) {
-    if (step.bodyOf(element) == nullptr) {
-        return std::nullopt;
-    }
-    const model::Layer& layer = step.layer(step.elements.layer[element.row()]);
-    const model::ZRange z = step.heightsOf(element);
-    const auto above = [&](model::Nm height) {
-        return static_cast<float>((double(height) - layer.z) / base::kNmPerMm);
-    };
-    const float thickness = above(layer.z + layer.thickness);
-    return isFlipped ? render::ZRange{thickness - above(z.top), thickness - above(z.bottom)}
-                     : render::ZRange{above(z.bottom), above(z.top)};
-}
-
 }  // namespace
 
 ElementOutlines::ElementOutlines(BoardViews& views, Workspace& workspace, QObject* parent)
@@ -92,7 +77,7 @@ ElementOutlines::Outline ElementOutlines::outlineOf(const model::BoardElement& a
     const model::Document& step = m_selection.stepOf(at);
     const model::StepCopy& copy = m_selection.tree().copies[at.copy];
     return {OutlineRuns(model::placed(loopsOf(step, at.element, pointsToUnite, isFine), copy.placement)),
-            m_selection.layerOf(at), bodyHeights(step, at.element, copy.isFlipped), false};
+            m_selection.layerOf(at), model::elementHeights(step, at.element, copy.isFlipped), false};
 }
 
 void ElementOutlines::updateHovered() {
@@ -147,11 +132,9 @@ OutlineStrokes ElementOutlines::strokesOver(const BoardView& view) const {
         if (outline.runs.isEmpty() || row >= heights.size() || !view.styles()[row].isVisible) {
             return;
         }
-        render::ZRange z = heights[row];
-        if (outline.body) {
-            z = {heights[row].z0 + outline.body->z0, heights[row].z0 + outline.body->z1};
-        }
-        strokes.add(outline.runs, isFromBelow ? z.z0 : z.z1, ink);
+        const auto [bottom, top] =
+            outline.heights.on({true, heights[row].z0 * base::kNmPerMm, heights[row].z1 * base::kNmPerMm});
+        strokes.add(outline.runs, static_cast<float>((isFromBelow ? bottom : top) / base::kNmPerMm), ink);
     };
     add(m_hovered, Hovered);  // first: what is too much goes from the end
     for (std::size_t i = 0; !m_isSelectedLate && i < m_selected.size(); ++i) {

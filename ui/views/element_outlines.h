@@ -36,8 +36,7 @@ public:
     struct Outline {
         OutlineRuns runs;
         model::LayerId layer;  ///< of the board, where the element is drawn
-        /// Of a body: its lower and upper face above the lower face of its layer, mm.
-        std::optional<render::ZRange> body;
+        model::ElementHeights heights;
         bool isNear = false;  ///< to what is selected; in another colour than that
     };
 

@@ -365,7 +365,7 @@ void Probing::show(BoardView& view, std::span<const model::BoardElement> element
         const model::Box box = copy.placement.boxOf(step.boxOf(at.element));
         const model::LayerId layer = m_selection.layerOf(at);
         const model::PickLayer drawn = layer.row() < layers.size() ? layers[layer.row()] : model::PickLayer{};
-        const auto [bottom, top] = model::drawnHeights(step, at.element, copy.isFlipped, drawn);
+        const auto [bottom, top] = model::elementHeights(step, at.element, copy.isFlipped).on(drawn);
         low = glm::min(low, position().toModel(base::toDouble(box.min), bottom));
         high = glm::max(high, position().toModel(base::toDouble(box.max), top));
     }

@@ -42,10 +42,8 @@ private slots:
         bool isAnyLower = false;
         for (const model::Body& body : board().bodies) {
             window().selection().hover(model::BoardElement{0, body.element});
-            const auto& heights = outlines().hovered().body;
-            QVERIFY(heights.has_value());
-            const double mm = base::toMm(body.height);
-            QVERIFY(std::abs(static_cast<double>(heights->z1 - heights->z0) - mm) < 1e-4);
+            const auto [bottom, top] = outlines().hovered().heights.on({true, 0.0, 150e6});
+            QCOMPARE(top - bottom, static_cast<double>(body.height));
             isAnyLower =
                 isAnyLower || body.height < board().layer(board().elements.layer[body.element.row()]).thickness;
         }

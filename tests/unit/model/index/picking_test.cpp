@@ -193,6 +193,70 @@ private slots:
         QCOMPARE(hits[1].depth, 30e6);
     }
 
+    /// A body of 2 mm on the top and one of 1 mm below a board of 10 mm, whose layers are 5 and 3 mm thick; a print
+    /// that has no counterpart.
+    void whatIsFlippedIsPickedOnTheOtherSide() {
+        DocumentBuilder builder;
+        const auto add = [&](model::LayerType type, model::LayerSide side, Nm z, Nm thickness) {
+            model::Layer layer;
+            layer.type = type;
+            layer.side = side;
+            layer.z = z;
+            layer.thickness = thickness;
+            return builder.addLayer(layer);
+        };
+        using model::LayerSide;
+        using model::LayerType;
+        const LayerId copper[] = {add(LayerType::Signal, LayerSide::Top, 9 * kMm, kMm),
+                                  add(LayerType::Signal, LayerSide::Bottom, 0, kMm)};
+        const LayerId bodies[] = {add(LayerType::ComponentBody, LayerSide::Top, 10 * kMm, 5 * kMm),
+                                  add(LayerType::ComponentBody, LayerSide::Bottom, -3 * kMm, 3 * kMm)};
+        const LayerId print = add(LayerType::SilkScreen, LayerSide::Top, 10 * kMm, kMm / 2);
+        for (const auto& pair : {copper, bodies}) {
+            builder.layer(pair[0]).opposite = pair[1];
+            builder.layer(pair[1]).opposite = pair[0];
+        }
+        std::vector<ElementId> elements;
+        for (const auto& [layer, x, height] :
+             {std::tuple(bodies[0], 0, 2 * kMm), std::tuple(bodies[1], 2 * kMm, kMm)}) {
+            builder.beginLayer(layer);
+            elements.push_back(builder.addCircle({{x, 0}, kMm, 0}, {}));
+            builder.addBody({elements.back(), {}, height});
+        }
+        builder.beginLayer(print);
+        elements.push_back(builder.addCircle({{4 * kMm, 0}, kMm, 0}, {}));
+        const auto step = builder.finish();
+        auto board = std::make_shared<Document>(*step);
+        for (model::Layer& layer : board->layers) {
+            layer.elements = {};
+        }
+        board->elements = {};
+        board->circles = {};
+        board->bodies = {};
+        board->steps = {step};
+        board->instances = {{0, {{0, 0}, 0.0, true}, true}};
+        board->extent = {{-10 * kMm, -10 * kMm}, {10 * kMm, 10 * kMm}};
+        std::vector<PickLayer> layers;
+        for (const model::Layer& layer : board->layers) {
+            layers.push_back({true, double(layer.z), double(layer.z) + layer.thickness});
+        }
+        Picker picker(indexed(board));
+        const auto at = [&](double xMm, double zMm) {
+            const SightLine level{{xMm * kMm, -5.0 * kMm}, zMm * kMm, {0.0, 1.0}, 0.0};
+            return elementsOf(picker.along(level, 0.0, layers));
+        };
+        const std::vector<ElementId> nothing;
+        QCOMPARE(at(0, -1.9), std::vector{elements[0]});
+        QCOMPARE(at(0, -2.1), nothing);
+        QCOMPARE(at(0, 10.5), nothing);
+        QCOMPARE(at(-2, 10.9), std::vector{elements[1]});
+        QCOMPARE(at(-2, 11.1), nothing);
+        QCOMPARE(at(-4, -0.4), std::vector{elements[2]});
+        QCOMPARE(at(-4, 10.4), nothing);
+        const model::ElementHeights heights = model::elementHeights(*step, elements[2], true);
+        QCOMPARE(heights.on({true, 20e6, 30e6}), std::pair(-20e6, -10e6));  // exploded
+    }
+
     void boxTakesWhatIsInsideAndWithTouchingWhatReachesIn() {
         Board b;
         b.layers[Board::Substrate].isVisible = false;

@@ -1,4 +1,4 @@
-// What a name stands for in measurements: a pin of several pads, several components of one designator.
+// What a name stands for in measurements: a pin of several pads, several components of one designator. Their heights.
 #include "model/measure/items.h"
 
 #include <QtTest>
@@ -70,6 +70,38 @@ private slots:
             QVERIFY2(says(toPart, "2 components are called R1 (30, 0 mm; 50, 0 mm): the nearest is taken"),
                      toPart.notes.back().c_str());
         }
+    }
+
+    /// Bodies of 2 mm on top; below they are 1 mm at most.
+    void bodiesOfFlippedCopiesHaveTheirOwnHeight() {
+        const auto addAll = [](DocumentBuilder& builder) {
+            addLayers(builder);
+            Layer layer;
+            layer.type = LayerType::ComponentBody;
+            layer.side = LayerSide::Top;
+            layer.z = 2'300'000;
+            layer.thickness = 3 * kMm;
+            layer.opposite = LayerId{std::size_t{6}};
+            builder.addLayer(layer);
+            layer.side = LayerSide::Bottom;
+            layer.z = -kMm;
+            layer.thickness = kMm;
+            layer.opposite = LayerId{std::size_t{5}};
+            builder.addLayer(layer);
+        };
+        DocumentBuilder step;
+        addAll(step);
+        step.beginLayer(LayerId{std::size_t{5}});
+        const ElementId body = step.addCircle({{0, 0}, kMm, 0}, {});
+        step.addBody({body, {}, 2 * kMm});
+        DocumentBuilder panel;
+        addAll(panel);
+        panel.addInstance({panel.addStep(step.finish()), {{0, 0}, 0.0, true}, true});
+        const auto index = indexed(panel.finish());
+        const Piece piece = piecesOf(*index, std::array{BoardElement{1, body}}).pieces.front();
+        QCOMPARE(piece.layer, LayerId{std::size_t{6}});
+        QCOMPARE(piece.z.bottom, -2 * kMm);
+        QCOMPARE(piece.z.top, 0);
     }
 };
 

@@ -241,6 +241,69 @@ private slots:
         QCOMPARE(section.pieces.front().at.copy, 1U);
     }
 
+    /// A part of 2 mm on the top, a hole from there to the inner layer, and layers of bodies of 3 and 1 mm, or none
+    /// below.
+    void flippedCopiesAreCutAtTheHeightsOfTheOtherSide() {
+        for (const Nm tallestBelow : {kMm, Nm{0}}) {
+            const std::size_t bodies = Print + 1;
+            const std::size_t lieOn = tallestBelow > 0 ? bodies + 1 : bodies;
+            const auto add = [&](DocumentBuilder& builder) {
+                addLayers(builder);
+                builder.layer(LayerId{Bottom}).thickness = 50'000;
+                builder.layer(LayerId{Drill}).spanBottom = LayerId{Inner};
+                builder.layer(LayerId{Drill}).opposite = {};
+                Layer layer;
+                layer.type = LayerType::ComponentBody;
+                layer.side = LayerSide::Top;
+                layer.z = 2'300'000;
+                layer.thickness = 3 * kMm;
+                layer.opposite = tallestBelow > 0 ? LayerId{lieOn} : LayerId{};
+                builder.addLayer(layer);
+                layer.side = LayerSide::Bottom;
+                layer.z = -tallestBelow;
+                layer.thickness = tallestBelow;
+                layer.opposite = LayerId{bodies};
+                if (tallestBelow > 0) {
+                    builder.addLayer(layer);
+                }
+            };
+            DocumentBuilder card;
+            add(card);
+            Package package;
+            package.body = card.addShape(rectangle({-kMm, -kMm}, {kMm, kMm}));
+            const ShapeId outline = package.body;
+            PackagePin pins[2];
+            pins[0] = {{}, PinKind::Surface, {-kMm, 0}, {}};
+            pins[1] = {{}, PinKind::Surface, {kMm, 0}, {}};
+            Component part;
+            part.package = card.addPackage(std::move(package), pins);
+            part.height = 2 * kMm;
+            const ComponentId component = card.addComponent(std::move(part), {});
+            card.beginLayer(LayerId{bodies});
+            const ElementId body = card.addArea({outline, {}}, {});
+            card.addBody({body, component, 2 * kMm});
+            card.beginLayer(LayerId{Top});
+            card.addCircle({{0, 0}, 2 * kMm, 0}, {});
+            card.beginLayer(LayerId{Drill});
+            card.addCircle({{5 * kMm, 0}, kMm, 800'000}, flagged(kHole | kPlated));
+            DocumentBuilder panel;
+            add(panel);
+            panel.addInstance({panel.addStep(card.finish()), {{20 * kMm, 0}, 0.0, true}, true});
+            const auto index = indexed(panel.finish());
+            const Section solid = *makeSection(*index, {{{0, 0}, {40e6, 0}}, {}, true});
+            QCOMPARE(textOf(solid.pieces, Bottom), QStringList{"19000-21000@0-50"});
+            QCOMPARE(textOf(solid.pieces, lieOn), QStringList{"19000-21000@-2000-0"});
+            QCOMPARE(textOf(solid.bores, Drill), QStringList{"14500-15500@0-1200"});
+            const Section real = *makeSection(*index, {{{0, 0}, {40e6, 0}}, {}});
+            std::size_t pieces = 0;
+            for (const SectionPiece& piece : real.pieces) {
+                pieces += piece.layer == LayerId{lieOn} ? 1 : 0;
+                QVERIFY(piece.layer != LayerId{lieOn} || piece.top <= 0);
+            }
+            QVERIFY(pieces > 0);
+        }
+    }
+
     void aPanelsOwnHolesPassItsSteps() {
         DocumentBuilder builder;
         addLayers(builder);
