@@ -26,7 +26,9 @@ class Filter {
 public:
     Filter(const Document& document, const SolidChoice& choice) : m_document(document), m_choice(choice) {
         for (const std::string& name : choice.nets) {
-            m_nets.insert(document.findNet(name));
+            if (const NetId net = document.findNet(name); net.isValid()) {
+                m_nets.insert(net);
+            }
         }
     }
 
@@ -50,7 +52,7 @@ public:
             return false;
         }
         const bool isConductor = layer.isCopper() || (flags & kHole) != 0;
-        if (isConductor && !m_nets.empty() && !m_nets.contains(m_document.elements.net[row])) {
+        if (isConductor && !m_choice.nets.empty() && !m_nets.contains(m_document.elements.net[row])) {
             return false;
         }
         return !isTooNarrow(row) && (!m_choice.window || m_choice.window->meets(m_document.boxOf(element)));
@@ -75,7 +77,7 @@ private:
 
     const Document& m_document;
     const SolidChoice& m_choice;
-    std::set<NetId> m_nets;
+    std::set<NetId> m_nets;  ///< of SolidChoice::nets those that the document has
 };
 
 ComponentId componentOf(const Document& document, ElementId element) {

@@ -213,6 +213,24 @@ private slots:
         QCOMPARE(chosen(board, holes), (std::vector{board.track, board.pad, board.inner, board.wide}));
     }
 
+    void stepsWithoutAChosenNetHaveNoCopper() {
+        const Board board = makeBoard();
+        model::DocumentBuilder builder;
+        std::array<StackLayer, 4> rows = kStackup;
+        addLayers(builder, rows);
+        builder.beginLayer(LayerId{std::size_t{0}});
+        builder.addCircle({{0, 0}, kMm, 0}, {});
+        builder.beginLayer(LayerId{std::size_t{3}});
+        builder.addCircle({{0, 0}, 500 * kUm, 400 * kUm}, flagged(model::kHole | model::kPlated));
+        builder.addInstance({builder.addStep(board.document), {{20 * kMm, 0}, 0.0, false}, false});
+        const auto panel = std::move(builder).finish();
+        SolidChoice choice;
+        choice.nets = {"A"};
+        const SolidPlan plan = planOf(*panel, choice);
+        QVERIFY(plan.steps.front().elements.empty());
+        QCOMPARE(plan.steps[1].elements, (std::vector{board.track, board.narrow, board.wide}));
+    }
+
     void refusesWhatIsNotThere() {
         const Board board = makeBoard();
         base::Progress progress;
