@@ -36,7 +36,7 @@ struct SolidChoice {
 };
 
 /// Is the layer part of a finished board: copper, plated holes, the substrate, solder mask, print, bodies of
-/// components? Paste, documentation and what the job draws as openings are not.
+/// components? Paste, documentation, drawings that the job calls silkscreen and what it draws as openings are not.
 [[nodiscard]] bool isSolidLayer(const Layer& layer);
 
 }  // namespace model

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "model/board/holes.h"
+#include "model/board/layers.h"
 #include "model/geometry/loops/fit_arcs.h"
 #include "model/geometry/loops/needless_corners.h"
 #include "model/geometry/loops/region_booleans.h"
@@ -285,8 +286,8 @@ bool isSolidLayer(const Layer& layer) {
         case LayerType::PowerGround:
         case LayerType::Mixed:
         case LayerType::Drill:
-        case LayerType::Rout:
-        case LayerType::SilkScreen: return layer.context == LayerContext::Board;
+        case LayerType::Rout: return layer.context == LayerContext::Board;
+        case LayerType::SilkScreen: return layer.context == LayerContext::Board && !isDrawingAsSilkscreen(layer);
         case LayerType::Body:
         case LayerType::ComponentBody: return true;
         case LayerType::SolderMask: return layer.isSynthetic;

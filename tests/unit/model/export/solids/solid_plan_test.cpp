@@ -231,6 +231,15 @@ private slots:
         QCOMPARE(plan.steps[1].elements, (std::vector{board.track, board.narrow, board.wide}));
     }
 
+    void drawingsThatTheJobCallsSilkscreenAreNoPrint() {
+        model::Layer layer;
+        layer.type = LayerType::SilkScreen;
+        layer.name = "silkscreen top";
+        QVERIFY(model::isSolidLayer(layer));
+        layer.name = "assembly top";
+        QVERIFY(!model::isSolidLayer(layer));
+    }
+
     void refusesWhatIsNotThere() {
         const Board board = makeBoard();
         base::Progress progress;
