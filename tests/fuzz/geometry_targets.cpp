@@ -28,7 +28,7 @@ void stepSolids(std::string_view input) {
             options.isWrittenOut = !isPlain;
             options.hasPolylines = !isPlain;
             options.limits = isPlain ? model::RegionLimits{} : model::RegionLimits{8, 2};
-            static_cast<void>(model::estimateStep(*plan, options));
+            static_cast<void>(model::estimateStep(*plan, options, progress));
             static_cast<void>(model::exportStep(*plan, options, "/dev/null", progress));
         }
     }

@@ -251,7 +251,7 @@ Result<std::optional<StepEstimate>> estimateExport(const Document& board, const 
         return std::optional<StepEstimate>();
     }
     ASSIGN_OR_RETURN(const SolidPlan plan, planSolids(board, request.choice, progress));
-    StepEstimate estimate = estimateStep(plan, stepOptionsOf(board, request));
+    ASSIGN_OR_RETURN(StepEstimate estimate, estimateStep(plan, stepOptionsOf(board, request), progress));
     if (format.write == writeStep<true>) {
         estimate.bytes *= kPackedShare;
         estimate.seconds *= kPackedTime;

@@ -69,7 +69,7 @@ std::size_t CopperHoles::countNear(LayerId layer, const Box& box) const {
     return holes ? holes->countNear(box) : 0;
 }
 
-void CopperHoles::compare(std::span<const ElementId> elements) {
+void CopperHoles::compare(std::span<const ElementId> elements, const base::Progress& progress) {
     std::vector<std::pair<ElementId, SharedShape>> sharing;
     std::unordered_map<ShapeKey, std::uint32_t, ShapeKeyHash> uses;
     for (const ElementId element : elements) {
@@ -81,6 +81,9 @@ void CopperHoles::compare(std::span<const ElementId> elements) {
     std::erase_if(sharing, [&](const auto& user) { return uses[user.second.key] < 2; });
     Shapes shapes(*m_document);
     for (const auto& [element, shape] : sharing) {
+        if (progress.isCancelled()) {
+            break;
+        }
         const std::vector<RegionSearch> holes =
             near(m_document->elements.layer[element.row()], m_document->boxOf(element));
         if (holes.empty()) {

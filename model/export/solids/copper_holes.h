@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "model/base/progress.h"
 #include "model/solids/shells/drilled_copper.h"
 #include "model/solids/shells/shared_shape.h"
 
@@ -23,8 +24,9 @@ public:
     [[nodiscard]] std::vector<RegionSearch> near(LayerId layer, const Box& box) const;
     [[nodiscard]] std::size_t countNear(LayerId layer, const Box& box) const;
 
-    /// Compares how those of these elements are drilled that have a shape in common with others.
-    void compare(std::span<const ElementId> elements);
+    /// Compares how those of these elements are drilled that have a shape in common with others. Incomplete when
+    /// cancelled.
+    void compare(std::span<const ElementId> elements, const base::Progress& progress);
     /// The shape that an element has in common with others once it is drilled: of those of compare(). Without a value
     /// where it has none, or holes that are not round.
     [[nodiscard]] std::optional<SharedShape> sharedShapeOf(ElementId element) const;

@@ -180,11 +180,12 @@ constexpr Placement kMirror{{}, 0.0, true};
 constexpr std::string_view kCoarseHoles = "holes are cut out of it with chords of 1 µm";
 
 /// A hole that the outline of the board crosses has been cut out of what it passes when that was milled.
-std::shared_ptr<const CopperHoles> holesOf(const StepSolids& step, const SolidChoice& choice) {
+std::shared_ptr<const CopperHoles> holesOf(const StepSolids& step, const SolidChoice& choice,
+                                           const base::Progress& progress) {
     auto holes = std::make_shared<CopperHoles>(*step.document, [&](ElementId hole) {
         return !isNarrowHole(*step.document, hole, choice.minHole) && milledOf(step, hole) == nullptr;
     });
-    holes->compare(step.elements);
+    holes->compare(step.elements, progress);
     return holes;
 }
 
@@ -437,12 +438,12 @@ base::Result<SolidPlan> planSolids(const Document& board, const SolidChoice& cho
         if (!choice.isAsDesigned) {
             addDrilledPrint(findDrilledPrint(*step.document, {}, progress), step.milled);
         }
-        step.holes = holesOf(step, choice);
+        step.holes = holesOf(step, choice, progress);
         countUses(step);
         plan.elements += step.elements.size();
-    }
-    if (progress.isCancelled()) {
-        return base::Error{base::ErrorCode::Cancelled, "the export was cancelled"};
+        if (progress.isCancelled()) {
+            return base::Error{base::ErrorCode::Cancelled, "the export was cancelled"};
+        }
     }
     RETURN_IF_ERROR(checkLeft(plan, board));
     return plan;

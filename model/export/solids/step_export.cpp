@@ -233,12 +233,16 @@ double cornersOf(const StepSolids& step, ElementId element) {
 /// How large a step becomes: what is placed often is written to be measured, and of the rest a sample.
 class StepSizes {
 public:
-    StepSizes(const SolidPlan& plan, const StepOptions& options) : m_plan(plan), m_options(options) {}
+    StepSizes(const SolidPlan& plan, const StepOptions& options, const base::Progress& progress)
+        : m_plan(plan), m_options(options), m_progress(progress) {}
+
+    [[nodiscard]] bool isStopped() const { return m_progress.isCancelled(); }
 
     double of(const StepSolids& step) {
         double bytes = kBytesOfGroup * static_cast<double>(step.groups.size());
         std::vector<ElementId> single;
-        for (const ElementId element : step.elements) {
+        for (std::size_t i = 0; i < step.elements.size() && !isStopped(); ++i) {
+            const ElementId element = step.elements[i];
             if (!m_options.isWrittenOut && m_plan.sharedShapeOf(step, element)) {
                 bytes += kBytesOfCopy;
             } else {
@@ -264,7 +268,8 @@ private:
     double sharedBytes(const StepSolids& step) {
         double bytes = 0.0;
         for (const auto& [key, uses] : step.uses) {
-            bytes += uses > 1 && !m_options.isWrittenOut ? bytesOf(m_plan.shellsOf(step, key).shells) : 0.0;
+            const bool isShared = uses > 1 && !m_options.isWrittenOut && !isStopped();
+            bytes += isShared ? bytesOf(m_plan.shellsOf(step, key).shells) : 0.0;
         }
         return bytes;
     }
@@ -274,13 +279,13 @@ private:
     double sampledBytes(const StepSolids& step, std::span<const ElementId> elements) {
         std::vector<double> corners;
         corners.reserve(elements.size());
-        for (const ElementId element : elements) {
-            corners.push_back(cornersOf(step, element));
+        for (std::size_t i = 0; i < elements.size() && !isStopped(); ++i) {
+            corners.push_back(cornersOf(step, elements[i]));
         }
         const double stride = std::max(std::accumulate(corners.begin(), corners.end(), 0.0) / kSampled, 1.0);
         double bytes = 0.0;
         double next = stride / 2;
-        for (std::size_t i = 0; i < elements.size(); ++i) {
+        for (std::size_t i = 0; i < elements.size() && !isStopped(); ++i) {
             next -= corners[i];
             if (next < 0) {
                 const double picks = std::floor(-next / stride) + 1;
@@ -293,17 +298,22 @@ private:
 
     const SolidPlan& m_plan;
     const StepOptions& m_options;
+    const base::Progress& m_progress;
     StepText m_text;
     StepSolidText m_solids{m_text, edgesOf(m_options)};
 };
 
 }  // namespace
 
-StepEstimate estimateStep(const SolidPlan& plan, const StepOptions& options) {
+base::Result<StepEstimate> estimateStep(const SolidPlan& plan, const StepOptions& options,
+                                        const base::Progress& progress) {
     StepEstimate estimate;
-    StepSizes sizes(plan, options);
+    StepSizes sizes(plan, options, progress);
     for (const StepSolids& step : plan.steps) {
         estimate.bytes += sizes.of(step);
+        if (sizes.isStopped()) {
+            return base::Error{base::ErrorCode::Cancelled, "the export was cancelled"};
+        }
     }
     estimate.seconds = estimate.bytes / kBytesPerSecond;
     return estimate;

@@ -43,11 +43,13 @@ struct SolidReport {
 [[nodiscard]] base::Status checkAnyWritten(std::uint64_t count);
 
 /// What a STEP file of the plan will be, before it is written, unpacked: from the text of a part of its elements.
+/// Errors: Cancelled.
 struct StepEstimate {
     double bytes = 0.0;
     double seconds = 0.0;  ///< on a core of a laptop
 };
-[[nodiscard]] StepEstimate estimateStep(const SolidPlan& plan, const StepOptions& options);
+[[nodiscard]] base::Result<StepEstimate> estimateStep(const SolidPlan& plan, const StepOptions& options,
+                                                      const base::Progress& progress);
 
 /// Writes the plan as a STEP file (AP242; AP214 readers take it too): product in product from the board over its layers
 /// to its nets, exact planes and cylinders. Memory does not grow with the board. All of the file or nothing. Errors:

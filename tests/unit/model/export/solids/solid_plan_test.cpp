@@ -339,6 +339,20 @@ private slots:
         QVERIFY(!below || below->key.drilled != plan.sharedShapeOf(step, board.pads[0])->key.drilled);
     }
 
+    void comparingHolesStopsWhenCancelled() {
+        const DrilledBoard board = makeDrilledBoard();
+        const auto drilledOf = [&](bool isCancelled) {
+            model::CopperHoles holes(*board.document, [](ElementId) { return true; });
+            base::Progress progress;
+            if (isCancelled) {
+                progress.cancel();
+            }
+            holes.compare(board.pads, progress);
+            return holes.sharedShapeOf(board.pads[0])->key.drilled;
+        };
+        QVERIFY(drilledOf(false) != drilledOf(true));
+    }
+
     void mergedCopperIsDrilledToo() {
         const DrilledBoard board = makeDrilledBoard();
         SolidChoice choice;

@@ -264,8 +264,17 @@ private slots:
         base::Progress progress;
         const SolidPlan plan = *model::planSolids(*document, {}, progress);
         const double bytes = static_cast<double>(exported({}).text.size());
-        const double estimate = model::estimateStep(plan, {}).bytes;
+        const double estimate = model::estimateStep(plan, {}, progress)->bytes;
         QVERIFY2(estimate > 0.6 * bytes && estimate < 1.7 * bytes, qPrintable(QString::number(estimate / bytes)));
+    }
+
+    void estimatesCanBeCancelled() {
+        const auto document = board();
+        base::Progress progress;
+        const SolidPlan plan = *model::planSolids(*document, {}, progress);
+        progress.cancel();
+        const auto estimate = model::estimateStep(plan, {}, progress);
+        QVERIFY(!estimate && estimate.error().code == base::ErrorCode::Cancelled);
     }
 
     void estimatesOfPlanesAmongManyTracksAreNear() {
@@ -275,7 +284,7 @@ private slots:
         const SolidPlan plan = *model::planSolids(*document, {}, progress);
         const std::filesystem::path path = folder.filePath("board.step").toStdString();
         const double bytes = static_cast<double>((*model::exportStep(plan, {}, path, progress)).bytes);
-        const double estimate = model::estimateStep(plan, {}).bytes;
+        const double estimate = model::estimateStep(plan, {}, progress)->bytes;
         QVERIFY2(estimate > 0.7 * bytes && estimate < 1.4 * bytes, qPrintable(QString::number(estimate / bytes)));
     }
 
@@ -296,7 +305,8 @@ private slots:
         }
         base::Progress progress;
         const double bytes = static_cast<double>(chained.text.size());
-        const double estimate = model::estimateStep(*model::planSolids(*document, {}, progress), options).bytes;
+        const double estimate =
+            model::estimateStep(*model::planSolids(*document, {}, progress), options, progress)->bytes;
         QVERIFY2(estimate > 0.5 * bytes && estimate < 1.5 * bytes, qPrintable(QString::number(estimate / bytes)));
     }
 
