@@ -214,6 +214,20 @@ void TableView::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint 
     }
 }
 
+bool TableView::isTyped(const QKeyEvent& event) const {
+    const bool isPlain = (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) == 0;
+    const bool isText = isPlain && !event.text().isEmpty() && event.text().front().isPrint();
+    return isText && editTriggers().testFlag(AnyKeyPressed) && currentIndex().flags().testFlag(Qt::ItemIsEditable);
+}
+
+bool TableView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && isTyped(static_cast<const QKeyEvent&>(*event))) {
+        event->accept();
+        return true;
+    }
+    return QTableView::event(event);
+}
+
 void TableView::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Copy)) {
         copySelection();

@@ -44,6 +44,8 @@ signals:
     void deleteRequested(const std::vector<int>& rows);
 
 protected:
+    /// What is typed into a cell whose editor any key opens is no command.
+    bool event(QEvent* event) override;
     /// Reading a cell takes little, measuring it much: of long tables those with the longest texts are measured, and
     /// some of the others. Numbers are as wide as they are long.
     [[nodiscard]] int sizeHintForColumn(int column) const override;
@@ -59,6 +61,7 @@ protected:
                                                                        const QEvent* event) const override;
 
 private:
+    [[nodiscard]] bool isTyped(const QKeyEvent& event) const;
     [[nodiscard]] int rowOf(const QModelIndex& index) const;
     void fit();
     void leaveRoom();

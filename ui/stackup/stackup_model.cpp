@@ -63,8 +63,8 @@ std::vector<Column> StackupModel::columnsFor(const std::vector<model::Substack>&
 
 QString StackupModel::thicknessHint() {
     return tr(
-        "Double-click to set it, for example 35 µm, 0.2 mm, 4 mil or 1 oz; a number alone is in the unit that is "
-        "shown; empty it to go back to the job's value");
+        "Double-click it or type to set it, for example 35 µm, 0.2 mm, 4 mil or 1 oz; a number alone is in the unit "
+        "that is shown; empty it to go back to the job's value");
 }
 
 QString StackupModel::sourceText(model::Source source) {

@@ -88,6 +88,28 @@ private slots:
         QCOMPARE(rowOf("CORE1").thickness, 100'000);
     }
 
+    void whatIsTypedIntoASelectedThicknessIsNoCommand() {
+        QTableView& table = window().stackupPanel().table();
+        const QModelIndex at = cell("CORE1", StackupModel::Thickness);
+        table.scrollTo(at);
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(at).center());
+        window().actions()[ActionId::ShowSideBySide].trigger();
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        QTest::keyClick(&table, '3');
+        auto* editor = table.viewport()->findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        QTest::keyClicks(editor, "5um");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(rowOf("CORE1").thickness, 35'000);
+        QVERIFY(window().actions()[ActionId::ShowSideBySide].isChecked());
+        // Where nothing can be typed, keys are commands as before.
+        const QModelIndex name = cell("CORE1", StackupModel::Name);
+        table.scrollTo(name);
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(name).center());
+        QTest::keyClick(&table, '3');
+        QVERIFY(window().actions()[ActionId::ShowSolid].isChecked());
+    }
+
     void undoAndRedoWalkThroughTheEdits() {
         const QImage first = m_fixture->picture();
         QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
