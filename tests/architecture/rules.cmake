@@ -83,7 +83,7 @@ set(architecture_rows
     "ui/element                    | ui              | model/board model/index model/statistics render/frame render/modelling render/scene ui/canvas ui/common ui/layers ui/parts ui/workspace | qt widgets"
     "ui/stackup                    | ui              | model/board model/export model/session model/solids ui/common ui/layers ui/workspace | qt widgets"
     "ui/statistics                 | ui              | model/board model/statistics ui/common ui/workspace | qt widgets"
-    "ui/search                     | ui              | model/board model/index model/nets model/text ui/common ui/layers ui/parts ui/views ui/workspace | qt widgets glm"
+    "ui/search                     | ui              | model/board model/index model/nets model/text ui/common ui/layers ui/nets ui/parts ui/views ui/workspace | qt widgets glm"
     "ui/messages                   | ui              | model/board render/modelling render/scene ui/common ui/views ui/workspace | qt widgets"
     "ui/parts                      | ui              | model/board model/index model/nets ui/common ui/workspace | qt widgets"
     "ui/views                      | ui              | model/board model/figures model/geometry model/index model/solids model/text render/frame render/modelling render/scene ui/canvas ui/common ui/element ui/layers ui/nets ui/parts ui/workspace | qt widgets glm"

@@ -1,8 +1,10 @@
 #include "ui/search/search_feature.h"
 
+#include <QAction>
 #include <algorithm>
 
 #include "ui/layers/layer_model.h"
+#include "ui/nets/net_styles.h"
 #include "ui/parts/part_picking.h"
 #include "ui/search/location_mark.h"
 #include "ui/search/search_box.h"
@@ -59,15 +61,20 @@ void show(const Found& found, const BoardSearch& search, Workspace& workspace, P
     }
 }
 
-/// Of the selected elements, or of those of the highlighted nets; each once.
-std::vector<model::LayerId> layersOf(const SelectionModel& selection) {
+/// Of the selected elements, or of those of the highlighted nets, but for the nets that `isLeftOut`; each once.
+template <class IsLeftOut>
+std::vector<model::LayerId> layersOf(const SelectionModel& selection, const IsLeftOut& isLeftOut) {
     std::vector<model::LayerId> layers;
     for (const model::BoardElement& at : selection.selected()) {
-        layers.push_back(selection.layerOf(at));
+        if (const auto net = selection.netOf(at); !net || !isLeftOut(*net)) {
+            layers.push_back(selection.layerOf(at));
+        }
     }
-    const bool isOfNets = layers.empty();
+    std::vector<model::BoardNet> nets =
+        selection.selected().empty() ? selection.nets() : std::vector<model::BoardNet>();
+    std::erase_if(nets, isLeftOut);
     const std::vector<model::StepCopy>& copies = selection.tree().copies;
-    for (const model::BoardNet& net : isOfNets ? selection.nets() : std::vector<model::BoardNet>()) {
+    for (const model::BoardNet& net : nets) {
         for (const bool isFlipped : {false, true}) {
             const auto copy = std::ranges::find_if(copies, [&](const model::StepCopy& each) {
                 return each.step == net.step && each.isFlipped == isFlipped;
@@ -84,14 +91,7 @@ std::vector<model::LayerId> layersOf(const SelectionModel& selection) {
     return layers;
 }
 
-/// What is found is outlined where it is drawn: a view that moves there and shows nothing needs a word.
-void sayIfHidden(const QString& title, const FeatureContext& context, Hint& hint) {
-    std::vector<model::LayerId> layers = layersOf(context.workspace.selection());
-    const std::vector<LayerAppearance> styles = context.layers.effectiveStyles();
-    if (layers.empty() || std::ranges::any_of(layers, [&](auto layer) { return styles[layer.row()].isVisible; })) {
-        return;
-    }
-    const model::Document& board = *context.workspace.board()->document;
+QString hiddenLayersText(const QString& title, const model::Document& board, std::vector<model::LayerId> layers) {
     // Bodies are named only of what has nothing else.
     const auto bodies = std::ranges::partition(layers, [&](auto layer) { return !board.layer(layer).isSynthetic; });
     if (bodies.size() < layers.size()) {
@@ -101,7 +101,29 @@ void sayIfHidden(const QString& title, const FeatureContext& context, Hint& hint
     for (const model::LayerId layer : layers) {
         names += QString::fromStdString(board.layer(layer).name);
     }
-    hint.show(SearchBox::tr("%1 is on layers that are hidden: %2").arg(title, names.join(QStringLiteral(", "))));
+    return SearchBox::tr("%1 is on layers that are hidden: %2").arg(title, names.join(QStringLiteral(", ")));
+}
+
+/// With the command that ends it, as its menu calls it.
+QString hiddenNetText(const QString& title, const QAction& showAll) {
+    return SearchBox::tr("%1 is hidden: %2 (%3)")
+        .arg(title, showAll.text().remove('&'), showAll.shortcut().toString(QKeySequence::NativeText));
+}
+
+/// What is found is outlined where it is drawn: a view that moves there and shows nothing needs a word.
+void sayIfHidden(const QString& title, const FeatureContext& context, Hint& hint) {
+    const SelectionModel& selection = context.workspace.selection();
+    const std::vector<LayerAppearance> styles = context.layers.effectiveStyles();
+    const auto isAnySeen = [&](const std::vector<model::LayerId>& layers) {
+        return std::ranges::any_of(layers, [&](model::LayerId layer) { return styles[layer.row()].isVisible; });
+    };
+    const auto layers = layersOf(selection, [](const model::BoardNet&) { return false; });
+    const auto isHidden = [&](const model::BoardNet& net) { return context.netStyles.isHidden(net); };
+    if (!layers.empty() && !isAnySeen(layers)) {
+        hint.show(hiddenLayersText(title, *context.workspace.board()->document, layers));
+    } else if (!layers.empty() && !isAnySeen(layersOf(selection, isHidden))) {
+        hint.show(hiddenNetText(title, context.actions[ActionId::ShowAllNets]));
+    }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "model/board/single_element.h"
 #include "model/figures/element_polygons.h"
 #include "model/geometry/boolean.h"
+#include "ui/nets/net_styles.h"
 #include "ui/views/nearby_highlight.h"
 
 namespace ui {
@@ -40,11 +41,15 @@ model::PolygonSet loopsOf(const model::Document& step, model::ElementId element,
 
 }  // namespace
 
-ElementOutlines::ElementOutlines(BoardViews& views, Workspace& workspace, QObject* parent)
-    : QObject(parent), m_views(views), m_selection(workspace.selection()) {
+ElementOutlines::ElementOutlines(BoardViews& views, Workspace& workspace, const NetStyles& nets, QObject* parent)
+    : QObject(parent), m_views(views), m_selection(workspace.selection()), m_nets(nets) {
     connect(&m_selection, &SelectionModel::hoverChanged, this, &ElementOutlines::updateHovered);
     connect(&m_selection, &SelectionModel::highlightChanged, this, &ElementOutlines::updateSelected);
     connect(&m_selection, &SelectionModel::marksChanged, this, &ElementOutlines::updateSelected);
+    connect(&nets, &NetStyles::changed, this, [this] {
+        ++m_change;
+        m_views.requestOverlay();
+    });
     m_afterFrame.setSingleShot(true);
     connect(&m_afterFrame, &QTimer::timeout, this, &ElementOutlines::showSelected);
     m_rest.setSingleShot(true);
@@ -77,7 +82,8 @@ ElementOutlines::Outline ElementOutlines::outlineOf(const model::BoardElement& a
     const model::Document& step = m_selection.stepOf(at);
     const model::StepCopy& copy = m_selection.tree().copies[at.copy];
     return {OutlineRuns(model::placed(loopsOf(step, at.element, pointsToUnite, isFine), copy.placement)),
-            m_selection.layerOf(at), model::elementHeights(step, at.element, copy.isFlipped), false};
+            m_selection.layerOf(at), model::elementHeights(step, at.element, copy.isFlipped), m_selection.netOf(at),
+            false};
 }
 
 void ElementOutlines::updateHovered() {
@@ -129,7 +135,8 @@ OutlineStrokes ElementOutlines::strokesOver(const BoardView& view) const {
     const bool isFromBelow = view.controller().camera().direction().z > 0.0F;
     const auto add = [&](const Outline& outline, Ink ink) {
         const std::size_t row = outline.layer.row();
-        if (outline.runs.isEmpty() || row >= heights.size() || !view.styles()[row].isVisible) {
+        const bool isOfHiddenNet = outline.net && m_nets.isHidden(*outline.net);
+        if (outline.runs.isEmpty() || row >= heights.size() || !view.styles()[row].isVisible || isOfHiddenNet) {
             return;
         }
         const auto [bottom, top] =

@@ -13,10 +13,12 @@
 
 namespace ui {
 
+class NetStyles;
+
 /// Draws the outlines of the element under the pointer, and of what is selected or near it, over both views. They are
 /// painted, not drawn by the device, so that they need not wait for a frame of the board: where frames are slow they
 /// would lag behind the pointer. They also show where something lies that other layers cover; but what lies on a hidden
-/// layer or is cut away has none. Bodies of components are outlined at their own height.
+/// layer, is of a hidden net or is cut away has none. Bodies of components are outlined at their own height.
 class ElementOutlines : public QObject {
     Q_OBJECT
 
@@ -37,10 +39,11 @@ public:
         OutlineRuns runs;
         model::LayerId layer;  ///< of the board, where the element is drawn
         model::ElementHeights heights;
+        std::optional<model::BoardNet> net = std::nullopt;
         bool isNear = false;  ///< to what is selected; in another colour than that
     };
 
-    ElementOutlines(BoardViews& views, Workspace& workspace, QObject* parent = nullptr);
+    ElementOutlines(BoardViews& views, Workspace& workspace, const NetStyles& nets, QObject* parent = nullptr);
 
     /// No loops while nothing is hovered.
     [[nodiscard]] const Outline& hovered() const { return m_hovered; }
@@ -74,6 +77,7 @@ private:
 
     BoardViews& m_views;
     SelectionModel& m_selection;
+    const NetStyles& m_nets;
     Outline m_hovered;
     std::vector<Outline> m_selected;
     bool m_isSelectedLate = false;                     ///< its outlines wait for a frame without them

@@ -123,7 +123,7 @@ void connectOverlays(FeatureContext& context) {
     BoardViews& views = context.views;
     new ElementStyles(views, context.workspace.selection(), context.netStyles, context.actions[ActionId::DimOthers],
                       &context.window);
-    new ElementOutlines(views, context.workspace, &context.window);
+    new ElementOutlines(views, context.workspace, context.netStyles, &context.window);
     auto* veil = new OutlineVeil(views.flat(), context.workspace, &context.window);
     context.on(ActionId::ShowMilledAway, veil, [veil, &views](bool isOn) {
         veil->setOn(!isOn);

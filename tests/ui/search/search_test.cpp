@@ -98,6 +98,22 @@ private slots:
         QVERIFY(window().statusBar()->currentMessage().startsWith("A is on layers that are hidden: F.Cu"));
     }
 
+    void whatIsFoundOfAHiddenNetIsSaidToBe() {
+        QVERIFY(m_fixture->openAndWait(boardWithPartsBelowEachOther()));
+        const auto net = [&](const char* name) { return model::BoardNet{0, board().findNet(name)}; };
+        window().netStyles().isolate(std::vector{net("A")}, window().selection().tree());
+        QVERIFY(window().netStyles().isHidden(net("B")));
+        for (const auto& [found, title] : {std::pair("b", "B"), std::pair("r2.1", "R2.1")}) {
+            type(found);
+            take();
+            QCOMPARE(window().statusBar()->currentMessage(),
+                     QStringLiteral("%1 is hidden: Show all nets (Ctrl+Alt+N)").arg(title));
+        }
+        type("a");
+        take();
+        QVERIFY2(window().statusBar()->currentMessage().isEmpty(), "it is seen");
+    }
+
     /// A flipped copy has at the bottom what the others have on top.
     void whatAFlippedCopyShowsIsNotHidden() {
         QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/panel"));

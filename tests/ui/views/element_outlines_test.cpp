@@ -37,6 +37,29 @@ private slots:
         QVERIFY(!outlines().strokesOver(window().views().flat()).lines().empty());
     }
 
+    void outlinesVanishWithTheirNet() {
+        std::size_t row = board().layer(topCopper()).elements.first;
+        while (!board().elements.net[row].isValid()) {
+            ++row;
+        }
+        const model::BoardNet net{0, board().elements.net[row]};
+        window().selection().select({{0, ElementId{row}}});
+        const auto isOutlined = [&](const ui::BoardView* view) {
+            return !outlines().strokesOver(*view).lines().empty();
+        };
+        for (const ui::BoardView* view : window().views().both()) {
+            QTRY_VERIFY(isOutlined(view));
+        }
+        window().netStyles().setState({{net, std::nullopt, true}});
+        for (const ui::BoardView* view : window().views().both()) {
+            QVERIFY(!isOutlined(view));
+        }
+        window().netStyles().setState({});
+        for (const ui::BoardView* view : window().views().both()) {
+            QVERIFY(isOutlined(view));
+        }
+    }
+
     void bodiesHaveTheirOwnHeight() {
         QVERIFY(!board().bodies.empty());
         bool isAnyLower = false;
