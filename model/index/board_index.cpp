@@ -1,6 +1,10 @@
 #include "model/index/board_index.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "model/base/parallel.h"
+#include "model/geometry/edges.h"
 
 namespace model {
 
@@ -21,7 +25,34 @@ std::vector<Box> boxesOf(const Document& document, const base::Progress& progres
     return boxes;
 }
 
+Nm clamped(double nm) {
+    return static_cast<Nm>(std::lround(std::clamp<double>(nm, -base::kMaxCoordinate, base::kMaxCoordinate)));
+}
+
+/// In the coordinates of what is placed so; a nanometre larger for rounding.
+Box unplaced(const Box& box, const Placement& placement) {
+    Box own;
+    for (const Point corner : {box.min, Point{box.max.x, box.min.y}, box.max, Point{box.min.x, box.max.y}}) {
+        const PointD at = model::unplaced(base::toDouble(corner), placement);
+        own.include(Point{clamped(at.x), clamped(at.y)});
+    }
+    return own.grownBy(1);
+}
+
 }  // namespace
+
+std::vector<CopyInBox> copiesIn(const BoardIndex& index, const Box& box) {
+    std::vector<CopyInBox> copies;
+    for (std::uint32_t copy = 0; copy < index.tree.copies.size(); ++copy) {
+        const StepCopy& placed = index.tree.copies[copy];
+        const Box& own = index.extents[placed.step];
+        const Box extent = own.isEmpty() ? own : placed.placement.boxOf(own).grownBy(1);
+        if (!own.isEmpty() && extent.meets(box)) {
+            copies.push_back({copy, extent, unplaced(box, placed.placement)});
+        }
+    }
+    return copies;
+}
 
 base::Result<std::shared_ptr<const BoardIndex>> indexBoard(std::shared_ptr<const Document> board,
                                                            base::Progress& progress) {

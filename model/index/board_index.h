@@ -24,6 +24,16 @@ struct BoardIndex {
     [[nodiscard]] const PinFinder& pinsOf(std::uint32_t copy) const { return pins[tree.copies[copy].step]; }
 };
 
+/// A copy whose own elements may lie in a box of the board.
+struct CopyInBox {
+    std::uint32_t copy = 0;
+    Box extent;  ///< of its own elements, on the board
+    Box box;     ///< around that box, in the coordinates of the step
+};
+
+/// Rising. Those that lie elsewhere cost a comparison each.
+[[nodiscard]] std::vector<CopyInBox> copiesIn(const BoardIndex& index, const Box& box);
+
 /// Errors: Cancelled.
 [[nodiscard]] base::Result<std::shared_ptr<const BoardIndex>> indexBoard(std::shared_ptr<const Document> board,
                                                                          base::Progress& progress);

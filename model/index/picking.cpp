@@ -272,15 +272,12 @@ std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::s
                other.max.y <= box.max.y;
     };
     std::vector<BoardElement> found;
-    for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
-        const StepCopy& placed = m_index->tree.copies[copy];
+    for (const CopyInBox& near : copiesIn(*m_index, box)) {
+        const StepCopy& placed = m_index->tree.copies[near.copy];
         const Document& step = *m_index->tree.steps[placed.step];
         std::array<PointD, 4> sides;
-        Box local;
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            sides[i] = unplaced(base::toDouble(corners[i]), placed.placement);
-            local.include(rounded(sides[i]));
-        }
+        std::ranges::transform(corners, sides.begin(),
+                               [&](Point corner) { return unplaced(base::toDouble(corner), placed.placement); });
         const auto touches = [&](const FigureTable& figures) {
             bool isTouched = false;
             for (std::size_t i = 0; i < sides.size() && !isTouched; ++i) {
@@ -288,7 +285,7 @@ std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::s
             }
             return isTouched;
         };
-        m_index->elements[placed.step].visit(local, [&](std::uint32_t row) {
+        m_index->elements[placed.step].visit(near.box, [&](std::uint32_t row) {
             const LayerId layer = step.layerOfCopy(step.elements.layer[row], placed.isFlipped);
             const ElementId element{row};
             if (!layers[layer.row()].isVisible || isHidden(placed.step, element)) {
@@ -296,7 +293,7 @@ std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::s
             }
             if (holds(placed.placement.boxOf(step.boxOf(element))) ||
                 (isTouching && touches(m_figures.of(*m_index, placed.step, element)))) {
-                found.push_back({copy, element});
+                found.push_back({near.copy, element});
             }
         });
     }

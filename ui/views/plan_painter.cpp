@@ -140,8 +140,9 @@ RotatedBox boxOf(const PlanPainter::Label& label) {
 /// The bodies of components that a view draws over a layer, and that nothing is seen through.
 class CoveringBodies {
 public:
-    CoveringBodies(const BoardView& view, const model::BoardIndex& index, model::LayerId beneath)
-        : m_view(view), m_index(index) {
+    CoveringBodies(const BoardView& view, const model::BoardIndex& index, const model::Box& shown,
+                   model::LayerId beneath)
+        : m_view(view), m_index(index), m_copies(model::copiesIn(index, shown)) {
         const bool isFromBelow = view.controller().camera().direction().z > 0.0F;
         const model::LayerSide nearSide = isFromBelow ? model::LayerSide::Bottom : model::LayerSide::Top;
         const std::vector<render::LayerStyle>& styles = view.styles();
@@ -157,20 +158,33 @@ public:
 
     [[nodiscard]] bool lieOver(QPointF at) {
         const base::PointD location = m_view.locationAt(at);
-        model::Box box;
-        box.include(model::Point{static_cast<model::Nm>(location.x), static_cast<model::Nm>(location.y)});
-        bool isCovered = false;
-        for (const model::LayerId layer : m_layers) {
-            m_index.elements.front().visit(layer, box, [&](std::uint32_t row) {
-                isCovered = isCovered || model::isInside(m_figures.of(m_index, 0, model::ElementId{row}), 0, location);
-            });
-        }
-        return isCovered;
+        const model::Box box = boxAt(location);
+        return std::ranges::any_of(m_copies, [&](const model::CopyInBox& near) {
+            return near.extent.meets(box) && std::ranges::any_of(m_layers, [&](model::LayerId layer) {
+                       return isInOneOf(m_index.tree.copies[near.copy], layer, location);
+                   });
+        });
     }
 
 private:
+    static model::Box boxAt(base::PointD location) {
+        model::Box box;
+        box.include(model::Point{static_cast<model::Nm>(location.x), static_cast<model::Nm>(location.y)});
+        return box;
+    }
+    [[nodiscard]] bool isInOneOf(const model::StepCopy& copy, model::LayerId layer, base::PointD location) {
+        const base::PointD own = model::unplaced(location, copy.placement);
+        const model::LayerId ownLayer = m_index.board->layerOfCopy(layer, copy.isFlipped);
+        bool isIn = false;
+        m_index.elements[copy.step].visit(ownLayer, boxAt(own), [&](std::uint32_t row) {
+            isIn = isIn || model::isInside(m_figures.of(m_index, copy.step, model::ElementId{row}), 0, own);
+        });
+        return isIn;
+    }
+
     const BoardView& m_view;
     const model::BoardIndex& m_index;
+    std::vector<model::CopyInBox> m_copies;
     std::vector<model::LayerId> m_layers;
     model::FigureCache m_figures;
 };
@@ -226,9 +240,13 @@ QPointF PlanPainter::screenOf(double x, double y) const {
     return m_view.screenOf({x, y}).value_or(QPointF());
 }
 
-QRectF PlanPainter::screenBoxOf(model::ElementId element) const {
-    const model::Box box = m_index->board->boxOf(element);
+QRectF PlanPainter::screenBoxOf(const model::BoardElement& at) const {
+    const model::Box box = placedBoxOf(at);
     return QRectF(screenOf(box.min.x, box.min.y), screenOf(box.max.x, box.max.y)).normalized();
+}
+
+model::Box PlanPainter::placedBoxOf(const model::BoardElement& at) const {
+    return m_index->tree.copies[at.copy].placement.boxOf(m_index->stepOf(at.copy).boxOf(at.element));
 }
 
 void PlanPainter::paint(QPainter& painter) const {
@@ -361,49 +379,55 @@ model::LayerId PlanPainter::namedLayer() const {
     return nearest;
 }
 
-std::vector<model::ElementId> PlanPainter::namedElements() const {
+/// Neither hidden, nor without anything to be called by.
+bool PlanPainter::isNamed(const model::BoardElement& at) const {
+    const model::ElementTable& elements = m_index->stepOf(at.copy).elements;
+    const model::NetId net = elements.net[at.element.row()];
+    const bool isHidden = net.isValid() && m_styles.isHidden({m_index->tree.copies[at.copy].step, net});
+    return !isHidden && (net.isValid() || (elements.flags[at.element.row()] & model::kPad) != 0);
+}
+
+std::vector<model::BoardElement> PlanPainter::namedElements() const {
     const model::LayerId layer = namedLayer();
-    if (!layer.isValid()) {
-        return {};
-    }
-    const model::ElementTable& elements = m_index->board->elements;
-    const auto isNamed = [&](std::uint32_t row) {
-        const model::NetId net = elements.net[row];
-        const bool isHidden = net.isValid() && m_styles.isHidden({0, net});
-        return !isHidden && (net.isValid() || (elements.flags[row] & model::kPad) != 0);
-    };
-    std::vector<model::ElementId> inSight;
-    m_index->elements.front().visit(layer, shownBox(), [&](std::uint32_t row) {
-        if (inSight.size() <= kMostInSight && isNamed(row)) {
-            inSight.emplace_back(row);
+    std::vector<model::BoardElement> inSight;
+    const std::vector<model::CopyInBox> copies =
+        layer.isValid() ? model::copiesIn(*m_index, shownBox()) : std::vector<model::CopyInBox>();
+    for (const model::CopyInBox& near : copies) {
+        const model::StepCopy& copy = m_index->tree.copies[near.copy];
+        const model::LayerId own = m_index->board->layerOfCopy(layer, copy.isFlipped);
+        m_index->elements[copy.step].visit(own, near.box, [&](std::uint32_t row) {
+            const model::BoardElement at{near.copy, model::ElementId{row}};
+            if (inSight.size() <= kMostInSight && isNamed(at)) {
+                inSight.push_back(at);
+            }
+        });
+        if (inSight.size() > kMostInSight) {
+            return {};
         }
-    });
-    if (inSight.size() > kMostInSight) {
-        return {};
     }
     std::ranges::sort(inSight);  // ids do not depend on how the index was walked
     return inSight;
 }
 
 /// "U1.5", and "5" where there is no room for that; "U1" of a pad without a name; empty for what is no pad of one pin.
-QStringList PlanPainter::pinNames(model::ElementId element) const {
-    const model::Document& board = *m_index->board;
+QStringList PlanPainter::pinNames(const model::BoardElement& at) const {
+    const model::Document& step = m_index->stepOf(at.copy);
     const std::vector<model::PinId> pins =
-        m_hasPinNames ? m_index->pins.front().pinsOf(element) : std::vector<model::PinId>();
-    if (pins.size() != 1 || !board.pins[pins.front().row()].component.isValid()) {
+        m_hasPinNames ? m_index->pinsOf(at.copy).pinsOf(at.element) : std::vector<model::PinId>();
+    if (pins.size() != 1 || !step.pins[pins.front().row()].component.isValid()) {
         return {};
     }
-    const QString full = QString::fromStdString(model::fullPinName(board, pins.front()));
-    const QString name = QString::fromStdString(model::pinName(board, pins.front()));
+    const QString full = QString::fromStdString(model::fullPinName(step, pins.front()));
+    const QString name = QString::fromStdString(model::pinName(step, pins.front()));
     return name.isEmpty() ? QStringList{full} : QStringList{full, name};
 }
 
 /// What may be written on an element, line by line, the most telling first.
-std::vector<QStringList> PlanPainter::textsFor(model::ElementId element) const {
-    const model::Document& board = *m_index->board;
-    const model::NetId id = board.elements.net[element.row()];
-    const QString net = m_hasNames ? netName(board, id) : QString();
-    const QStringList pins = pinNames(element);
+std::vector<QStringList> PlanPainter::textsFor(const model::BoardElement& at) const {
+    const model::Document& step = m_index->stepOf(at.copy);
+    const model::NetId id = step.elements.net[at.element.row()];
+    const QString net = m_hasNames ? netName(step, id) : QString();
+    const QStringList pins = pinNames(at);
     std::vector<QStringList> texts;
     if (!net.isEmpty()) {
         for (const QString& pin : pins) {
@@ -417,20 +441,23 @@ std::vector<QStringList> PlanPainter::textsFor(model::ElementId element) const {
     return texts;
 }
 
-std::optional<PlanPainter::Label> PlanPainter::labelFor(model::ElementId element) const {
+std::optional<PlanPainter::Label> PlanPainter::labelFor(const model::BoardElement& at) const {
     const double perPixel = m_view.controller().nmPerPixel();
-    const std::optional<Stretch> stretch = stretchOf(*m_index->board, element);
+    const std::optional<Stretch> stretch = stretchOf(m_index->stepOf(at.copy), at.element);
     if (!stretch || stretch->width / perPixel * kFilled < kSmallestName) {
         return std::nullopt;
     }
-    const QPointF a = screenOf(stretch->a.x, stretch->a.y);
-    const QPointF b = screenOf(stretch->b.x, stretch->b.y);
+    const model::Placement& placement = m_index->tree.copies[at.copy].placement;
+    const auto [ax, ay] = placement.apply(base::toDouble(stretch->a));
+    const auto [bx, by] = placement.apply(base::toDouble(stretch->b));
+    const QPointF a = screenOf(ax, ay);
+    const QPointF b = screenOf(bx, by);
     const double room = std::max(QLineF(a, b).length(), stretch->width / perPixel);
     Label label;
     label.middle = (a + b) / 2.0;
     label.angleDeg = std::atan2(b.y() - a.y(), b.x() - a.x()) * 180.0 / M_PI;
     label.angleDeg += label.angleDeg > 90.0 ? -180.0 : label.angleDeg <= -90.0 ? 180.0 : 0.0;
-    for (const QStringList& lines : textsFor(element)) {
+    for (const QStringList& lines : textsFor(at)) {
         label.height = heightOf(lines, stretch->width / perPixel, room);
         if (label.height >= kSmallestName) {
             label.text = lines.join('\n');
@@ -441,21 +468,20 @@ std::optional<PlanPainter::Label> PlanPainter::labelFor(model::ElementId element
 }
 
 /// Copper that is selected on layers that the named one hides; none of what is more than can be named.
-std::vector<model::ElementId> PlanPainter::selectedBeneath() const {
-    const model::ElementTable& elements = m_index->board->elements;
+std::vector<model::BoardElement> PlanPainter::selectedBeneath() const {
     const std::vector<model::BoardElement>& selected = m_workspace.selection().selected();
     const model::Box box = shownBox();
     const model::LayerId named = namedLayer();
-    std::vector<model::ElementId> beneath;
+    std::vector<model::BoardElement> beneath;
     if (selected.size() > kMostNames) {
         return beneath;
     }
     for (const model::BoardElement& at : selected) {
-        const model::LayerId layer = at.copy == 0 ? elements.layer[at.element.row()] : model::LayerId{};
-        const bool isBeneath = layer.isValid() && layer != named && m_index->board->layer(layer).isCopper() &&
-                               m_view.styles()[layer.row()].isVisible;
-        if (isBeneath && m_index->board->boxOf(at.element).meets(box)) {
-            beneath.push_back(at.element);
+        const model::LayerId layer = m_workspace.selection().layerOf(at);
+        const bool isBeneath =
+            layer != named && m_index->board->layer(layer).isCopper() && m_view.styles()[layer.row()].isVisible;
+        if (isBeneath && placedBoxOf(at).meets(box)) {
+            beneath.push_back(at);
         }
     }
     return beneath;
@@ -470,12 +496,12 @@ std::vector<PlanPainter::Label> PlanPainter::labels() const {
     if (!m_index) {
         return labels;
     }
-    CoveringBodies bodies(m_view, *m_index, namedLayer());
-    const auto isPad = [&](model::ElementId element) {
-        return (m_index->board->elements.flags[element.row()] & model::kPad) != 0;
+    CoveringBodies bodies(m_view, *m_index, shownBox(), namedLayer());
+    const auto isPad = [&](const model::BoardElement& at) {
+        return (m_index->stepOf(at.copy).elements.flags[at.element.row()] & model::kPad) != 0;
     };
-    const auto add = [&](model::ElementId element, bool isSeenThrough) {
-        const std::optional<Label> label = labels.size() < kMostNames ? labelFor(element) : std::nullopt;
+    const auto add = [&](const model::BoardElement& at, bool isSeenThrough) {
+        const std::optional<Label> label = labels.size() < kMostNames ? labelFor(at) : std::nullopt;
         const auto isOn = [&](const QRectF& pad) { return pad.contains(label->middle); };
         const bool isSeen =
             label && std::ranges::none_of(taken, isOn) && (isSeenThrough || !bodies.lieOver(label->middle));
@@ -483,22 +509,22 @@ std::vector<PlanPainter::Label> PlanPainter::labels() const {
             labels.push_back(*label);
         }
     };
-    const auto addSelected = [&](model::ElementId element) {
-        add(element, true);
-        if (isPad(element)) {
-            taken.push_back(screenBoxOf(element));
+    const auto addSelected = [&](const model::BoardElement& at) {
+        add(at, true);
+        if (isPad(at)) {
+            taken.push_back(screenBoxOf(at));
         }
     };
-    std::vector<model::ElementId> others = namedElements();
-    const auto isOther = [&](model::ElementId element) {
-        return !std::ranges::binary_search(m_workspace.selection().selected(), model::BoardElement{0, element});
+    std::vector<model::BoardElement> others = namedElements();
+    const auto isOther = [&](const model::BoardElement& at) {
+        return !std::ranges::binary_search(m_workspace.selection().selected(), at);
     };
     const auto selected = std::ranges::stable_partition(others, isOther);
     std::ranges::for_each(selected, addSelected);
     std::ranges::for_each(selectedBeneath(), addSelected);
     others.erase(selected.begin(), selected.end());
     std::ranges::stable_partition(others, isPad);
-    std::ranges::for_each(others, [&](model::ElementId element) { add(element, false); });
+    std::ranges::for_each(others, [&](const model::BoardElement& at) { add(at, false); });
     return labels;
 }
 

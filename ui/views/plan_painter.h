@@ -42,7 +42,8 @@ public:
     };
     /// Of `namedLayer`: names of what it hides would only confuse, and so would those of what bodies of components
     /// cover there. But what is selected is seen through both: there its names are written, and no others. No two lie
-    /// on one another: where they would, pads come before tracks.
+    /// on one another: where they would, pads come before tracks. Copies of steps count, and cost as much as is seen of
+    /// them.
     [[nodiscard]] std::vector<Label> labels() const;
 
     enum class Ruler { Upper, Left };
@@ -77,13 +78,15 @@ private:
     void paintUpperRuler(QPainter& painter, const RulerKey& key) const;
     void paintLeftRuler(QPainter& painter, const RulerKey& key) const;
     void paintNames(QPainter& painter) const;
-    [[nodiscard]] std::vector<model::ElementId> namedElements() const;
-    [[nodiscard]] std::vector<model::ElementId> selectedBeneath() const;
-    [[nodiscard]] std::optional<Label> labelFor(model::ElementId element) const;
-    [[nodiscard]] QStringList pinNames(model::ElementId element) const;
-    [[nodiscard]] std::vector<QStringList> textsFor(model::ElementId element) const;
+    [[nodiscard]] bool isNamed(const model::BoardElement& at) const;
+    [[nodiscard]] std::vector<model::BoardElement> namedElements() const;
+    [[nodiscard]] std::vector<model::BoardElement> selectedBeneath() const;
+    [[nodiscard]] std::optional<Label> labelFor(const model::BoardElement& at) const;
+    [[nodiscard]] QStringList pinNames(const model::BoardElement& at) const;
+    [[nodiscard]] std::vector<QStringList> textsFor(const model::BoardElement& at) const;
     [[nodiscard]] QPointF screenOf(double x, double y) const;
-    [[nodiscard]] QRectF screenBoxOf(model::ElementId element) const;
+    [[nodiscard]] model::Box placedBoxOf(const model::BoardElement& at) const;
+    [[nodiscard]] QRectF screenBoxOf(const model::BoardElement& at) const;
 
     BoardView& m_view;
     Workspace& m_workspace;

@@ -289,7 +289,8 @@ private slots:
                             {0, {{10 * kMm, 0}, 90.0, false}, false},
                             {0, {{20 * kMm, 0}, 0.0, true}, false}};
         board->extent = {{-30 * kMm, -30 * kMm}, {30 * kMm, 30 * kMm}};
-        Picker picker(indexed(board));
+        const auto index = indexed(board);
+        Picker picker(index);
         const std::vector<PickLayer> layers = {{true, 0.0, 1e5}};
         const std::pair<PointD, std::uint32_t> locations[] = {
             {{1.0 * kMm, 0.0}, 1}, {{10.0 * kMm, -1.0 * kMm}, 2}, {{19.0 * kMm, 0.0}, 3}};
@@ -300,7 +301,12 @@ private slots:
             const SightLine down{location, 1e6, {0.0, 0.0}, 1.0};
             QCOMPARE(picker.along(down, 0.0, layers).size(), std::size_t{1});
         }
-        const auto found = picker.inside({{9 * kMm, -2 * kMm}, {11 * kMm, 0}}, false, layers);
+        const Box aroundSecond{{9 * kMm, -2 * kMm}, {11 * kMm, 0}};
+        const std::vector<CopyInBox> copies = copiesIn(*index, aroundSecond);
+        QCOMPARE(copies.size(), std::size_t{1});  // the others are not looked into
+        QCOMPARE(copies[0].copy, std::uint32_t{2});
+        QVERIFY(copies[0].box.holds({kMm, 0}) && !copies[0].box.holds({-kMm, 0}));
+        const auto found = picker.inside(aroundSecond, false, layers);
         QCOMPARE(found, (std::vector<BoardElement>{{2, pad}}));
     }
 
