@@ -6,6 +6,8 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 #include "ui/workspace/actions.h"
 
@@ -53,36 +55,48 @@ void SearchBox::open(const QString& text) {
 }
 
 void SearchBox::update() {
-    const QString text = m_line->text();
-    const bool isCommand = text.startsWith(kCommandsOnly);
+    const bool isCommand = m_line->text().startsWith(kCommandsOnly);
+    const QString text = m_line->text().mid(isCommand ? 1 : 0).trimmed();
     m_list->clear();
     m_commands.clear();
     m_found = isCommand ? std::vector<Found>{} : m_search.find(text, m_unit, kMost);
     for (const Found& found : m_found) {
         m_list->addItem(QStringLiteral("%1    %2").arg(m_search.titleOf(found), m_search.detailOf(found)));
     }
-    if (isCommand || !text.trimmed().isEmpty()) {
-        listCommands(isCommand ? text.mid(1).trimmed() : text.trimmed(), isCommand);
+    if (isCommand || !text.isEmpty()) {
+        listCommands(text, isCommand);
     }
-    if (m_list->count() == 0 && !text.trimmed().isEmpty()) {
-        (new QListWidgetItem(tr("Nothing is called %1").arg(text.trimmed()), m_list))->setFlags(Qt::NoItemFlags);
+    if (m_list->count() == 0 && !text.isEmpty()) {
+        (new QListWidgetItem(tr("Nothing is called %1").arg(text), m_list))->setFlags(Qt::NoItemFlags);
     }
     m_list->setCurrentRow(0);
 }
 
-void SearchBox::listCommands(const QString& text, bool areAlone) {
-    const auto isNamed = [&](const ActionSpec& spec) {
-        return m_actions[spec.id].text().remove('&').contains(text, Qt::CaseInsensitive);
+SearchBox::CommandFit SearchBox::fitOf(const ActionSpec& spec, const QString& text) const {
+    const auto hasAllWords = [words = text.split(' ', Qt::SkipEmptyParts)](const QString& in) {
+        return std::ranges::all_of(words, [&](const QString& word) { return in.contains(word, Qt::CaseInsensitive); });
     };
+    const QString name = m_actions[spec.id].text().remove('&');
+    const QString inMenu = menuTitle(spec.menu).remove('&') + ' ' + name;
+    const QString all = inMenu + ' ' + m_actions[spec.id].statusTip();
+    return name.contains(text, Qt::CaseInsensitive) ? CommandFit::Phrase
+           : hasAllWords(name)                      ? CommandFit::Name
+           : hasAllWords(inMenu)                    ? CommandFit::Menu
+           : hasAllWords(all)                       ? CommandFit::Tip
+                                                    : CommandFit::None;
+}
+
+void SearchBox::listCommands(const QString& text, bool areAlone) {
+    std::vector<std::pair<CommandFit, const ActionSpec*>> fitting;
+    const CommandFit least = areAlone ? CommandFit::Tip : CommandFit::Name;
     for (const ActionSpec& spec : ActionSet::kSpecs) {
-        if (isNamed(spec)) {
-            addCommand(spec);
+        if (const CommandFit fit = fitOf(spec, text); fit <= least) {
+            fitting.emplace_back(fit, &spec);
         }
     }
-    for (const ActionSpec& spec : ActionSet::kSpecs) {
-        if (areAlone && !isNamed(spec) && m_actions[spec.id].statusTip().contains(text, Qt::CaseInsensitive)) {
-            addCommand(spec);
-        }
+    std::ranges::stable_sort(fitting, {}, &std::pair<CommandFit, const ActionSpec*>::first);
+    for (const auto& [fit, spec] : fitting) {
+        addCommand(*spec);
     }
 }
 

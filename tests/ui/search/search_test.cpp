@@ -316,6 +316,22 @@ private slots:
         QTest::keyClick(&box().line(), Qt::Key_Escape);
     }
 
+    void commandsAreFoundByTheirMenuAndByWordsInAnyOrder() {
+        const auto rows = [&](const char* text) {
+            box().open(text);
+            QStringList all;
+            for (int row = 0; row < box().list().count(); ++row) {
+                all += box().list().item(row)->text().section("    ", 0, 0);
+            }
+            return all;
+        };
+        QCOMPARE(rows(">theme").mid(0, 3), (QStringList{"System", "Dark", "Light"}));
+        QCOMPARE(rows(">keys kicad"), QStringList{"KiCad"});
+        QCOMPARE(rows(">net highlight").front(), "Highlight net");
+        QCOMPARE(rows(">no such command"), QStringList{"Nothing is called no such command"});
+        QTest::keyClick(&box().line(), Qt::Key_Escape);
+    }
+
     void theBillOfMaterialsIsFound() {
         for (const char* words : {"bom", "bill of materials"}) {
             m_fixture->key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
