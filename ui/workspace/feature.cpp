@@ -109,7 +109,10 @@ void FeatureContext::nameFile(const QString& title, const QString& what, const Q
     const QString board = workspace.board() ? displayName(workspace.board()->request.path) : QString();
     dialog->selectFile((QFileInfo(board).completeBaseName() + ' ' + what).simplified().replace('.', '_'));
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, takeEnding);
-    QObject::connect(dialog, &QFileDialog::fileSelected, &workspace, take);
+    QObject::connect(dialog, &QFileDialog::fileSelected, &workspace, [this, take](const QString& path) {
+        settings.setLastFolder(QFileInfo(path).absolutePath());
+        take(path);
+    });
     dialog->open();
 }
 

@@ -92,8 +92,8 @@ struct FeatureContext {
     /// Brings the panel to the front.
     static void raise(QWidget& panel);
 
-    /// `take` is called with the file that the user names. Proposed is `what` after the name of the board, beside it
-    /// before the first dialog. Filters:
+    /// `take` is called with the file that the user names. Proposed is `what` after the name of the board, in the
+    /// folder of the last file that was named, beside the board before the first one. Filters:
     /// "Name (*.ending)"; the chosen one's ending is added where the name has none.
     void nameFile(const QString& title, const QString& what, const QStringList& filters,
                   const std::function<void(const QString&)>& take) const;

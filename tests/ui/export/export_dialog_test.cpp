@@ -93,6 +93,19 @@ private slots:
         QCOMPARE(named->directory().path(), QFileInfo(board).path());
     }
 
+    void laterFilesAreProposedWhereTheLastOneWasNamed() {
+        QVERIFY(QDir(m_fixture->folder()).mkdir("elsewhere"));
+        const QString elsewhere = m_fixture->folder() + "/elsewhere";
+        window().save(ActionId::ExportStackup, elsewhere + "/stackup.csv");
+        open();
+        QCOMPARE(QFileInfo(dialog().path()).path(), elsewhere);
+        dialog().reject();
+        window().actions()[ActionId::ExportStackup].trigger();
+        auto* named = window().findChild<QFileDialog*>();
+        QVERIFY(named != nullptr);
+        QCOMPARE(named->directory().path(), elsewhere);
+    }
+
     void buttonsSetTheLayers() {
         open();
         const model::Document& board = *window().document();
