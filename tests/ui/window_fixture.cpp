@@ -6,7 +6,6 @@
 #include <QGuiApplication>
 #include <QScreen>
 #include <QSignalSpy>
-#include <QTableWidget>
 #include <QWindow>
 #include <QtTest>
 
@@ -51,10 +50,10 @@ void TestWindow::showPanel(const char* dock) const {
 }
 
 QString TestWindow::fact(const QString& name) const {
-    const QTableWidget& table = *elementPanel().findChild<QTableWidget*>();
-    for (int row = 0; row < table.rowCount(); ++row) {
-        if (table.item(row, 0)->text() == name) {
-            return table.item(row, 1)->text();
+    const QAbstractItemModel& facts = *elementPanel().findChild<ui::TableView*>()->model();
+    for (int row = 0; row < facts.rowCount(); ++row) {
+        if (facts.index(row, 0).data().toString() == name) {
+            return facts.index(row, 1).data().toString();
         }
     }
     return {};

@@ -242,11 +242,15 @@ void TableView::keyPressEvent(QKeyEvent* event) {
 void TableView::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu;
     menu.addActions(actions());
+    addCopying(menu);
+    menu.exec(event->globalPos());
+}
+
+void TableView::addCopying(QMenu& menu) {
     menu.addSeparator();
-    QAction* copy = menu.addAction(tr("&Copy rows\tCtrl+C"), this, &TableView::copySelection);
+    QAction* copy = menu.addAction(tr("Co&py rows\tCtrl+C"), this, &TableView::copySelection);
     copy->setEnabled(selectionModel() != nullptr && selectionModel()->hasSelection());
     menu.addAction(tr("Copy &all with headings"), this, &TableView::copyAll);
-    menu.exec(event->globalPos());
 }
 
 QItemSelectionModel::SelectionFlags TableView::selectionCommand(const QModelIndex& index, const QEvent* event) const {

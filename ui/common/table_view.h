@@ -3,6 +3,8 @@
 #include <QTableView>
 #include <vector>
 
+class QMenu;
+
 namespace ui {
 
 class SortedRows;
@@ -34,6 +36,8 @@ public:
     /// Makes it the current one and scrolls to its row. Not sideways: what lies to the left stays in sight, as it does
     /// after clicks.
     void goToRow(const QModelIndex& index);
+    /// What every menu of a row ends with.
+    void addCopying(QMenu& menu);
     void copySelection() const;
     void copyAll() const;
 

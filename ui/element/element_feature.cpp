@@ -9,14 +9,14 @@ namespace ui {
 namespace {
 
 /// Goes on from the element selected last to what it belongs to.
-void follow(ElementPanel::Link link, Workspace& workspace, PartPicking& parts) {
+void follow(FactLink link, Workspace& workspace, PartPicking& parts) {
     SelectionModel& selection = workspace.selection();
     const model::BoardElement at = *selection.current();
     switch (link) {
-        case ElementPanel::Link::Net: selection.setNets({*selection.netOf(at)}); break;
-        case ElementPanel::Link::Pin: parts.selectPinOf(at); break;
-        case ElementPanel::Link::Component: parts.selectComponentOf(at); break;
-        case ElementPanel::Link::Layer: workspace.setCurrentLayer(selection.layerOf(at)); break;
+        case FactLink::Net: selection.setNets({*selection.netOf(at)}); break;
+        case FactLink::Pin: parts.selectPinOf(at); break;
+        case FactLink::Component: parts.selectComponentOf(at); break;
+        case FactLink::Layer: workspace.setCurrentLayer(selection.layerOf(at)); break;
     }
 }
 
@@ -31,7 +31,7 @@ void addElement(FeatureContext& context) {
     QObject::connect(&workspace, &Workspace::deviceGoes, picture, &ElementPicture::releaseDevice);
     QObject::connect(&workspace, &Workspace::unitChanged, panel, &ElementPanel::setUnit);
     QObject::connect(panel, &ElementPanel::followed, &workspace,
-                     [&context](ElementPanel::Link link) { follow(link, context.workspace, context.parts); });
+                     [&context](FactLink link) { follow(link, context.workspace, context.parts); });
 }
 
 }  // namespace ui

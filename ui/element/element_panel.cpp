@@ -1,16 +1,13 @@
 #include "ui/element/element_panel.h"
 
-#include <QClipboard>
-#include <QGuiApplication>
+#include <QEvent>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QShortcut>
-#include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/common/net_name.h"
+#include "ui/common/table_view.h"
 #include "ui/element/component_facts.h"
 #include "ui/element/element_picture.h"
 #include "ui/element/net_facts.h"
@@ -20,57 +17,32 @@ namespace ui {
 
 namespace {
 
-constexpr std::pair<const char*, ElementPanel::Link> kLinks[] = {
-    {QT_TRANSLATE_NOOP("ui::Facts", "Layer"), ElementPanel::Link::Layer},
-    {QT_TRANSLATE_NOOP("ui::Facts", "Net"), ElementPanel::Link::Net},
-    {QT_TRANSLATE_NOOP("ui::Facts", "Pin"), ElementPanel::Link::Pin},
-    {QT_TRANSLATE_NOOP("ui::Facts", "Component"), ElementPanel::Link::Component}};
-
-std::optional<ElementPanel::Link> linkOf(const QString& fact) {
-    const auto* found = std::ranges::find_if(
-        kLinks, [&](const auto& link) { return fact == QCoreApplication::translate("ui::Facts", link.first); });
-    return found != std::end(kLinks) ? std::optional(found->second) : std::nullopt;
-}
-
 constexpr double kMostOfNames = 0.45;  // of the table
 
 /// Attributes have long names: these are cut where a value would have no room for them.
-void fitNames(QTableWidget& table) {
+void fitNames(TableView& table) {
     const QAbstractItemView& cells = table;
     const int room = table.viewport()->width();
-    const int besideValues = room - cells.sizeHintForColumn(1);
+    const int besideValues = room - cells.sizeHintForColumn(FactModel::Value);
     const int most = std::max(static_cast<int>(room * kMostOfNames), besideValues);
-    table.setColumnWidth(0, std::min(cells.sizeHintForColumn(0) + 1, most));
+    table.setColumnWidth(FactModel::Name, std::min(cells.sizeHintForColumn(FactModel::Name) + 1, most));
 }
 
 }  // namespace
 
 ElementPanel::ElementPanel(PartPicking& parts, SelectionModel& selection, ElementPicture* picture, QWidget* parent)
-    : QWidget(parent), m_parts(parts), m_selection(selection), m_heading(new QLabel), m_table(new QTableWidget(0, 2)) {
+    : QWidget(parent), m_parts(parts), m_selection(selection), m_heading(new QLabel), m_table(new TableView(m_facts)) {
     m_heading->setObjectName(QStringLiteral("elementHeading"));
     m_heading->setWordWrap(true);
     m_table->horizontalHeader()->hide();
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setShowGrid(false);
-    m_table->setWordWrap(false);          // a row is one line high
-    m_table->setTabKeyNavigation(false);  // Tab leaves the table, as everywhere else
-    m_table->setAlternatingRowColors(true);
-    auto* copy = new QShortcut(QKeySequence::Copy, m_table, nullptr, nullptr, Qt::WidgetShortcut);
-    connect(copy, &QShortcut::activated, this, [this] {
-        if (const QTableWidgetItem* value = m_table->item(m_table->currentRow(), 1)) {
-            QGuiApplication::clipboard()->setText(value->text());
-        }
-    });
     m_table->installEventFilter(this);
-    connect(m_table, &QTableWidget::cellClicked, this, [this](int row, int column) {
-        if (column == 1) {
-            follow(row);
+    connect(m_table, &TableView::clicked, this, [this](const QModelIndex& at) {
+        if (at.column() == FactModel::Value) {
+            follow(at);
         }
     });
+    connect(m_table, &TableView::enterPressed, this, &ElementPanel::follow);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(2, 2, 2, 2);
     layout->addWidget(m_heading);
@@ -110,26 +82,13 @@ void ElementPanel::update() {
     fill(current ? factsOf(m_selection.tree(), *current, m_unit) : Facts());
 }
 
-void ElementPanel::fill(const Facts& facts) {
-    m_table->setRowCount(static_cast<int>(facts.size()));
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const auto& [name, value] = facts[static_cast<std::size_t>(row)];
-        m_table->setItem(row, 0, new QTableWidgetItem(name));
-        m_table->item(row, 0)->setToolTip(name);
-        auto* item = new QTableWidgetItem(value);
-        item->setToolTip(value);
-        if (linkOf(name)) {
-            item->setForeground(palette().link());
-            item->setToolTip(value + '\n' + tr("Click to select it"));
-        }
-        m_table->setItem(row, 1, item);
-    }
+void ElementPanel::fill(Facts facts) {
+    m_facts.setFacts(std::move(facts), palette().link().color());
     fitNames(*m_table);
 }
 
-void ElementPanel::follow(int row) {
-    const QTableWidgetItem* name = m_table->item(row, 0);
-    if (const auto link = name != nullptr ? linkOf(name->text()) : std::nullopt) {
+void ElementPanel::follow(const QModelIndex& at) {
+    if (const auto link = at.isValid() ? m_facts.linkOf(at.row()) : std::nullopt) {
         emit followed(*link);
     }
 }
@@ -146,13 +105,6 @@ bool ElementPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_table && event->type() == QEvent::Resize) {
         QMetaObject::invokeMethod(
             this, [this] { fitNames(*m_table); }, Qt::QueuedConnection);
-    }
-    if (watched == m_table && event->type() == QEvent::KeyPress) {
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
-            follow(m_table->currentRow());
-            return true;
-        }
     }
     return QWidget::eventFilter(watched, event);
 }

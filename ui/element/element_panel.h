@@ -3,19 +3,19 @@
 #include <QWidget>
 
 #include "ui/common/display_units.h"
-#include "ui/element/element_facts.h"
+#include "ui/element/fact_model.h"
 #include "ui/parts/part_picking.h"
 #include "ui/workspace/selection_model.h"
 
 class QLabel;
-class QTableWidget;
 
 namespace ui {
 
 class ElementPicture;
+class TableView;
 
 /// Everything known of the component that is selected as a whole, or else of the element selected last, one line per
-/// fact; a line copies with Ctrl+C. Says how many are selected when there are several, and shows it by itself. A click
+/// fact. Says how many are selected when there are several, and shows it by itself. A click
 /// on its layer, net, pin or component, or Enter there, goes on to that.
 class ElementPanel : public QWidget {
     Q_OBJECT
@@ -26,11 +26,9 @@ public:
 
     void setUnit(LengthUnit unit);
 
-    enum class Link { Layer, Net, Pin, Component };
-
 signals:
     /// Of the element selected last.
-    void followed(ui::ElementPanel::Link link);
+    void followed(ui::FactLink link);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -38,14 +36,15 @@ protected:
 
 private:
     void update();
-    void fill(const Facts& facts);
-    void follow(int row);
+    void fill(Facts facts);
+    void follow(const QModelIndex& at);
 
     PartPicking& m_parts;
     SelectionModel& m_selection;
     LengthUnit m_unit = LengthUnit::Millimetre;
+    FactModel m_facts;
     QLabel* m_heading;
-    QTableWidget* m_table;
+    TableView* m_table;
 };
 
 }  // namespace ui

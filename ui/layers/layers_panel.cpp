@@ -264,8 +264,7 @@ void LayersPanel::showMenu(const QPoint& at) {
         menu.addAction(&m_actions[id]);
     }
     menu.addMenu(m_boardColours->menu());
-    menu.addSeparator();
-    menu.addAction(tr("Co&py rows"), m_table, &TableView::copySelection);
+    m_table->addCopying(menu);
     menu.exec(m_table->viewport()->mapToGlobal(at));
 }
 

@@ -1,7 +1,7 @@
 #include "ui/element/element_panel.h"
 
+#include <QClipboard>
 #include <QFile>
-#include <QTableWidget>
 #include <QtTest>
 
 #include "tests/locations.h"
@@ -31,6 +31,19 @@ private slots:
         }
     }
 
+    void factsAreCopiedAsAnyRows() {
+        window().selection().select({{0, model::ElementId{0}}});
+        ui::TableView& facts = table();
+        QVERIFY(facts.model()->rowCount() > 2);
+        facts.selectAll();
+        QTest::keyClick(&facts, Qt::Key_C, Qt::ControlModifier);
+        const QString copied = QGuiApplication::clipboard()->text();
+        QCOMPARE(copied.count('\n'), facts.model()->rowCount());
+        QVERIFY2(copied.contains("Layer\t" + window().fact("Layer") + '\n'), qPrintable(copied));
+        facts.copyAll();
+        QCOMPARE(QGuiApplication::clipboard()->text(), "Property\tValue\n" + copied);
+    }
+
     /// In a panel that is as narrow as the window makes it at first.
     void longNamesOfAttributesLeaveRoomForValues() {
         QVERIFY(m_fixture->openAndWait(boardWithALongAttribute()));
@@ -38,12 +51,13 @@ private slots:
         QTest::keyClicks(&window().searchBox().line(), "R1");
         QTest::keyClick(&window().searchBox().line(), Qt::Key_Return);
         QTRY_VERIFY(!window().fact("Position").isEmpty());
-        QTableWidget& table = *window().elementPanel().findChild<QTableWidget*>();
+        const ui::TableView& table = this->table();
         const QAbstractItemView& cells = table;
         QVERIFY(cells.sizeHintForColumn(0) + cells.sizeHintForColumn(1) > table.viewport()->width());
         QTRY_VERIFY(table.columnWidth(1) >= std::min(cells.sizeHintForColumn(1), table.viewport()->width() / 2));
-        for (int row = 0; row < table.rowCount(); ++row) {
-            QCOMPARE(table.item(row, 0)->toolTip(), table.item(row, 0)->text());
+        for (int row = 0; row < table.model()->rowCount(); ++row) {
+            const QModelIndex name = table.model()->index(row, 0);
+            QCOMPARE(name.data(Qt::ToolTipRole), name.data());
         }
         QVERIFY(m_fixture->openAndWait(locations::kSample));
     }
@@ -65,12 +79,13 @@ private:
         return path;
     }
     TestWindow& window() { return m_fixture->window(); }
+    ui::TableView& table() { return *window().elementPanel().findChild<ui::TableView*>(); }
 
     QColor linkColour() {
-        const QTableWidget& table = *window().elementPanel().findChild<QTableWidget*>();
-        for (int row = 0; row < table.rowCount(); ++row) {
-            if (table.item(row, 0)->text() == QLatin1String("Layer")) {
-                return table.item(row, 1)->foreground().color();
+        const QAbstractItemModel& facts = *table().model();
+        for (int row = 0; row < facts.rowCount(); ++row) {
+            if (facts.index(row, 0).data().toString() == QLatin1String("Layer")) {
+                return facts.index(row, 1).data(Qt::ForegroundRole).value<QColor>();
             }
         }
         return {};

@@ -1,8 +1,11 @@
 // Layers are shown in sets, and what is done to them is undone like every other edit.
 
+#include <QApplication>
+#include <QClipboard>
 #include <QInputDialog>
 #include <QMenu>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <QtTest>
@@ -224,6 +227,24 @@ private slots:
         QCOMPARE(window().workspace().currentLayer(), alone);
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(other).center());
         QVERIFY(window().layers().soloLayer() != alone);
+    }
+
+    void theMenuOfARowCopiesAllWithHeadings() {
+        QTimer::singleShot(0, this, [] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu != nullptr);
+            for (QAction* action : menu->actions()) {
+                if (action->text().remove('&') == QLatin1String("Copy all with headings")) {
+                    action->trigger();
+                }
+            }
+            menu->close();
+        });
+        QGuiApplication::clipboard()->clear();
+        emit window().layersPanel().table().customContextMenuRequested({5, 5});
+        const QString copied = QGuiApplication::clipboard()->text();
+        QVERIFY2(copied.contains("\tTOP\t"), qPrintable(copied));
+        QCOMPARE(copied.count('\n'), window().layersPanel().rows().rowCount() + 1);
     }
 
     void layersThatDrawNothingAreGreyAndPassedOver() {

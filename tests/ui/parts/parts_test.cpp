@@ -1,7 +1,6 @@
 // From an element in a view to its pin, its component, its net and its layer, with real clicks and keys.
 
 #include <QMouseEvent>
-#include <QTableWidget>
 #include <QtTest>
 
 #include "tests/locations.h"
@@ -105,7 +104,7 @@ private slots:
         clickFact("Pin");
         QVERIFY(window().selection().title().startsWith("Pin "));
         window().selection().select({{0, m_pad}});
-        table().setCurrentCell(rowOf("Component"), 1);
+        table().setCurrentIndex(table().model()->index(rowOf("Component"), 1));
         QTest::keyClick(&table(), Qt::Key_Return);
         QCOMPARE(selectedIds(), m_finder->elementsOf(part()));
         window().selection().select({{0, m_pad}});
@@ -120,7 +119,7 @@ private slots:
 
 private:
     TestWindow& window() { return m_fixture->window(); }
-    QTableWidget& table() { return *window().elementPanel().findChild<QTableWidget*>(); }
+    ui::TableView& table() { return *window().elementPanel().findChild<ui::TableView*>(); }
     ui::BoardView& flat() { return window().views().flat(); }
     ui::BoardView& solid() { return window().views().solid(); }
     const model::Document& board() { return *window().document(); }
@@ -162,8 +161,8 @@ private:
             {(double(box.min.x) + box.max.x) / 2.0, (double(box.min.y) + box.max.y) / 2.0});
     }
     int rowOf(const char* fact) {
-        for (int row = 0; row < table().rowCount(); ++row) {
-            if (table().item(row, 0)->text() == QLatin1String(fact)) {
+        for (int row = 0; row < table().model()->rowCount(); ++row) {
+            if (table().model()->index(row, 0).data().toString() == QLatin1String(fact)) {
                 return row;
             }
         }
@@ -172,9 +171,9 @@ private:
     void clickFact(const char* fact) {
         const int row = rowOf(fact);
         QVERIFY(row >= 0);
-        const QTableWidgetItem* value = table().item(row, 1);
-        table().scrollToItem(value);
-        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualItemRect(value).center());
+        const QModelIndex value = table().model()->index(row, 1);
+        table().scrollTo(value);
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualRect(value).center());
     }
     static QImage picture(ui::BoardView& view) {
         base::Result<QImage> image = view.grabPicture();
