@@ -5,16 +5,9 @@
 #include <numeric>
 
 #include "model/base/assert.h"
+#include "ui/common/thickness_text.h"
 
 namespace ui {
-
-namespace {
-
-QString micrometres(model::Nm nm) {
-    return QString::number(static_cast<double>(nm) / base::kNmPerUm, 'g', 6) + QStringLiteral(" µm");
-}
-
-}  // namespace
 
 bool drawsNothing(const model::Layer& layer) {
     return std::ranges::all_of(layer.countsWithCopies, [](auto count) { return count == 0; });
@@ -305,9 +298,9 @@ QString LayerModel::tip(int row, int) const {
         text += QStringLiteral(", ") + model::toString(layer.side);
     }
     if (layer.thickness > 0) {
-        text +=
-            '\n' + tr("%1 thick (%2), from z = %3")
-                       .arg(micrometres(layer.thickness), model::toString(layer.thicknessSource), micrometres(layer.z));
+        text += '\n' + tr("%1 thick (%2), from z = %3")
+                           .arg(thicknessText(layer.thickness, unit()), model::toString(layer.thicknessSource),
+                                heightText(layer.z, unit()));
     }
     if (!layer.useName.empty()) {
         text += '\n' + tr("Made as %1").arg(QString::fromStdString(layer.useName));

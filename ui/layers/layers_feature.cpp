@@ -83,6 +83,7 @@ void addLayers(FeatureContext& context) {
     QObject::connect(&workspace, &Workspace::layerWanted, &layers, &LayerModel::show);
     QObject::connect(&workspace, &Workspace::restacked, &layers,
                      [&layers](const LoadedBoard& board) { layers.setHeights(board.document); });
+    QObject::connect(&workspace, &Workspace::unitChanged, &layers, &LayerModel::setUnit);
 }
 
 }  // namespace ui

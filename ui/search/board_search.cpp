@@ -274,9 +274,9 @@ std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::
     return found;
 }
 
-QString BoardSearch::titleOf(const Found& found) const {
+QString BoardSearch::titleOf(const Found& found, LengthUnit unit) const {
     switch (found.kind) {
-        case FoundKind::Location: return positionText(found.location.x, found.location.y, LengthUnit::Millimetre);
+        case FoundKind::Location: return positionText(found.location.x, found.location.y, unit);
         case FoundKind::Layer: return QString::fromStdString(m_board->layers[found.row].name);
         case FoundKind::Component: return QString::fromStdString(stepOf(found).components[found.row].refdes);
         case FoundKind::Net: return netName(stepOf(found), model::NetId{std::size_t{found.row}});

@@ -41,7 +41,8 @@ public:
     [[nodiscard]] const model::AttributeValue& attribute(const Found& found) const {
         return m_attributes[found.step][found.row];
     }
-    [[nodiscard]] QString titleOf(const Found& found) const;
+    /// Its name; a location in `unit`.
+    [[nodiscard]] QString titleOf(const Found& found, LengthUnit unit) const;
     /// "Net, 5 elements", "Component, 0603 on the top side": what it is, and in which step if not in the board's own.
     [[nodiscard]] QString detailOf(const Found& found) const;
 

@@ -61,7 +61,7 @@ void SearchBox::update() {
     m_commands.clear();
     m_found = isCommand ? std::vector<Found>{} : m_search.find(text, m_unit, kMost);
     for (const Found& found : m_found) {
-        m_list->addItem(QStringLiteral("%1    %2").arg(m_search.titleOf(found), m_search.detailOf(found)));
+        m_list->addItem(QStringLiteral("%1    %2").arg(m_search.titleOf(found, m_unit), m_search.detailOf(found)));
     }
     if (isCommand || !text.isEmpty()) {
         listCommands(text, isCommand);

@@ -40,7 +40,7 @@ void showAttribute(const Found& found, const BoardSearch& search, Workspace& wor
     for (const model::ElementId element : model::elementsWith(step, attribute)) {
         elements.push_back({workspace.selection().firstCopyOf(found.step), element});
     }
-    workspace.selection().selectAs(search.titleOf(found), elements);
+    workspace.selection().selectAs(search.titleOf(found, workspace.unit()), elements);
     workspace.showElements(elements);
 }
 
@@ -145,7 +145,7 @@ void addSearch(FeatureContext& context) {
         }
         show(found, box->search(), context.workspace, context.parts);
         if (found.kind != FoundKind::Location && found.kind != FoundKind::Layer) {
-            sayIfHidden(box->search().titleOf(found), context, *hint);
+            sayIfHidden(box->search().titleOf(found, context.workspace.unit()), context, *hint);
         }
         context.views.active().takeKeyboard();  // not the line it was before, which would take the next key for text
     });

@@ -174,6 +174,9 @@ private slots:
     void tipTellsThicknessAndItsSource() {
         const QString tip = m_model.index(0, LayerModel::Name).data(Qt::ToolTipRole).toString();
         QVERIFY2(tip.contains("35 µm") && tip.contains("assumed") && tip.contains("1201 elements"), qPrintable(tip));
+        m_model.setUnit(ui::LengthUnit::Mil);
+        const QString inMil = m_model.index(0, LayerModel::Name).data(Qt::ToolTipRole).toString();
+        QVERIFY2(inMil.contains("1.38 mil thick") && !inMil.contains("µm"), qPrintable(inMil));
     }
 
 private:

@@ -65,7 +65,7 @@ private slots:
         for (const char* text : {"U1.4", "u1-4"}) {
             const Found pin = only(text);
             QCOMPARE(pin.kind, FoundKind::Pin);
-            QCOMPARE(m_search.titleOf(pin), "U1.4");
+            QCOMPARE(m_search.titleOf(pin, LengthUnit::Millimetre), "U1.4");
         }
     }
 
@@ -84,7 +84,7 @@ private slots:
         search.setBoard(builder.finish());
         const std::vector<Found> found = search.find("j7.", LengthUnit::Millimetre, 50);
         QCOMPARE(found.size(), std::size_t{2});
-        QCOMPARE(search.titleOf(found[1]), "J7.MP");
+        QCOMPARE(search.titleOf(found[1], LengthUnit::Millimetre), "J7.MP");
         QCOMPARE(search.detailOf(found[1]), "Pin, net GND, 2 pads");
         QCOMPARE(search.detailOf(found[0]), "Pin, net GND");
     }
@@ -93,7 +93,7 @@ private slots:
         const std::vector<Found> found = m_search.find("smt", LengthUnit::Millimetre, 50);
         const auto type = std::ranges::find(found, FoundKind::Attribute, &Found::kind);
         QVERIFY(type != found.end());
-        QCOMPARE(m_search.titleOf(*type), ".comp_mount_type: smt");
+        QCOMPARE(m_search.titleOf(*type, LengthUnit::Millimetre), ".comp_mount_type: smt");
         QVERIFY(m_search.detailOf(*type).startsWith("Attribute of "));
         QCOMPARE(m_search.attribute(*type).count, model::componentsWith(*m_board, m_search.attribute(*type)).size());
         QVERIFY(titles("comp mount").contains(".comp_mount_type: smt"));
@@ -103,7 +103,7 @@ private slots:
         const auto titlesIn = [](const BoardSearch& search, std::size_t most) {
             QStringList all;
             for (const Found& found : search.find("10k", LengthUnit::Millimetre, most)) {
-                all += search.titleOf(found);
+                all += search.titleOf(found, LengthUnit::Millimetre);
             }
             return all;
         };
@@ -141,7 +141,7 @@ private slots:
         search.setBoard(builder.finish());
         QStringList all;
         for (const Found& found : search.find("r12", LengthUnit::Millimetre, 50)) {
-            all += search.titleOf(found);
+            all += search.titleOf(found, LengthUnit::Millimetre);
         }
         QCOMPARE(all, (QStringList{"R12", "Part: R12", ".string: R12 here"}));
     }
@@ -164,6 +164,12 @@ private slots:
         QVERIFY(location.has_value());
         QVERIFY(std::abs(location->x - x) < 1e-3 && std::abs(location->y - y) < 1e-3);
         QCOMPARE(m_search.find(text, LengthUnit::Millimetre, 5).front().kind, FoundKind::Location);
+    }
+
+    void aPlaceIsListedInTheUnitOfTheWindow() {
+        const auto found = m_search.find("10, 20 mm", LengthUnit::Mil, 5);
+        QCOMPARE(m_search.titleOf(found.front(), LengthUnit::Mil), "393.70, 787.40 mil");
+        QCOMPARE(m_search.titleOf(found.front(), LengthUnit::Millimetre), "10.0000, 20.0000 mm");
     }
 
     /// Locations of KiCad, which counts Y downwards: the sample lies above its origin.
@@ -195,7 +201,7 @@ private slots:
         QVERIFY(found[0].step != found[1].step);
         for (const Found& net : found) {
             QCOMPARE(net.kind, FoundKind::Net);
-            QCOMPARE(search.titleOf(net), "A");
+            QCOMPARE(search.titleOf(net, LengthUnit::Millimetre), "A");
             QCOMPARE(steps[net.step]->elementsOf(model::NetId{std::size_t{net.row}}).size(), std::size_t{1});
             QCOMPARE(search.detailOf(net),
                      QString("Net, 1 element, in step %1").arg(QString::fromStdString(steps[net.step]->job.step)));
@@ -211,7 +217,7 @@ private:
     [[nodiscard]] QStringList titles(const QString& text) const {
         QStringList all;
         for (const Found& found : m_search.find(text, LengthUnit::Millimetre, 50)) {
-            all += m_search.titleOf(found);
+            all += m_search.titleOf(found, LengthUnit::Millimetre);
         }
         return all;
     }
