@@ -91,4 +91,8 @@ QString areaText(double squareNm, LengthUnit unit) {
     return QStringLiteral("%1 %2²").arg(QLocale::c().toString(value, 'g', 5), QLatin1String(of(base).name));
 }
 
+void setNumberFormat() {
+    QLocale::setDefault(QLocale(QLocale::English));
+}
+
 }  // namespace ui

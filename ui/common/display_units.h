@@ -29,5 +29,8 @@ enum class LengthUnit { Millimetre, Mil, Inch };
 /// "45°", to a ten thousandth.
 [[nodiscard]] QString angleText(double degrees);
 [[nodiscard]] QString areaText(double squareNm, LengthUnit unit);
+/// From now on counts are written, and numbers in fields are typed, as lengths are whatever the user's language:
+/// "1,234.5".
+void setNumberFormat();
 
 }  // namespace ui

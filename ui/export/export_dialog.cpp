@@ -100,9 +100,18 @@ QComboBox* formatBox() {
     return box;
 }
 
+/// Takes a comma for a point, as all that lengths are typed into.
+class LengthBox : public QDoubleSpinBox {
+public:
+    QValidator::State validate(QString& text, int& at) const override {
+        text.replace(',', '.');
+        return QDoubleSpinBox::validate(text, at);
+    }
+};
+
 /// In the unit of the window, to about a micrometre.
 QDoubleSpinBox* minHoleBox(LengthUnit unit) {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new LengthBox;
     box->setObjectName(QStringLiteral("exportMinHole"));
     box->setDecimals(unit == LengthUnit::Millimetre ? 3 : unit == LengthUnit::Mil ? 1 : 4);
     box->setRange(0.0, 10.0 * base::kNmPerMm / nmPer(unit));

@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "ui/canvas/gpu_context.h"
+#include "ui/common/display_units.h"
 #include "ui/shell/card_calibration.h"
 #include "ui/shell/main_window.h"
 
@@ -73,6 +74,7 @@ int runWorkbench(int argc, char** argv, const StartOptions& options) {
     QApplication application(argc, argv);
     qInstallMessageHandler(s_handlerBefore);
     std::setlocale(LC_NUMERIC, "C");  // Qt has set the user's: numbers in files would have commas
+    setNumberFormat();
     QApplication::setApplicationName(QStringLiteral("Copperscope"));
     QApplication::setApplicationVersion(QStringLiteral(COPPERSCOPE_VERSION));
     // The desktop file and icon of resources/desktop, where they are installed.

@@ -1,6 +1,7 @@
 #include "ui/common/table_view.h"
 
 #include <QHeaderView>
+#include <QLocale>
 #include <QtTest>
 
 #include "ui/common/sorted_rows.h"
@@ -99,6 +100,20 @@ private slots:
                 QCOMPARE(role.data(), index.data(role.role()));
             }
         }
+    }
+
+    /// A point for lengths and a point for the thousands of counts would be misread.
+    void countsAndLengthsAreWrittenAlikeInEveryLanguage() {
+        const QLocale before;
+        QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+        ui::setNumberFormat();
+        Numbers numbers(1);
+        numbers.set(0, 1'234);
+        const QString count = numbers.index(0, 0).data().toString();
+        const QString text = QStringLiteral("%L1").arg(1'234'567);
+        QLocale::setDefault(before);
+        QCOMPARE(count, "1,234");
+        QCOMPARE(text, "1,234,567");
     }
 
     void lengthsSayBothSystemsInTheirTips() {

@@ -106,6 +106,18 @@ private slots:
         QCOMPARE(named->directory().path(), elsewhere);
     }
 
+    void theLeastHoleIsTypedWithPointOrComma() {
+        open();
+        auto& box = part<QDoubleSpinBox>("exportMinHole");
+        for (const char* typed : {"0.3", "0,3"}) {
+            box.setValue(1.0);
+            auto* line = box.findChild<QLineEdit*>();
+            line->selectAll();
+            QTest::keyClicks(line, typed);
+            QCOMPARE(box.value(), 0.3);
+        }
+    }
+
     void buttonsSetTheLayers() {
         open();
         const model::Document& board = *window().document();
