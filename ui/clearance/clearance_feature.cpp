@@ -370,7 +370,7 @@ void ClearanceFeature::show(const ClearanceModel::Location& location) {
 
 void ClearanceFeature::showThrough(const model::StackupClearance& found) {
     showSides({found.a, found.b}, {found.layerA, found.layerB},
-              model::LocalSpacing{found.spacing, found.a, found.b, found.layerA});
+              {found.spacing, found.a, found.b, found.layerA, found.layerB, found.height});
 }
 
 void ClearanceFeature::showPlain(const ClearanceModel::Location& location) {
@@ -389,15 +389,15 @@ void ClearanceFeature::showPlain(const ClearanceModel::Location& location) {
     const model::Spacing& s = location.found.spacing;
     const model::Spacing onBoardNow{s.distance, copy.placement.apply(s.from), copy.placement.apply(s.to)};
     showSides(std::move(sides), std::move(layers),
-              model::LocalSpacing{onBoardNow, {row, location.found.a}, {row, location.found.b}, layer});
+              {onBoardNow, {row, location.found.a}, {row, location.found.b}, layer, layer});
 }
 
 void ClearanceFeature::showSides(std::vector<model::BoardElement> sides, std::vector<model::LayerId> layers,
-                                 const model::LocalSpacing& spacing) {
+                                 const ShownSpacing& spacing) {
     m_shown.show(std::move(sides), std::move(layers));
     const model::Spacing& s = spacing.spacing;
     const float around = std::max(kLeastAroundMm, kTimesAround * static_cast<float>(base::toMm(s.distance)));
-    m_probing.showPosition({(s.from.x + s.to.x) / 2, (s.from.y + s.to.y) / 2}, spacing.layer, around);
+    m_probing.showPosition({(s.from.x + s.to.x) / 2, (s.from.y + s.to.y) / 2}, spacing.fromLayer, around);
     m_workspace.showSpacing(spacing);
 }
 

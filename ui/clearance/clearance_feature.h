@@ -85,7 +85,7 @@ private:
     void showPlain(const ClearanceModel::Location& location);
     void showThrough(const model::StackupClearance& found);
     void showSides(std::vector<model::BoardElement> sides, std::vector<model::LayerId> layers,
-                   const model::LocalSpacing& spacing);
+                   const ShownSpacing& spacing);
     void setRules(const model::RuleFile& rules);
     /// Other rules, but from the same file.
     [[nodiscard]] model::RuleFile withTable(const model::RuleTable& table) const;

@@ -508,11 +508,11 @@ void MeasureFeature::measureSpacingAtCursor() {
         m_workspace.report(tr("There is no spacing between two nets within 10 mm of the pointer"));
         return;
     }
-    save(spacingOn(*m_index, *gap));
+    save(spacingOn(*m_index, {gap->spacing, gap->from, gap->to, gap->layer, gap->layer}));
 }
 
-void MeasureFeature::showSpacing(const std::optional<model::LocalSpacing>& gap) {
-    m_shownSpacing = gap;
+void MeasureFeature::showSpacing(const std::optional<ShownSpacing>& spacing) {
+    m_shownSpacing = spacing;
     m_views.requestOverlay();
 }
 

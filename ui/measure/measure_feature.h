@@ -33,7 +33,7 @@ public:
     /// From the copper nearest to the cursor to the next copper on its layer, see model::spacingAt.
     void measureSpacingAtCursor();
     /// A spacing that somebody else found is drawn with the measurements, but not saved; none: no longer.
-    void showSpacing(const std::optional<model::LocalSpacing>& spacing);
+    void showSpacing(const std::optional<ShownSpacing>& spacing);
     /// Brings a saved measurement to the middle of both views.
     void goTo(int row);
 
@@ -98,7 +98,7 @@ private:
     QPointF m_hoverAt;
     QAction* m_showing = nullptr;  ///< whether the list is drawn
     bool m_isLatestFull = false;   ///< the last of the list was measured just now: all is told of it
-    std::optional<model::LocalSpacing> m_shownSpacing;
+    std::optional<ShownSpacing> m_shownSpacing;
 
     /// A length being followed.
     struct Following {

@@ -159,9 +159,12 @@ std::optional<CloserNets> netsCloserThan(const BoardIndex& index, double distanc
     return CloserNets{copperNameOf(index, *separation->onLayer), separation->onLayer->distance};
 }
 
-Measurement spacingOn(const BoardIndex& index, const model::LocalSpacing& spacing) {
-    return betweenElements(index, MeasurementKind::Spacing, edgeOf(spacing.spacing.from, spacing.layer, spacing.from),
-                           edgeOf(spacing.spacing.to, spacing.layer, spacing.to));
+Measurement spacingOn(const BoardIndex& index, const ShownSpacing& spacing) {
+    Measurement measurement =
+        betweenElements(index, MeasurementKind::Spacing, edgeOf(spacing.spacing.from, spacing.fromLayer, spacing.from),
+                        edgeOf(spacing.spacing.to, spacing.toLayer, spacing.to));
+    measurement.dz = spacing.height;
+    return measurement;
 }
 
 Measurement angleAt(const BoardIndex& index, const Caught& corner, const Caught& from, const Caught& to) {

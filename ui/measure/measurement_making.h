@@ -6,6 +6,7 @@
 #include "model/measure/measurement.h"
 #include "model/measure/net_path.h"
 #include "ui/measure/measuring_cursor.h"
+#include "ui/workspace/workspace.h"
 
 /// From what was clicked to what is saved.
 namespace ui {
@@ -26,8 +27,8 @@ struct CloserNets {
 };
 [[nodiscard]] std::optional<CloserNets> netsCloserThan(const model::BoardIndex& index, double distance,
                                                        model::BoardElement a, model::BoardElement b);
-/// A spacing found on a layer; the elements may be none.
-[[nodiscard]] model::Measurement spacingOn(const model::BoardIndex& index, const model::LocalSpacing& spacing);
+/// A spacing that was found, on a layer or through the stackup.
+[[nodiscard]] model::Measurement spacingOn(const model::BoardIndex& index, const ShownSpacing& spacing);
 [[nodiscard]] model::Measurement angleAt(const model::BoardIndex& index, const Caught& corner, const Caught& from,
                                          const Caught& to);
 /// Of the lines of two Catch::Straight, seen from where they cross to where they were clicked. Errors: BadUsage for

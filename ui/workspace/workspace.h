@@ -5,12 +5,22 @@
 #include <functional>
 #include <optional>
 
-#include "model/measure/local_spacing.h"
+#include "model/geometry/edges.h"
 #include "ui/common/display_units.h"
 #include "ui/workspace/loader.h"
 #include "ui/workspace/selection_model.h"
 
 namespace ui {
+
+/// A spacing on the board that the views are to draw, from element to element; these may be none.
+struct ShownSpacing {
+    model::Spacing spacing;  ///< nm of the board; its ends as seen from above
+    model::BoardElement from;
+    model::BoardElement to;
+    model::LayerId fromLayer;  ///< of the board
+    model::LayerId toLayer;
+    double height = 0.0;  ///< nm between their faces; 0: on one layer, or beside a hole
+};
 
 /// What is open and what is being done with it: the board, the unit, the selection, the undo history, messages to the
 /// user and work in the background. Panels, tools and views listen to it and do not know each other.
@@ -74,7 +84,7 @@ public:
     void showLayer(model::LayerId layer) { emit layerWanted(layer); }
     void showElements(const std::vector<model::BoardElement>& elements) { emit elementsWanted(elements); }
     void showNets(const std::vector<model::BoardNet>& nets) { showElements(m_selection.elementsOf(nets)); }
-    void showSpacing(const std::optional<model::LocalSpacing>& spacing) { emit spacingWanted(spacing); }
+    void showSpacing(const std::optional<ShownSpacing>& spacing) { emit spacingWanted(spacing); }
     void showLocation(base::PointD nm, model::LayerId layer) { emit locationWanted(nm, layer); }
 
 signals:
@@ -106,7 +116,7 @@ signals:
     void deviceGoes();
     void layerWanted(model::LayerId layer);
     void elementsWanted(const std::vector<model::BoardElement>& elements);
-    void spacingWanted(const std::optional<model::LocalSpacing>& spacing);
+    void spacingWanted(const std::optional<ui::ShownSpacing>& spacing);
     void locationWanted(base::PointD nm, model::LayerId layer);
 
 private:

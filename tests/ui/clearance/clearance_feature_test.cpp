@@ -311,7 +311,16 @@ private slots:
         }();
         QVERIFY(throughDielectric >= 0);
         const model::StackupClearance found = *locations.location(throughDielectric).throughStackup;
+        std::optional<ui::ShownSpacing> drawn;
+        const auto drawing = connect(&window().workspace(), &ui::Workspace::spacingWanted, this,
+                                     [&drawn](const std::optional<ui::ShownSpacing>& spacing) { drawn = spacing; });
         panel().setCurrentRow(throughDielectric);
+        disconnect(drawing);
+        QVERIFY(drawn);
+        const model::Measurement label = ui::spacingOn(*window().workspace().board()->index, *drawn);
+        QVERIFY(std::abs(label.value() - found.spacing.distance) < 1.0);
+        QCOMPARE(label.from.layer, window().document()->layer(found.layerA).name);
+        QCOMPARE(label.to.layer, window().document()->layer(found.layerB).name);
         std::vector<model::BoardElement> sides{found.a, found.b};
         std::ranges::sort(sides);
         QTRY_COMPARE(window().selection().selected(), sides);

@@ -375,9 +375,9 @@ private slots:
 
     void aGapThatIsShownIsDrawnInBothViews() {
         const QImage before[] = {picture(flat()), picture(solid())};
-        model::LocalSpacing gap;
+        ui::ShownSpacing gap;
         gap.spacing = {5e6, {-3e6, 1e6}, {2e6, 1e6}};
-        gap.layer = model::LayerId{Top};
+        gap.fromLayer = gap.toLayer = model::LayerId{Top};
         window().workspace().showSpacing(gap);
         QVERIFY(differingPixels(before[0], picture(flat())) > 200);
         QVERIFY(differingPixels(before[1], picture(solid())) > 200);
