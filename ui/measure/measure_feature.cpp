@@ -1,7 +1,6 @@
 #include "ui/measure/measure_feature.h"
 
 #include <QGuiApplication>
-#include <QHeaderView>
 #include <QWindow>
 #include <array>
 #include <numeric>
@@ -9,9 +8,8 @@
 #include "model/base/assert.h"
 #include "model/board/single_element.h"
 #include "ui/common/net_name.h"
-#include "ui/common/panel_parts.h"
-#include "ui/common/table_view.h"
 #include "ui/common/texts.h"
+#include "ui/measure/measurement_panel.h"
 #include "ui/views/board_views.h"
 #include "ui/views/position_readout.h"
 
@@ -182,38 +180,11 @@ void MeasureFeature::addPanel(FeatureContext& context) {
         m_saved.change(isShown ? tr("showing a measurement") : tr("hiding a measurement"), row,
                        [isShown](Measurement& measurement) { measurement.isShown = isShown; });
     });
-    auto* table = new TableView(m_list);
-    table->setEditTriggers(QAbstractItemView::EditKeyPressed);
-    table->horizontalHeader()->setStretchLastSection(true);
-    table->fitColumns();
-    QAction* zoom = table->addAction(tr("Show"), table, [table] { emit table->enterPressed(table->currentIndex()); });
-    zoom->setToolTip(tr("Bring the measurement to the middle of both views (Enter)"));
-    table->addAction(tr("Rename"), table,
-                     [table] { table->edit(table->currentIndex().siblingAtColumn(MeasurementModel::Name)); });
-    QAction& remove = table->addDelete(tr("Delete the selected measurements (Del)"));
-    connect(table, &TableView::deleteRequested, this,
+    auto* panel = new MeasurementPanel(m_list, context.actions);
+    connect(panel, &MeasurementPanel::chosen, this, &MeasureFeature::goTo);
+    connect(panel, &MeasurementPanel::deleteRequested, this,
             [this](const auto& rows) { m_saved.remove(tr("deleting measurements"), rows); });
-    const auto choose = [this](const QModelIndex& index) {
-        if (index.isValid()) {
-            goTo(index.row());
-        }
-    };
-    connect(table, &QTableView::doubleClicked, this, choose);
-    connect(table, &TableView::enterPressed, this, choose);
-    connect(&m_list, &QAbstractItemModel::dataChanged, table, &QTableView::resizeColumnsToContents);
-    connect(this, &MeasureFeature::measuredNew, table, &QTableView::scrollToBottom);
-    const ActionSet& actions = context.actions;
-    table->addAction(&context.actions[ActionId::Undo]);
-    QToolBar* tools =
-        toolBar({&actions[ActionId::MeasurePoints], &actions[ActionId::MeasureObjects],
-                 &actions[ActionId::MeasureAngle], &actions[ActionId::MeasureLines], &actions[ActionId::MeasureRadius],
-                 &actions[ActionId::MeasureLength], &actions[ActionId::MeasureSpacing]});
-    tools->addSeparator();
-    tools->addActions({&remove, &actions[ActionId::ExportMeasurements]});
-    auto* panel = new QWidget;
-    auto* column = columnIn(*panel);
-    column->addWidget(tools);
-    column->addWidget(table);
+    connect(this, &MeasureFeature::measuredNew, panel, &MeasurementPanel::scrollToLast);
     context.addPanel({ActionId::ShowMeasurementsDock, "measurements", tr("Measurements"), Qt::BottomDockWidgetArea},
                      *panel);
 }

@@ -46,8 +46,6 @@ private:
     void connectCommands(FeatureContext& context);
     /// Of measuring and another tool that takes the clicks in the views the one that comes ends the other.
     void alternateWith(QAction& drawing);
-    /// The box draws or hides a measurement, F2 renames it, a double click or Enter brings it to the middle, Del
-    /// deletes all selected ones.
     void addPanel(FeatureContext& context);
     void setBoard(const LoadedBoard& board);
     void setHeights(const LoadedBoard& board);
