@@ -128,9 +128,8 @@ void addUp(const BoardIndex& index, NetPath& path) {
                       "the next track, so its length is an estimate",
                       base::toMm(path.padLength)));
     }
-    const ZRange heights = boardHeights(*index.board);
-    if (path.holeCount > 0 && !assumedBetween(*index.board, heights.bottom, heights.top).empty()) {
-        path.notes.emplace_back("the heights of holes rest on assumed thicknesses");
+    if (std::string note = noteOnHoles(*index.board); path.holeCount > 0 && !note.empty()) {
+        path.notes.push_back(std::move(note));
     }
 }
 
@@ -171,6 +170,11 @@ std::vector<PointD> between(std::span<const Edge> track, const PathLeg& leg) {
 }
 
 }  // namespace
+
+std::string noteOnHoles(const Document& board) {
+    const ZRange heights = boardHeights(board);
+    return assumedBetween(board, heights.bottom, heights.top).empty() ? "" : kHolesAreAssumed;
+}
 
 std::vector<PointD> courseOf(const BoardIndex& index, const PathLeg& leg) {
     std::vector<PointD> course;

@@ -50,6 +50,11 @@ struct NetPath {
 [[nodiscard]] base::Result<NetPath> pathAlong(const BoardIndex& index, NetOfCopy net, const MeasureItem& from,
                                               const MeasureItem& to, base::Progress& progress);
 
+/// The note that the heights of holes rest on assumed thicknesses.
+inline constexpr const char* kHolesAreAssumed = "the heights of holes rest on assumed thicknesses";
+/// It, where they do on this board; else nothing.
+[[nodiscard]] std::string noteOnHoles(const Document& board);
+
 /// A leg as it is drawn: corners from `from` to `to`, along bends and arcs of the track, these in steps of 6 degrees.
 [[nodiscard]] std::vector<PointD> courseOf(const BoardIndex& index, const PathLeg& leg);
 

@@ -293,7 +293,18 @@ std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high) 
 
 std::string noteOnHeight(const Document& board, ZRange a, ZRange b) {
     const auto assumed = assumedBetween(board, std::min(a.top, b.top), std::max(a.bottom, b.bottom));
-    return assumed.empty() ? "" : "the height rests on assumed thicknesses: " + joined(assumed);
+    return assumed.empty() ? "" : kHeightIsAssumed + joined(assumed);
+}
+
+std::string noteOnHeight(const Document& board, LayerId a, LayerId b) {
+    if (model::heightBetween(board, a, b).value_or(0.0) <= 0) {
+        return {};
+    }
+    const auto heightsOf = [&](LayerId id) {
+        const Layer& layer = board.layer(id);
+        return ZRange{layer.z, layer.z + layer.thickness};
+    };
+    return noteOnHeight(board, heightsOf(a), heightsOf(b));
 }
 
 base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b,

@@ -54,7 +54,11 @@ struct Separation {
 /// layers beside each other, as solder mask and paste on the same copper, those lie between that lead from one height
 /// to the other.
 [[nodiscard]] std::vector<std::string> assumedBetween(const Document& board, Nm low, Nm high);
-/// What must be known to read the height between the faces of two layers that face each other; empty: nothing.
+/// How the note begins that a height rests on assumed thicknesses.
+inline constexpr const char* kHeightIsAssumed = "the height rests on assumed thicknesses: ";
+/// What must be known to read the height between the faces of two layers that face each other; empty: nothing. Of two
+/// layers of the board also where they meet, or one has no height.
 [[nodiscard]] std::string noteOnHeight(const Document& board, ZRange a, ZRange b);
+[[nodiscard]] std::string noteOnHeight(const Document& board, LayerId a, LayerId b);
 
 }  // namespace model

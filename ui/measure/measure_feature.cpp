@@ -7,6 +7,7 @@
 
 #include "model/base/assert.h"
 #include "model/board/single_element.h"
+#include "model/measure/restacked.h"
 #include "ui/common/net_name.h"
 #include "ui/common/texts.h"
 #include "ui/measure/measurement_panel.h"
@@ -231,7 +232,13 @@ void MeasureFeature::setBoard(const LoadedBoard& board) {
 void MeasureFeature::setHeights(const LoadedBoard& board) {
     m_path.cancel();  // heights of holes would be those of before
     m_pathAhead.cancel();
-    m_index = board.index;
+    const std::shared_ptr<const model::BoardIndex> before = std::exchange(m_index, board.index);
+    if (before && m_index) {
+        m_saved.follow([&](Measurement& measurement) {
+            measurement = model::restacked(*before->board, *m_index->board, std::move(measurement));
+        });
+        updatePreview();
+    }
 }
 
 void MeasureFeature::setTool(Tool tool) {

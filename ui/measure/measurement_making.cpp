@@ -45,10 +45,6 @@ Caught edgeOf(base::PointD at, model::LayerId layer, BoardElement element) {
     return {at, SnapKind::Edge, layer, element};
 }
 
-model::ZRange heightsOf(const model::Layer& layer) {
-    return {layer.z, layer.z + layer.thickness};
-}
-
 std::string layerName(const BoardIndex& index, model::LayerId layer) {
     return layer.isValid() ? index.board->layer(layer).name : "";
 }
@@ -112,10 +108,8 @@ Measurement pointToPoint(const BoardIndex& index, const Caught& from, const Caug
     Measurement measurement = measurementOf(index, MeasurementKind::Points, from, to);
     measurement.isPlanar = from.isInPlan && to.isInPlan;
     measurement.dz = model::heightBetween(*index.board, from.layer, to.layer).value_or(0.0);
-    if (measurement.dz > 0) {
-        const std::string note = model::noteOnHeight(*index.board, heightsOf(index.board->layer(from.layer)),
-                                                     heightsOf(index.board->layer(to.layer)));
-        measurement.notes = note.empty() ? std::vector<std::string>() : std::vector{note};
+    if (const std::string note = model::noteOnHeight(*index.board, from.layer, to.layer); !note.empty()) {
+        measurement.notes.push_back(note);
     }
     return measurement;
 }

@@ -49,6 +49,8 @@ public:
         m_workspace.history().push(new UndoStep<State>(what, std::move(before), std::move(after),
                                                        [this](const State& state) { apply(state); }));
     }
+    /// Shows and saves what follows from something else that was edited, whose step of the history takes it back, too.
+    void follow(const State& state) { apply(state); }
 
 private:
     void apply(const State& state) {
@@ -131,6 +133,15 @@ public:
         List after = m_entries;
         edit(after[static_cast<std::size_t>(row)]);
         m_part.edit(what, m_entries, std::move(after));
+    }
+    /// Of every entry what follows from something else that was edited: no step of the history.
+    template <class Follow>
+    void follow(const Follow& follow) {
+        List after = m_entries;
+        std::ranges::for_each(after, follow);
+        if (after != m_entries) {
+            m_part.follow(after);
+        }
     }
     void rename(const QString& what, int row, const QString& name) {
         change(what, row, [&name](Entry& entry) { entry.name = name.toStdString(); });

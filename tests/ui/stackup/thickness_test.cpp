@@ -2,10 +2,12 @@
 
 #include <QDirIterator>
 #include <QLineEdit>
+#include <QStatusBar>
 #include <QToolButton>
 #include <QtTest>
 
 #include "model/board/stackup.h"
+#include "model/measure/items.h"
 #include "tests/locations.h"
 #include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
@@ -142,6 +144,29 @@ private slots:
         QCOMPARE(rowOf("CORE1").thickness, 304'800);
         QCOMPARE(rowOf("CORE1").source, model::Source::Session);
         QVERIFY(!window().messageBar().isVisible());
+    }
+
+    void savedMeasurementsFollowAndComeBack() {
+        model::Measurement measurement;
+        measurement.name = "A";
+        measurement.step = window().document()->job.step;
+        measurement.from.layer = "TOP";
+        measurement.to.layer = "Inner Plane";
+        measurement.dz = heightToInner();
+        QVERIFY(model::session::saveMeasurements(m_job, *window().document(), {measurement}));
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        type("CORE1", "0.4 mm");
+        QCOMPARE(heightToInner(), measurement.dz + 200'000);
+        QCOMPARE(window().measurements().measurements()[0].dz, heightToInner());
+        m_fixture->restart();
+        window().showPanel("stackup");
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        QCOMPARE(window().measurements().measurements()[0].dz, heightToInner());
+        type("CORE1", "0.3 mm");
+        m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(heightToInner(), measurement.dz + 200'000);
+        QCOMPARE(window().measurements().measurements()[0].dz, heightToInner());
+        QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
     }
 
     void selectionAndCameraStayOverAnEdit() {
@@ -284,6 +309,11 @@ private:
     void openWith(model::OpenRequest request) {
         window().open(std::move(request));
         QVERIFY(QTest::qWaitFor([&] { return !window().loader().isLoading(); }, 60000));
+    }
+
+    double heightToInner() {
+        const model::Document& board = *window().document();
+        return model::heightBetween(board, board.findLayer("TOP"), board.findLayer("Inner Plane")).value_or(0.0);
     }
 
     const model::StackupRow& rowOf(const char* name) { return *model::findRow(window().document()->stackup, name); }
