@@ -78,6 +78,7 @@ ClearanceFeature::ClearanceFeature(FeatureContext& context)
     context.addPanel({ActionId::ShowClearanceDock, "clearances", tr("Clearances"), Qt::BottomDockWidgetArea}, *m_panel);
     m_workspace.watch(m_search.background(), [] { return tr("Clearances"); });
     connect(&m_workspace, &Workspace::boardOpened, this, &ClearanceFeature::setBoard);
+    connect(&m_workspace, &Workspace::restacked, this, &ClearanceFeature::endThroughStackup);
     connect(&m_workspace, &Workspace::unitChanged, this, &ClearanceFeature::setUnit);
     connect(&m_search.background(), &Background::finished, this, &ClearanceFeature::take);
     connect(&m_rules, &RuleModel::edited, this, &ClearanceFeature::remember);
@@ -190,12 +191,29 @@ model::LayerId ClearanceFeature::mappedLayer() const {
 
 void ClearanceFeature::setBoard(const LoadedBoard& board) {
     m_answers = {};
+    m_isThroughStale = false;
     list();
     if (m_savedRules.open()) {
         setRules(rulesOf(board));
     }
     m_waivers.open(board);
     m_rules.setResults({});
+}
+
+void ClearanceFeature::endThroughStackup() {
+    auto& found = m_answers[static_cast<std::size_t>(ClearancePanel::What::ThroughStackup)];
+    const bool isSearched = m_search.isRunning() && m_wanted.throughStackup;
+    if (!found && !isSearched) {
+        return;
+    }
+    if (isSearched) {
+        m_search.cancel();
+    }
+    found.reset();
+    m_isThroughStale = true;
+    if (m_panel->what() == ClearancePanel::What::ThroughStackup) {
+        list();
+    }
 }
 
 void ClearanceFeature::setUnit(LengthUnit unit) {
@@ -309,6 +327,7 @@ void ClearanceFeature::take() {
                       : m_wanted.throughStackup ? ClearancePanel::What::ThroughStackup
                                                 : ClearancePanel::What::Smallest;
     m_answers[static_cast<std::size_t>(kind)] = ClearanceAnswer{m_wanted, m_searched, std::move(*result)};
+    m_isThroughStale = m_isThroughStale && kind != ClearancePanel::What::ThroughStackup;
     if (m_wanted.isOfRules && m_rules.rules() == m_wanted.rules) {
         m_rules.setResults(resultsOf(m_wanted.rules, answerOf(kind)->result));
     }
@@ -341,7 +360,16 @@ void ClearanceFeature::list() {
     } else {
         m_locations.setSpacings(nullptr, {}, {}, true);
     }
-    m_panel->setNotes(answer() ? textsOf(answer()->result.notes).join('\n') : QString());
+    m_panel->setNotes(notes());
+}
+
+QString ClearanceFeature::notes() const {
+    if (answer()) {
+        return textsOf(answer()->result.notes).join('\n');
+    }
+    return m_isThroughStale && m_panel->what() == ClearancePanel::What::ThroughStackup
+               ? tr("Thicknesses have changed since the last search: find the clearances again.")
+               : QString();
 }
 
 void ClearanceFeature::listAnswer() {

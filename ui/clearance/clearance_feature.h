@@ -28,9 +28,9 @@ struct ClearanceAnswer {
 
 /// The smallest clearances of the copper, from the search to the location on the screen: searches in the background, a
 /// panel to step through what was found, rules and waivers in the session, with their files and on the history, the
-/// lens and the clearance map. Waivers change what a check found, so it is made anew. While a location is shown both
-/// views are there, and the layers of its two sides stand out, whatever is checked and whatever covers them; all is as
-/// before once something else is selected, or nothing.
+/// lens and the clearance map. Other thicknesses end what was found through the stackup. Waivers change what a check
+/// found, so it is made anew. While a location is shown both views are there, and the layers of its two sides stand
+/// out, whatever is checked and whatever covers them; all is as before once something else is selected, or nothing.
 class ClearanceFeature : public QObject {
     Q_OBJECT
 
@@ -57,6 +57,8 @@ private:
     /// By rows of the list that was checked last; that of now may be shorter until it is checked anew.
     void withdraw(const std::vector<std::size_t>& rows);
     void setBoard(const LoadedBoard& board);
+    /// Of the board with other heights; what is being searched ends, too.
+    void endThroughStackup();
     /// Checks again what was checked last, with the waivers of now; the current row stays.
     void checkAnew();
     void run(ClearanceRequest request);
@@ -80,6 +82,7 @@ private:
     /// Lists what was found of the kind that the panel asks for: rows of another question would read as an answer.
     void list();
     void listAnswer();
+    [[nodiscard]] QString notes() const;
     /// Until something else is selected.
     void show(const ClearanceModel::Location& location);
     void showPlain(const ClearanceModel::Location& location);
@@ -114,8 +117,9 @@ private:
     ClearanceMapOverlay m_distances;
     ClearancePanel* m_panel;
     std::array<std::optional<ClearanceAnswer>, 3> m_answers;  ///< the last ones, by ClearancePanel::What
-    std::optional<ClearanceModel::Location> m_current;        ///< to be the current row again after a check
-    ClearancePanel::Place m_place;                            ///< where it was
+    bool m_isThroughStale = false;  ///< what was found through the stackup was that of other heights, and is gone
+    std::optional<ClearanceModel::Location> m_current;  ///< to be the current row again after a check
+    ClearancePanel::Place m_place;                      ///< where it was
 };
 
 }  // namespace ui

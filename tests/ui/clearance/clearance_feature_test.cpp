@@ -296,43 +296,6 @@ private slots:
         QCOMPARE(locations.location(0).found.spacing.distance, first.found.spacing.distance);
     }
 
-    void distancesThroughTheStackupAreListedAndShown() {
-        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::ThroughStackup));
-        ask(ClearancePanel::Where::Board);
-        const ClearanceModel& locations = window().find<ui::ClearanceModel>();
-        QVERIFY(locations.rowCount() > 1);
-        const auto throughDielectric = [&] {
-            for (int row = 0; row < locations.rowCount(); ++row) {
-                if (locations.location(row).throughStackup->height > 0.0) {
-                    return row;
-                }
-            }
-            return -1;
-        }();
-        QVERIFY(throughDielectric >= 0);
-        const model::StackupClearance found = *locations.location(throughDielectric).throughStackup;
-        std::optional<ui::ShownSpacing> drawn;
-        const auto drawing = connect(&window().workspace(), &ui::Workspace::spacingWanted, this,
-                                     [&drawn](const std::optional<ui::ShownSpacing>& spacing) { drawn = spacing; });
-        panel().setCurrentRow(throughDielectric);
-        disconnect(drawing);
-        QVERIFY(drawn);
-        const model::Measurement label = ui::spacingOn(*window().workspace().board()->index, *drawn);
-        QVERIFY(std::abs(label.value() - found.spacing.distance) < 1.0);
-        QCOMPARE(label.from.layer, window().document()->layer(found.layerA).name);
-        QCOMPARE(label.to.layer, window().document()->layer(found.layerB).name);
-        std::vector<model::BoardElement> sides{found.a, found.b};
-        std::ranges::sort(sides);
-        QTRY_COMPARE(window().selection().selected(), sides);
-        const QString layers = locations.index(throughDielectric, ClearanceModel::Layer).data().toString();
-        QVERIFY2(layers.contains(", "), qPrintable(layers));  // both sides' layers
-        box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Layer));
-        window().messageBar().hide();
-        window().actions()[ActionId::SearchClearances].trigger();
-        QVERIFY(window().messageBar().isVisible());  // not of a layer
-        window().messageBar().hide();
-    }
-
     void aQuestionThatCannotBeAskedIsTold() {
         window().selection().setNets({});
         box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Nets));
