@@ -5,6 +5,7 @@
 #include <QGuiApplication>
 #include <QIODevice>
 #include <QImageWriter>
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -104,10 +105,11 @@ PictureSaver::PictureSaver(FeatureContext& context)
                                             : tr("Stopped: %1 was not saved").arg(m_path));
         goOn();
     });
-    m_workspace.watch(m_work.background(),
-                      [this] { return m_path.isEmpty() ? tr("Picture") : QFileInfo(m_path).fileName(); });
-    connect(&m_workspace, &Workspace::openingBegan, this, &PictureSaver::cancelAll);
-    connect(&m_workspace, &Workspace::boardLeaves, this, &PictureSaver::cancelAll);
+    m_workspace.watchWriting(m_work.background(),
+                             [this] { return m_path.isEmpty() ? tr("Picture") : QFileInfo(m_path).fileName(); });
+    connect(&m_workspace, &Workspace::boardLeaves, this, [this] {
+        giveUp(!m_isBegun, tr("Another board was opened before the graphics device had drawn the old one"));
+    });
     connect(&m_workspace, &Workspace::deviceGoes, this, &PictureSaver::releaseDevice);
 }
 
@@ -152,6 +154,7 @@ void PictureSaver::goOn() {
 
 void PictureSaver::start(Wanted wanted) {
     m_path = wanted.path;
+    m_isBegun = false;
     m_job = std::make_shared<Job>(std::move(wanted.shot), m_context.device());
     m_look.start();
     m_work.run(
@@ -185,7 +188,7 @@ void PictureSaver::beginInTurn() {
         end(begun);
         return;
     }
-    m_isDrawing = true;
+    m_isDrawing = m_isBegun = true;
     m_look.start();
 }
 
@@ -212,14 +215,29 @@ void PictureSaver::report() {
     goOn();
 }
 
-void PictureSaver::cancelAll() {
-    m_waiting.clear();
-    m_work.cancel();
+void PictureSaver::giveUp(bool hasCurrent, const QString& why) {
+    QStringList lost;
+    const auto add = [&lost](const QString& path) { lost += path.isEmpty() ? tr("the picture to be copied") : path; };
+    const std::deque<Wanted> waiting = std::exchange(m_waiting, {});  // cancelling goes on with the next one
+    if (hasCurrent && m_work.isRunning()) {
+        add(m_path);
+        m_work.cancel();
+    }
+    std::ranges::for_each(waiting, add, &Wanted::path);
+    if (!lost.isEmpty()) {
+        // Once the next board is there: what is said before goes with this one.
+        QMetaObject::invokeMethod(
+            this,
+            [this, text = tr("%1, so these were not saved: %2").arg(why, lost.join(QStringLiteral(", ")))] {
+                m_workspace.reportError(text);
+            },
+            Qt::QueuedConnection);
+    }
 }
 
 void PictureSaver::releaseDevice() {
     m_isDrawing = false;
-    cancelAll();
+    giveUp(true, tr("The graphics device failed"));
     goOn();
 }
 

@@ -18,7 +18,8 @@ class Workspace;
 
 /// Saves and copies pictures of views while the window goes on: the device draws them in its turn, a thread of their
 /// own paints what is over the board and packs the pixels. One after the other, each as the view was when it was asked
-/// for; the workspace shows how far the first is and lets Esc stop it. Another board ends all.
+/// for; the workspace shows how far the first is, lets Esc stop it, and asks before the window is closed. They go on
+/// while another board is read; once it is there, those that the device has not begun are reported as not saved.
 class PictureSaver : public QObject {
     Q_OBJECT
 
@@ -47,7 +48,8 @@ private:
     void end(const base::Status& drawn);
     void goOn();
     void report();
-    void cancelAll();
+    /// Those that wait, and the current one, too; reports them.
+    void giveUp(bool hasCurrent, const QString& why);
     void releaseDevice();
 
     GpuContext& m_context;
@@ -58,6 +60,7 @@ private:
     std::shared_ptr<Job> m_job;  ///< what is drawn and written now
     QString m_path;              ///< of it
     QTimer m_look;               ///< runs until the device is done: is it?
+    bool m_isBegun = false;      ///< the device has been given the current one, which needs its board no more
     bool m_isDrawing = false;    ///< the device is, maybe for a picture that is no longer wanted
 };
 

@@ -3,10 +3,14 @@
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QInputDialog>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QTimer>
 #include <QtTest>
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 #include "tests/locations.h"
 #include "tests/patience.h"
@@ -18,6 +22,17 @@ using ui::ActionId;
 namespace {
 
 const QString kSample = locations::kSample;
+
+std::atomic<bool> isHeld = false;
+
+/// The sample, which is read once, and not delivered while boards are held.
+base::Result<ui::LoadedBoard> givenWork(const model::OpenRequest& request, base::Progress& progress) {
+    static const base::Result<ui::LoadedBoard> board = ui::loadBoard(request, progress);
+    while (isHeld && !progress.isCancelled()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return board;
+}
 
 }  // namespace
 
@@ -97,7 +112,58 @@ private slots:
         QVERIFY(!window().messageBar().isVisible());
     }
 
-    void picturesEndWithTheirBoardWindowOrDevice() {
+    /// The board that comes is held until the pictures are there.
+    void picturesGoOnWhileAnotherBoardIsRead() {
+        isHeld = false;
+        m_fixture = std::make_unique<WindowFixture>(givenWork);
+        QVERIFY(m_fixture->openAndWait(kSample));
+        isHeld = true;
+        const QStringList paths{m_fixture->folder() + "/one.png", m_fixture->folder() + "/two.png"};
+        window().savePicture(paths[0], 1'500);
+        window().savePicture(paths[1]);
+        window().open(std::filesystem::path(kSample.toStdString()));
+        QTRY_VERIFY(QFile::exists(paths[0]) && QFile::exists(paths[1]));
+        QVERIFY(window().loader().isLoading());
+        isHeld = false;
+        QVERIFY(window().awaitWork());
+        QVERIFY(!window().messageBar().isVisible());
+    }
+
+    void picturesThatWereNotBegunAreReported() {
+        isHeld = false;
+        m_fixture = std::make_unique<WindowFixture>(givenWork);
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const QDir folder(m_fixture->folder() + "/pictures");
+        QVERIFY(folder.mkpath("."));
+        for (int i = 0; i < 6; ++i) {
+            window().savePicture(folder.filePath("%1.png").arg(i), 3'000);
+        }
+        QVERIFY(m_fixture->openAndWait(kSample));  // at once: it has been read
+        QTRY_VERIFY(window().messageBar().isVisible());
+        QVERIFY2(window().error().contains("not saved: ") && window().error().endsWith(folder.filePath("5.png")),
+                 qPrintable(window().error()));
+        QVERIFY(window().awaitWork());
+        QVERIFY(!folder.exists("5.png"));
+        for (const QString& name : folder.entryList(QDir::Files | QDir::Hidden)) {
+            QVERIFY2(!window().error().contains(folder.filePath(name)), qPrintable(name));
+        }
+    }
+
+    void closingAsksWhileAPictureIsWritten() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const QString path = m_fixture->folder() + "/picture.png";
+        window().savePicture(path, 2'000);
+        window().close();
+        QVERIFY(window().isVisible());
+        auto* question = window().findChild<QMessageBox*>();
+        QVERIFY(question != nullptr);
+        QVERIFY2(question->text().startsWith("picture.png is still being written"), qPrintable(question->text()));
+        QTest::mouseClick(question->button(QMessageBox::Cancel), Qt::LeftButton);
+        QVERIFY(window().awaitWork());
+        QCOMPARE(QImage(path).width(), 2'000);
+    }
+
+    void picturesEndWithTheirWindowOrDevice() {
         QVERIFY(m_fixture->openAndWait(kSample));
         const QDir folder(m_fixture->folder() + "/pictures");
         QVERIFY(folder.mkpath("."));
@@ -108,14 +174,12 @@ private slots:
             QTest::qWait(20);  // the device may be at work, the pixels are not packed yet
         };
         begin();
-        QVERIFY(m_fixture->openAndWait(kSample));
-        QTRY_VERIFY(folder.isEmpty());
-        begin();
         m_fixture->context().device().markLost();
         window().views().requestFrame();
         QTRY_VERIFY(!m_fixture->context().device().isLost());
         QVERIFY(window().awaitWork());
         QTRY_VERIFY(folder.isEmpty());
+        QTRY_VERIFY(window().messageBar().isVisible());
         QTRY_VERIFY(window().views().solid().hasScene());
         begin();
         m_fixture->restart();
