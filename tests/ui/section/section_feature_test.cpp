@@ -2,7 +2,6 @@
 
 #include <QDockWidget>
 #include <QFile>
-#include <QListView>
 #include <QRegularExpression>
 #include <QStatusBar>
 #include <QWheelEvent>
@@ -19,8 +18,6 @@
 #include "ui/common/thickness_text.h"
 #include "ui/shell/message_bar.h"
 
-using base::PointD;
-using model::Nm;
 using model::SectionPiece;
 using ui::ActionId;
 using ui::BoardView;
@@ -386,16 +383,6 @@ private slots:
         QCOMPARE(QLineF(view().positionOf(0, 0), view().positionOf(1e6, 0)), before);
     }
 
-    void savedSectionsAreListedOnceThereAreSome() {
-        QListView& list = window().find<ui::SectionPanel>().list();
-        drawLine();
-        QVERIFY(window().find<ui::SectionPanel>().isVisible() && !list.isVisible());
-        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
-        QVERIFY(list.isVisible());
-        emit window().find<ui::SectionPanel>().forgotten(0);
-        QVERIFY(!list.isVisible());
-    }
-
     /// Rows that are not alike must not read alike; names stay before figures do, and have what room there is.
     void namesBesideASectionTellItsRowsApart() {
         drawLine();
@@ -500,71 +487,6 @@ private slots:
         window().selection().setNets({});
     }
 
-    void sectionsAreKeptRenamedShownForgottenAndUndone() {
-        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
-        QVERIFY(kept().empty());  // nothing to keep
-        drawLine();
-        const std::vector<PointD> line = window().find<ui::SectionLine>().line();
-        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
-        QCOMPARE(kept().size(), std::size_t{1});
-        QAbstractItemModel& names = *window().find<ui::SectionPanel>().list().model();
-        QVERIFY(names.setData(names.index(0, 0), "Across"));
-        QCOMPARE(kept()[0].name, std::string("Across"));
-        QVERIFY(names.setData(names.index(0, 0), "  "));  // no name
-        QCOMPARE(names.index(0, 0).data().toString(), QString("Across"));
-
-        sections().cutAlong({});
-        const QRect location = window().find<ui::SectionPanel>().list().visualRect(names.index(0, 0));
-        QTest::mouseClick(window().find<ui::SectionPanel>().list().viewport(), Qt::LeftButton, {}, location.center());
-        QVERIFY(isAt(window().find<ui::SectionLine>().line().front(), line.front()));
-        QVERIFY(same(view().section()->pieces, expected().pieces));
-
-        // As another run of the program finds them.
-        const auto found = model::session::loadSession(m_board.toStdString(), *window().document());
-        QVERIFY(found.ignored.empty());
-        QCOMPARE(found.session.sections, kept());
-
-        emit window().find<ui::SectionPanel>().forgotten(0);
-        QVERIFY(kept().empty());
-        window().actions()[ActionId::Undo].trigger();
-        QCOMPARE(kept().size(), std::size_t{1});
-        window().actions()[ActionId::Undo].trigger();
-        QCOMPARE(kept()[0].name, std::string("Section 1"));
-        QVERIFY(m_fixture->openAndWait(m_board));
-        QCOMPARE(names.rowCount(), 1);
-        window().actions()[ActionId::Undo].trigger();
-    }
-
-    void aKeptSectionOfAnotherStepIsNotShown() {
-        QVERIFY(m_fixture->openAndWait(m_board));
-        QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(),
-                                             {{"Far", "other", {{0, 0}, {1e6, 0}}}}));
-        QVERIFY(m_fixture->openAndWait(m_board));
-        QCOMPARE(kept().size(), std::size_t{1});
-        emit window().find<ui::SectionPanel>().chosen(0);
-        QVERIFY(!view().section());
-        QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(), {}));
-    }
-
-    /// As if the session file of another board lay beside this one.
-    void keptSectionsOfAnotherBoardAreTold() {
-        const std::string here = window().document()->job.step;
-        QVERIFY(model::session::saveSections(
-            m_board.toStdString(), *window().document(),
-            {{"Theirs", "step of another job", {{0, 0}, {1e6, 0}}}, {"Beside", here, {{9e8, 9e8}, {9.1e8, 9e8}}}}));
-        QVERIFY(m_fixture->openAndWait(m_board));
-        QCOMPARE(kept().size(), std::size_t{2});
-        const QSignalSpy reported(&window().workspace(), &ui::Workspace::reported);
-        emit window().find<ui::SectionPanel>().chosen(0);
-        QVERIFY(!view().section());
-        QCOMPARE(reported.last()[0].toString(),
-                 "Theirs is a section of step step of another job, which this board does not have");
-        emit window().find<ui::SectionPanel>().chosen(1);
-        QVERIFY(view().section() && view().section()->pieces.empty());
-        QVERIFY(window().find<ui::SectionPanel>().notes().contains("meets nothing of the board"));
-        QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(), {}));
-    }
-
     void anotherBoardForgetsTheLine() {
         drawLine();
         QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/rigid_flex")));
@@ -582,7 +504,6 @@ private:
                           type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&solid.canvas(), &event);
     }
-    [[nodiscard]] const std::vector<model::session::SavedSection>& kept() { return window().sections().saved(); }
     [[nodiscard]] SectionPiece aCopperPiece() {
         const SectionPiece* widest = nullptr;
         for (const SectionPiece& piece : view().section()->pieces) {
