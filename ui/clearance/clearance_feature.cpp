@@ -109,8 +109,12 @@ void ClearanceFeature::connectCommands(FeatureContext& context) {
 
 void ClearanceFeature::connectFiles(FeatureContext& context) {
     context.on(ActionId::ExportClearances, this, [this, &context] {
-        context.saveFile(tr("Export clearances"), tr("clearances"), exportFilters(),
-                         [this](const QString& path) { return exportReport(path); });
+        if (answer()) {
+            context.saveFile(tr("Export clearances"), tr("clearances"), exportFilters(),
+                             [this](const QString& path) { return exportReport(path); });
+        } else {
+            m_workspace.report(tr("There is nothing to export: find clearances or check rules first"));
+        }
     });
     connect(m_panel, &ClearancePanel::rulesAsked, this, [this, &context] {
         context.openFile(tr("Open rules"), tr("Rules (*.json *.kicad_dru *.kicad_pro *.kicad_pcb);;All files (*)"),
@@ -385,6 +389,8 @@ void ClearanceFeature::listAnswer() {
 void ClearanceFeature::step(int by) {
     const QAbstractItemModel& rows = *m_panel->table().model();
     if (rows.rowCount() == 0) {
+        m_workspace.report(answer() ? tr("The list of clearances is empty")
+                                    : tr("There is no list to step through: find clearances or check rules first"));
         return;
     }
     const int now = m_panel->table().currentIndex().row();  // -1: none

@@ -191,6 +191,10 @@ void MeasureFeature::addPanel(FeatureContext& context) {
 }
 
 void MeasureFeature::exportTable(FeatureContext& context) {
+    if (m_saved.entries().empty()) {
+        m_workspace.report(tr("There are no measurements to export"));
+        return;
+    }
     context.saveFile(tr("Export measurements"), tr("measurements"), {tr("Tables (*.csv)")},
                      [this](const QString& path) {
                          return writeFile(path, QByteArray::fromStdString(model::measurementsCsv(m_saved.entries())));

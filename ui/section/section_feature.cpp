@@ -124,8 +124,12 @@ void SectionFeature::connectCommands(FeatureContext& context) {
     on(ActionId::OpenAlongSection, [this] { showIn3D(); });
     on(ActionId::SaveSection, [this] { saveSection(); });
     on(ActionId::ExportSection, [this, &context] {
-        context.saveFile(tr("Export section"), tr("section"), {tr("Drawings (*.svg)"), tr("Documents (*.pdf)")},
-                         [this](const QString& path) { return save(path); });
+        if (m_panel->view().section()) {
+            context.saveFile(tr("Export section"), tr("section"), {tr("Drawings (*.svg)"), tr("Documents (*.pdf)")},
+                             [this](const QString& path) { return save(path); });
+        } else {
+            m_workspace.report(tr("There is no section to export: draw one first"));
+        }
     });
     context.escapes.emplace(EscapeRank::Tool, [this] { return m_panel->view().stepBack(); });
     context.escapes.emplace(EscapeRank::Tool, [this] {
@@ -160,12 +164,11 @@ void SectionFeature::showPrompt(const QString& prompt) {
 void SectionFeature::connectPlane(FeatureContext& context) {
     auto* hint = new Hint(m_workspace, this);
     connect(&m_actions[ActionId::SectionPlane], &QAction::toggled, hint, [this, hint](bool isOn) {
-        const auto key = [this](ActionId id) { return m_actions[id].shortcut().toString(QKeySequence::NativeText); };
         isOn ? hint->show(
                    tr("Section plane: drag its arrow, or \"%1\" moves it forward, \"%2\" back, \"%3\" rotates it, "
                       "\"%4\" removes it")
-                       .arg(key(ActionId::MoveSectionPlaneOn), key(ActionId::MoveSectionPlaneBack),
-                            key(ActionId::RotateSectionPlane), key(ActionId::SectionPlane)))
+                       .arg(keyOf(ActionId::MoveSectionPlaneOn), keyOf(ActionId::MoveSectionPlaneBack),
+                            keyOf(ActionId::RotateSectionPlane), keyOf(ActionId::SectionPlane)))
              : hint->end();
     });
     const auto on = [&](ActionId id, auto slot) { context.on(id, this, slot); };
@@ -173,9 +176,7 @@ void SectionFeature::connectPlane(FeatureContext& context) {
         m_plane.setOn(isOn);
         m_actions[ActionId::SectionPlane].setChecked(m_plane.isOn());
     });
-    on(ActionId::RotateSectionPlane, [this] { m_plane.rotate(); });
-    on(ActionId::MoveSectionPlaneOn, [this] { m_plane.move(kPlaneStep); });
-    on(ActionId::MoveSectionPlaneBack, [this] { m_plane.move(-kPlaneStep); });
+    connectPlaneMoves(context);
     on(ActionId::ShowMilledAway, [this](bool isOn) {
         m_plane.setAsDesigned(isOn);
         cut();
@@ -184,6 +185,26 @@ void SectionFeature::connectPlane(FeatureContext& context) {
         m_plane.pointAt(base::PointD{x, y});
     });
     connect(&context.probing, &Probing::pointedAway, this, [this] { m_plane.pointAt(std::nullopt); });
+}
+
+void SectionFeature::connectPlaneMoves(FeatureContext& context) {
+    const auto on = [&](ActionId id, auto slot) {
+        context.on(id, this, [this, slot] {
+            if (m_plane.isOn()) {
+                slot();
+            } else {
+                m_workspace.report(
+                    tr("There is no section plane: \"%1\" makes one").arg(keyOf(ActionId::SectionPlane)));
+            }
+        });
+    };
+    on(ActionId::RotateSectionPlane, [this] { m_plane.rotate(); });
+    on(ActionId::MoveSectionPlaneOn, [this] { m_plane.move(kPlaneStep); });
+    on(ActionId::MoveSectionPlaneBack, [this] { m_plane.move(-kPlaneStep); });
+}
+
+QString SectionFeature::keyOf(ActionId id) const {
+    return m_actions[id].shortcut().toString(QKeySequence::NativeText);
 }
 
 void SectionFeature::keep(const LoadedBoard& next) {

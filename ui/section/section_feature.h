@@ -44,6 +44,8 @@ private:
     void connectLine();
     void connectCommands(FeatureContext& context);
     void connectPlane(FeatureContext& context);
+    void connectPlaneMoves(FeatureContext& context);
+    [[nodiscard]] QString keyOf(ActionId id) const;
     /// Keeps what is shown if the next board is the same one, read anew.
     void keep(const LoadedBoard& next);
     void setBoard(const LoadedBoard& board);

@@ -74,9 +74,6 @@ void SectionPlaneTool::rotate() {
 }
 
 void SectionPlaneTool::move(double part) {
-    if (!m_isOn) {
-        return;
-    }
     const base::Box& box = boxOf(board());
     const double distance = part * static_cast<double>(std::max(box.width(), box.height()));
     const base::PointD forward = this->forward();

@@ -29,9 +29,9 @@ public:
     void cutAlong(base::PointD from, base::PointD to);
     /// Whether it is where `cutAlong` has put it, and was not rotated since.
     [[nodiscard]] bool isAlongLine() const { return m_isOn && m_isAlongLine; }
-    /// By 45 degrees, seen from above to the left. Around the place it was put through.
+    /// Only while it is on: by 45 degrees, seen from above to the left. Around the place it was put through.
     void rotate();
-    /// Towards what is left (negative: towards what was cut away), by a part of the board's larger side.
+    /// Likewise: towards what is left (negative: towards what was cut away), by a part of the board's larger side.
     void move(double part);
     /// Through another place, as it is turned, but no farther than the board reaches. nm of the board.
     void put(base::PointD through);

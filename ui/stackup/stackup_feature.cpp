@@ -96,6 +96,11 @@ void addStackup(FeatureContext& context) {
     connectView(context, panel->view());
     connectRows(context, *panel, *stackup);
     context.on(ActionId::ExportStackup, panel, [&context, panel] {
+        if (context.workspace.board()->document->stackup.rows.empty()) {
+            context.workspace.report(
+                StackupPanel::tr("There is no stackup to export: this board states its heights itself"));
+            return;
+        }
         context.saveFile(
             StackupPanel::tr("Export stackup"), StackupPanel::tr("stackup"),
             {StackupPanel::tr("Drawings (*.svg)"), StackupPanel::tr("Documents (*.pdf)"),

@@ -113,8 +113,12 @@ void connectProbing(FeatureContext& context) {
     QObject::connect(&probing, &Probing::componentRequested, &context.parts, &PartPicking::selectComponentOf);
     context.on(ActionId::FollowInSolid, [&](bool isOn) { probing.setFollows(BoardView::Kind::Solid, isOn); });
     context.on(ActionId::FollowInFlat, [&](bool isOn) { probing.setFollows(BoardView::Kind::Flat, isOn); });
-    context.on(ActionId::ShowSelection, [&probing, &selection = context.workspace.selection()] {
-        probing.showInBoth(selection.selectionElements());
+    context.on(ActionId::ShowSelection, [&probing, &workspace = context.workspace] {
+        const std::vector<model::BoardElement> chosen = workspace.selection().selectionElements();
+        if (chosen.empty()) {
+            workspace.report(BoardViews::tr("Nothing is selected: click an element or highlight a net first"));
+        }
+        probing.showInBoth(chosen);
     });
 }
 

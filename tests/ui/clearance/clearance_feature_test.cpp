@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPointer>
@@ -11,6 +12,7 @@
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QSlider>
+#include <QStatusBar>
 #include <QToolButton>
 #include <QWheelEvent>
 #include <QtTest>
@@ -448,7 +450,11 @@ private slots:
         QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
         QCOMPARE(window().find<ui::ClearanceModel>().rowCount(), 0);
         QCOMPARE(label("summary"), "No search yet");
-        m_fixture->key(Qt::Key_F8);  // nothing to step to
+        m_fixture->key(Qt::Key_F8);
+        QVERIFY2(said().startsWith("There is no list to step through"), qPrintable(said()));
+        window().actions()[ActionId::ExportClearances].trigger();
+        QVERIFY2(said().startsWith("There is nothing to export"), qPrintable(said()));
+        QVERIFY(window().findChild<QFileDialog*>() == nullptr);
     }
 
     void aReloadWhileMeasuringEndsTheSearch() {
@@ -527,6 +533,7 @@ private:
         QTest::keyClick(line, Qt::Key_Return);
         QTRY_VERIFY(table.findChild<QLineEdit*>() == nullptr);
     }
+    QString said() { return window().statusBar()->currentMessage(); }
     std::string exported(const QString& path) {
         const base::Status done = clearances().exportReport(path);
         QFile file(path);

@@ -2,6 +2,7 @@
 #include "ui/measure/measure_feature.h"
 
 #include <QClipboard>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
@@ -344,6 +345,12 @@ private slots:
         showing.trigger();
         measureBoth();
         QVERIFY2(showing.isChecked(), "who measures wants to see it");
+    }
+
+    void anEmptyListIsNotExported() {
+        window().actions()[ActionId::ExportMeasurements].trigger();
+        QCOMPARE(window().statusBar()->currentMessage(), QStringLiteral("There are no measurements to export"));
+        QVERIFY(window().findChild<QFileDialog*>() == nullptr);
     }
 
     void measurementsAreInTheSessionAndInATable() {

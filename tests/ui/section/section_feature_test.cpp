@@ -2,6 +2,7 @@
 
 #include <QDockWidget>
 #include <QFile>
+#include <QFileDialog>
 #include <QRegularExpression>
 #include <QStatusBar>
 #include <QWheelEvent>
@@ -145,6 +146,12 @@ private slots:
         QVERIFY2(said().contains("\"Shift+X\" rotates it"), qPrintable(said()));
         window().actions()[ActionId::SectionPlane].trigger();
         QVERIFY(said().isEmpty());
+        for (const ActionId id :
+             {ActionId::MoveSectionPlaneOn, ActionId::MoveSectionPlaneBack, ActionId::RotateSectionPlane}) {
+            window().workspace().report(QString());
+            window().actions()[id].trigger();
+            QCOMPARE(said(), QStringLiteral("There is no section plane: \"X\" makes one"));
+        }
     }
 
     void besideTheBoardThePlaneGoesThroughItsMiddle() {
@@ -212,6 +219,10 @@ private slots:
     void theSectionIsExported() {
         const QString path = m_fixture->folder() + "/cut.svg";
         QVERIFY(!sections().save(path));  // nothing to export
+        window().actions()[ActionId::ExportSection].trigger();
+        QVERIFY(window().findChild<QFileDialog*>() == nullptr);
+        QCOMPARE(window().statusBar()->currentMessage(),
+                 QStringLiteral("There is no section to export: draw one first"));
         drawLine();
         QVERIFY(sections().save(path));
         QFile file(path);

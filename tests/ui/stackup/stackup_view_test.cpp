@@ -3,7 +3,7 @@
 
 #include "ui/stackup/stackup_view.h"
 
-#include <QDialog>
+#include <QFileDialog>
 #include <QLabel>
 #include <QStatusBar>
 #include <QToolBar>
@@ -299,6 +299,23 @@ private slots:
         QVERIFY(contentsOf(table).contains("\r\n1,L1,SIGNAL,35000,assumed,"));
         window().save(ui::ActionId::ExportStackup, m_fixture->folder() + "/no/such/folder/stack.csv");
         QVERIFY(window().messageBar().isVisible());
+    }
+
+    /// As those of the paper do.
+    void aBoardThatStatesItsHeightsHasNoStackupToExport() {
+        const QString path = m_fixture->folder() + "/heights.txt";
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(
+            "LAYERBEGIN\nLAYERTYPE,Top\nBASEPLANEHEIGHT,8.0\nTHICKNESS,1.2\nLINEBEGIN\nLINEID,1\nLINEDATA,2\n"
+            "0.0,0.0\nSTRAIGHT,1,20.0,100.0,0.0\nLINEEND\nLAYEREND\n");
+        file.close();
+        QVERIFY(m_fixture->openAndWait(path));
+        QVERIFY(window().document()->stackup.rows.empty());
+        window().actions()[ActionId::ExportStackup].trigger();
+        QVERIFY(window().findChild<QFileDialog*>() == nullptr);
+        const QString said = window().statusBar()->currentMessage();
+        QVERIFY2(said.startsWith("There is no stackup to export"), qPrintable(said));
     }
 
     void exportAsksForAFile() {
