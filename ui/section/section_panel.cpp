@@ -32,19 +32,8 @@ SectionPanel::SectionPanel(SelectionModel& selection, QAbstractItemModel& saved,
     setMinimumHeight(kLeastHeight);
     QAction* clear =
         command(*this, "clearSection", tr("Clear"), tr("Remove the line and its section"), [this] { emit cleared(); });
-    auto* remove = m_list->addAction(tr("Delete"), QKeySequence(QKeySequence::Delete), this, [this] {
-        if (m_list->currentIndex().isValid()) {
-            emit forgotten(m_list->currentIndex().row());
-        }
-    });
-    remove->setShortcutContext(Qt::WidgetShortcut);
-    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
     m_list->setModel(&saved);
-    m_list->setAccessibleName(tr("Saved sections"));
-    m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-    m_list->setToolTip(tr("Saved sections: a click shows one, F2 renames it, Del deletes it"));
-    connect(m_list, &QListView::clicked, this, [this](const QModelIndex& at) { emit chosen(at.row()); });
-
+    addListCommands();
     auto* row = buttonRow({&actions[ActionId::DrawSection], &actions[ActionId::SectionAlongNet],
                            &actions[ActionId::OpenAlongSection], &actions[ActionId::SaveSection],
                            &actions[ActionId::ExportSection], clear});
@@ -70,6 +59,29 @@ SectionPanel::SectionPanel(SelectionModel& selection, QAbstractItemModel& saved,
     all->addWidget(m_notes);
     connect(m_heights, &QComboBox::currentIndexChanged, this,
             [this] { m_view->setHeightTimes(m_heights->currentData().toDouble()); });
+}
+
+void SectionPanel::addListCommands() {
+    m_list->addAction(tr("Show"), m_list, [this] { emit m_list->activated(m_list->currentIndex()); });
+    m_list->addAction(tr("Rename\tF2"), m_list, [this] { m_list->edit(m_list->currentIndex()); });
+    auto* remove = m_list->addAction(tr("Delete"), QKeySequence(QKeySequence::Delete), this, [this] {
+        if (m_list->currentIndex().isValid()) {
+            emit forgotten(m_list->currentIndex().row());
+        }
+    });
+    remove->setShortcutContext(Qt::WidgetShortcut);
+    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_list->setAccessibleName(tr("Saved sections"));
+    // A double click is a click that was meant well: the next key does not overwrite the name.
+    m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    m_list->setToolTip(tr("Saved sections: a click or Enter shows one, F2 renames it, Del deletes it"));
+    const auto show = [this](const QModelIndex& at) {
+        if (at.isValid()) {
+            emit chosen(at.row());
+        }
+    };
+    connect(m_list, &QListView::clicked, this, show);
+    connect(m_list, &QListView::activated, this, show);
 }
 
 void SectionPanel::setNotes(const QString& notes) {

@@ -37,6 +37,8 @@ signals:
     void forgotten(int row);
 
 private:
+    void addListCommands();
+
     SectionView* m_view;
     QListView* m_list;
     QComboBox* m_heights;

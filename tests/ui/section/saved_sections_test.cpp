@@ -1,4 +1,6 @@
 // Sections that are saved with the board: their list, and what is done with them.
+#include <QAction>
+#include <QLineEdit>
 #include <QListView>
 #include <QSignalSpy>
 #include <QtTest>
@@ -28,6 +30,37 @@ private slots:
         QVERIFY(list.isVisible());
         emit window().find<ui::SectionPanel>().forgotten(0);
         QVERIFY(!list.isVisible());
+    }
+
+    void sectionsAreShownByEnterAndByTheMenuAndRenamedByF2Alone() {
+        drawLine();
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
+        QListView& list = window().find<ui::SectionPanel>().list();
+        list.setCurrentIndex(list.model()->index(0, 0));
+        const auto isEdited = [&] { return list.findChild<QLineEdit*>() != nullptr; };
+        const auto isShownBy = [&](const auto& act) {
+            sections().cutAlong({});
+            act();
+            return view().section().has_value();
+        };
+        QVERIFY(isShownBy([&] { QTest::keyClick(&list, Qt::Key_Return); }));
+        QVERIFY(isShownBy([&] { action("Show")->trigger(); }));
+        const QPoint middle = list.visualRect(list.currentIndex()).center();
+        QVERIFY(isShownBy([&] {
+            QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, middle);
+            QTest::mouseDClick(list.viewport(), Qt::LeftButton, {}, middle);
+        }));
+        QVERIFY2(!isEdited(), "the next key would overwrite the name");
+        QTest::keyClick(&list, Qt::Key_F2);
+        QVERIFY(isEdited());
+        QTest::keyClick(list.findChild<QLineEdit*>(), Qt::Key_Escape);
+        QTRY_VERIFY(!isEdited());
+        action("Rename")->trigger();
+        QVERIFY(isEdited());
+        QTest::keyClick(list.findChild<QLineEdit*>(), Qt::Key_Escape);
+        QTRY_VERIFY(!isEdited());
+        action("Delete")->trigger();
+        QVERIFY(kept().empty());
     }
 
     void sectionsAreKeptRenamedShownForgottenAndUndone() {
@@ -96,6 +129,13 @@ private slots:
     }
 
 private:
+    /// Of the menu of the list.
+    [[nodiscard]] QAction* action(const QString& text) {
+        const QList<QAction*> actions = window().find<ui::SectionPanel>().list().actions();
+        const auto at = std::ranges::find_if(
+            actions, [&](const QAction* each) { return each->text().remove('&').section('\t', 0, 0) == text; });
+        return at != actions.end() ? *at : nullptr;
+    }
     [[nodiscard]] const std::vector<model::session::SavedSection>& kept() { return window().sections().saved(); }
 };
 
