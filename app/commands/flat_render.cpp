@@ -38,8 +38,9 @@ base::Result<render::Image> FlatRender::draw(const render::Camera& camera, const
         return base::Error{base::ErrorCode::DeviceFailed, "this picture takes a Vulkan device"};
     }
     render::Image image{m_width, m_height, {}};
-    image.rgba.reserve(m_picture.pixels().size() * 4);
-    for (const std::uint32_t pixel : m_picture.pixels()) {
+    const std::shared_ptr<const render::FlatPicture::Pixels> pixels = m_picture.pixels();
+    image.rgba.reserve(pixels->size() * 4);
+    for (const std::uint32_t pixel : *pixels) {
         for (const std::uint32_t shift : {16U, 8U, 0U, 24U}) {
             image.rgba.push_back(static_cast<std::uint8_t>(pixel >> shift));
         }

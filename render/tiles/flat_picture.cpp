@@ -71,6 +71,17 @@ glm::vec3 colourOf(const ElementColours& palette, ElementState state) {
     return isLit ? colour / std::max({colour.r, colour.g, colour.b, 1e-3F}) : colour;
 }
 
+std::size_t pixelCount(glm::ivec2 size) {
+    return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+}
+
+/// Who holds pixels of another size keeps them as they are.
+void makeRoom(glm::ivec2 size, std::shared_ptr<FlatPicture::Pixels>& pixels) {
+    if (pixels->size() != pixelCount(size)) {
+        pixels = std::make_shared<FlatPicture::Pixels>(pixelCount(size));
+    }
+}
+
 }  // namespace
 
 FlatPicture::FlatPicture(std::shared_ptr<const BoardModel> model, std::uint64_t maxBytes)
@@ -103,7 +114,7 @@ void FlatPicture::clearTiles() {
     m_tiles.clear();
     m_settled = 0;
     m_last = {};
-    m_rough.clear();
+    m_rough = std::make_shared<Pixels>();
     m_isLastShown = false;
     m_overview = {};
 }
@@ -409,14 +420,15 @@ bool FlatPicture::fillOverview(const Budget& budget) {
     const Window all = overviewWindow();
     if (glm::sign(m_overview.map.scale) != glm::sign(m_window->tiling.scale)) {
         std::erase_if(m_tiles, [](const auto& entry) { return std::get<0>(entry.first) == kOverviewTiling; });
-        m_overview = {{all.tiling.scale, -glm::dvec2(all.origin)}, {}, {}, 0, 0};
+        m_overview = {};
+        m_overview.map = {all.tiling.scale, -glm::dvec2(all.origin)};
     }
     if (!fill(all, budget) || !fillOver(all, budget, false)) {
         return false;
     }
-    m_overview = {{all.tiling.scale, -glm::dvec2(all.origin)}, all.size, {}, m_look, m_overLook};
-    m_overview.pixels.resize(static_cast<std::size_t>(all.size.x) * static_cast<std::size_t>(all.size.y));
-    paint(all, nullptr, m_overview.pixels.data());
+    m_overview = {{all.tiling.scale, -glm::dvec2(all.origin)}, all.size, m_overview.pixels, m_look, m_overLook};
+    makeRoom(all.size, m_overview.pixels);
+    paint(all, nullptr, m_overview.pixels->data());
     return true;
 }
 
@@ -477,8 +489,8 @@ void FlatPicture::paintWhole() {
     m_last.size = window.size;
     m_last.look = m_look;
     m_last.overLook = m_overLook;
-    m_last.pixels.resize(static_cast<std::size_t>(window.size.x) * static_cast<std::size_t>(window.size.y));
-    paint(window, nullptr, m_last.pixels.data());
+    makeRoom(window.size, m_last.pixels);
+    paint(window, nullptr, m_last.pixels->data());
     m_isLastShown = true;
 }
 
@@ -487,11 +499,11 @@ void FlatPicture::paintRough(const Budget& budget) {
     const bool isOverview = isLastUsable() ? isOverviewThere() : fillOverview(budget);
     const PlaneMap map{window.tiling.scale, -window.tiling.phase - glm::dvec2(window.origin)};
     m_isBare = !isOverview && !isLastUsable();
-    const RoughSource overview{isOverview ? m_overview.pixels.data() : nullptr, m_overview.size, m_overview.map};
-    const RoughSource last{isLastUsable() ? m_last.pixels.data() : nullptr, m_last.size, m_last.map};
+    const RoughSource overview{isOverview ? m_overview.pixels->data() : nullptr, m_overview.size, m_overview.map};
+    const RoughSource last{isLastUsable() ? m_last.pixels->data() : nullptr, m_last.size, m_last.map};
     const RoughPicture behind(last, overview, m_colours->pixel(0), map, window.size);
-    m_rough.resize(static_cast<std::size_t>(window.size.x) * static_cast<std::size_t>(window.size.y));
-    paint(window, &behind, m_rough.data());
+    makeRoom(window.size, m_rough);
+    paint(window, &behind, m_rough->data());
     m_isLastShown = false;
 }
 
@@ -517,7 +529,7 @@ std::uint64_t FlatPicture::bytesOf(const Tile& tile) {
 }
 
 std::uint64_t FlatPicture::bytes() const {
-    std::uint64_t all = (m_last.pixels.size() + m_overview.pixels.size() + m_rough.size()) * sizeof(std::uint32_t);
+    std::uint64_t all = (m_last.pixels->size() + m_overview.pixels->size() + m_rough->size()) * sizeof(std::uint32_t);
     for (const auto& [key, tile] : m_tiles) {
         all += bytesOf(tile);
     }

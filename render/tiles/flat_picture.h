@@ -50,8 +50,10 @@ public:
     /// Draws `pixels`. Takes `budgetMs` or a little longer for tiles that are missing (0: as long as it takes), and no
     /// time for those of a scale that may be gone with the next frame.
     [[nodiscard]] Quality draw(const FlatRequest& request, double budgetMs);
-    /// The last frame, width * height of 0xffRRGGBB, rows from the top; until the next `draw`.
-    [[nodiscard]] std::span<const std::uint32_t> pixels() const { return m_isLastShown ? m_last.pixels : m_rough; }
+    using Pixels = std::vector<std::uint32_t>;
+    /// The last frame, width * height of 0xffRRGGBB, rows from the top. The next `draw` may paint over it, but who
+    /// holds it may read it as long as they like.
+    [[nodiscard]] std::shared_ptr<const Pixels> pixels() const { return m_isLastShown ? m_last.pixels : m_rough; }
     /// Where its tiles are missing there was nothing to stretch: that is background.
     [[nodiscard]] bool isPartial() const { return m_isBare; }
     /// Goes on with the last frame for about `budgetMs`. True: another `draw` would show more than the last one did.
@@ -106,7 +108,7 @@ private:
     struct Sheet {
         PlaneMap map;
         glm::ivec2 size{0};
-        std::vector<std::uint32_t> pixels;
+        std::shared_ptr<Pixels> pixels = std::make_shared<Pixels>();
         std::uint64_t look = 0;
         std::uint64_t overLook = 0;
     };
@@ -178,7 +180,7 @@ private:
     bool m_isOverShown = false;      ///< the last frame showed all that stands out
     bool m_isBare = false;           ///< the last frame had nothing to stretch
     Sheet m_last;                    ///< the last frame that its tiles drew
-    std::vector<std::uint32_t> m_rough;
+    std::shared_ptr<Pixels> m_rough = std::make_shared<Pixels>();
     bool m_isLastShown = false;
     Sheet m_overview;
 };

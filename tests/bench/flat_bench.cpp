@@ -48,7 +48,7 @@ struct Bench {
         if (isCompared) {
             const Image device = *Gpu::get().presenter.render(
                 scene, camera, settings, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
-            const Image own = imageOf(flat.pixels(), width, height);
+            const Image own = imageOf(*flat.pixels(), width, height);
             std::printf("  differ by more than 1: %zu, 8: %zu (device %.1f ms)", differingPixels(device, own, 1),
                         differingPixels(device, own, 8), Gpu::get().presenter.stats().gpuMs);
         }

@@ -40,7 +40,8 @@ struct Both {
         const FlatPicture::Quality quality =
             flat.draw({&scene.scene.impl().layers, states, scene.camera, settings, kWidth, kHeight}, budgetMs);
         image = {kWidth, kHeight, {}};
-        for (const std::uint32_t pixel : flat.pixels()) {
+        const std::shared_ptr<const FlatPicture::Pixels> pixels = flat.pixels();
+        for (const std::uint32_t pixel : *pixels) {
             for (const std::uint32_t shift : {16U, 8U, 0U, 24U}) {
                 image.rgba.push_back(static_cast<std::uint8_t>(pixel >> shift));
             }
@@ -231,6 +232,26 @@ private slots:
         Image image;
         QCOMPARE(small.drawFlat(image), FlatPicture::Quality::None);
         QVERIFY(small.flat.bytes() <= 100'000);
+    }
+
+    /// A window shows them until the device has drawn what does not fit here.
+    void pixelsStayWithWhoHoldsThemWhereTheNextFrameNeedsTooMuch() {
+        const SyntheticBoard board = everything();
+        Both both(board);
+        std::vector<LayerStyle> styles = both.scene.scene.impl().layers.styles;
+        std::for_each(styles.begin() + 1, styles.end(), [](LayerStyle& style) { style.isVisible = false; });
+        both.scene.scene.setStyles(styles);
+        both.compare();
+        Both tight(board, both.flat.bytes());
+        tight.scene.scene.setStyles(styles);
+        tight.compare();
+        const std::shared_ptr<const FlatPicture::Pixels> held = tight.flat.pixels();
+        QCOMPARE(held->size(), std::size_t{kWidth} * kHeight);
+        tight.scene.scene.setStyles(board.styles());
+        Image image;
+        QCOMPARE(tight.drawFlat(image), FlatPicture::Quality::None);
+        QVERIFY(tight.flat.pixels() != held);
+        QCOMPARE(held->size(), std::size_t{kWidth} * kHeight);
     }
 
     void leavesToTheDeviceWhatItCannotDraw() {

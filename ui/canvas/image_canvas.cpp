@@ -11,6 +11,8 @@ namespace ui {
 
 namespace {
 
+using Pixels = render::FlatPicture::Pixels;
+
 /// A frame at 60 Hz has room for this much drawing of tiles, and a hand that moves on is answered after a piece.
 constexpr double kTilesMs = 4.0;
 constexpr double kPieceMs = 8.0;
@@ -19,9 +21,13 @@ constexpr int kLongRestMs = 200;
 constexpr int kWholeShare = 2;  // a picture of all of the board is so many times smaller
 constexpr double kMuchDrawnOut = 1.6;
 
-/// No copy: while the pixels are there.
-QImage imageOf(std::span<const std::uint32_t> pixels, QSize size) {
-    return {reinterpret_cast<const uchar*>(pixels.data()), size.width(), size.height(), QImage::Format_RGB32};
+/// No copy: the image holds the pixels.
+QImage imageOf(std::shared_ptr<const Pixels> pixels, QSize size) {
+    auto* owner = new std::shared_ptr<const Pixels>(std::move(pixels));
+    return QImage(
+        reinterpret_cast<const uchar*>((*owner)->data()), size.width(), size.height(),
+        static_cast<qsizetype>(size.width()) * 4, QImage::Format_RGB32,
+        [](void* held) { delete static_cast<std::shared_ptr<const Pixels>*>(held); }, owner);
 }
 
 glm::ivec2 vectorOf(QSize size) {
@@ -251,8 +257,11 @@ void ImageCanvas::showShot(const Warped& warped, QSize pixels, bool isNew) {
         }
         m_shown = pose;
     } else if (warped.best) {
-        m_warped.resize(static_cast<std::size_t>(pixels.width()) * static_cast<std::size_t>(pixels.height()));
-        warped.best->paint(ground(), warped.rest ? &*warped.rest : nullptr, m_warped.data());
+        const auto count = static_cast<std::size_t>(pixels.width()) * static_cast<std::size_t>(pixels.height());
+        if (m_warped == nullptr || m_warped->size() != count) {
+            m_warped = std::make_shared<Pixels>(count);
+        }
+        warped.best->paint(ground(), warped.rest ? &*warped.rest : nullptr, m_warped->data());
         m_image = imageOf(m_warped, pixels);
         m_shown = pose;
     } else {

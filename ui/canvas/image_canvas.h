@@ -3,8 +3,8 @@
 #include <QImage>
 #include <QTimer>
 #include <QWidget>
+#include <memory>
 #include <optional>
-#include <vector>
 
 #include "render/tiles/warped_picture.h"
 #include "ui/canvas/camera_controller.h"
@@ -67,9 +67,9 @@ private:
     CameraController& m_controller;
     const Picture& m_picture;
     DevicePicture m_device;
-    QImage m_image;  ///< the board; over the pixels of `m_picture.flat` or `m_warped`, or those of `m_device`
-    std::vector<std::uint32_t> m_warped;
-    render::CameraPose m_shown;  ///< where the image is seen from
+    QImage m_image;  ///< the board; shares the pixels of `m_picture.flat`, `m_warped` or `m_device`
+    std::shared_ptr<render::FlatPicture::Pixels> m_warped;  ///< null: none yet
+    render::CameraPose m_shown;                             ///< where the image is seen from
     bool m_isStale = true;
     bool m_isDue = true;          ///< the board is another one than the image has, or was asked for
     bool m_isAsked = true;        ///< somebody asked for a frame since the device was asked for one

@@ -10,6 +10,7 @@
 namespace {
 
 constexpr int kTries = 20;
+constexpr QSize kSize(800, 600);
 constexpr int kRestMs = 700;  // until a view at rest has asked for all that it prepares
 
 }  // namespace
@@ -42,8 +43,45 @@ private slots:
         QVERIFY2(seen >= 0.9 * whole, qPrintable(QStringLiteral("%1 of %2").arg(seen).arg(whole)));
     }
 
+    /// What that needs has no room in memory for tiles.
+    void whatTilesShowedStaysWhereTheNextFrameIsForTheDevice() {
+        QTRY_VERIFY(m_fixture->window().views().scene() != nullptr);
+        ui::Picture picture = ofFlatView();
+        const std::vector<render::LayerStyle> all = picture.styles;
+        std::for_each(picture.styles.begin() + 1, picture.styles.end(),
+                      [](render::LayerStyle& style) { style.isVisible = false; });
+        ui::CameraController controller;
+        controller.setPlan();
+        controller.setViewport(kSize);
+        controller.setPose(m_fixture->window().views().flat().controller().camera().pose());
+        const std::shared_ptr<const render::BoardModel> model = m_fixture->window().workspace().board()->model;
+        const auto draw = [&] { return ui::drawFlat(picture, controller.camera(), kSize, 0.0); };
+        picture.flat = std::make_shared<render::FlatPicture>(model);
+        QCOMPARE(draw(), render::FlatPicture::Quality::Exact);
+        picture.flat = std::make_shared<render::FlatPicture>(model, picture.flat->bytes());
+        QCOMPARE(draw(), render::FlatPicture::Quality::Exact);
+
+        ui::ImageCanvas canvas(m_fixture->context(), controller, picture);
+        canvas.resize(kSize);
+        const QImage before = canvas.grab().toImage().convertToFormat(QImage::Format_RGB32);
+        picture.styles = all;
+        QCOMPARE(draw(), render::FlatPicture::Quality::None);
+        canvas.update();
+        QVERIFY(inkOf(canvas.grab().toImage().convertToFormat(QImage::Format_RGB32)) >= inkOf(before));
+    }
+
 private:
     [[nodiscard]] ui::BoardView& solid() { return m_fixture->window().views().solid(); }
+    [[nodiscard]] ui::Picture ofFlatView() {
+        ui::Picture picture;
+        picture.scene = m_fixture->window().views().scene();
+        picture.styles = m_fixture->window().views().flat().styles();
+        picture.settings.is2d = true;
+        picture.isBoardSame = [] { return true; };
+        picture.preparePlane = [](QSize) {};
+        picture.paintOver = [](QPainter&) {};
+        return picture;
+    }
     [[nodiscard]] QImage shownAtOnce() {
         return qobject_cast<QWidget*>(&solid().canvas())->grab().toImage().convertToFormat(QImage::Format_RGB32);
     }
