@@ -22,8 +22,12 @@ struct Pieces {
 std::vector<Pieces> piecesIn(const BoardModel& model) {
     std::vector<Pieces> all;
     for (std::uint32_t row = 0; row < model.shapes.size(); ++row) {
-        const bool isSame = row > 0 && model.shapes[row].firstVertex == model.shapes[row - 1].firstVertex;
-        if (!isSame) {
+        // A shape without points starts where the next one does.
+        const auto isPieceOf = [&](const AreaShape& before) {
+            const AreaShape& own = model.shapes[row];
+            return own.firstVertex == before.firstVertex && own.vertexCount == before.vertexCount;
+        };
+        if (row == 0 || !isPieceOf(model.shapes[row - 1])) {
             all.push_back({row, row});
         }
         all.back().end = row + 1;
