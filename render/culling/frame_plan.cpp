@@ -277,8 +277,8 @@ LayerPlan planLayers(const SceneLayers& scene, const ViewSettings& settings, con
 }
 
 /// Flipped, a layer is drawn as the one it lies on; one without a counterpart keeps its style and lies at its mirror
-/// image.
-LayerPlan flippedPlan(const SceneLayers& scene, const LayerPlan& upright, const Eye& eye,
+/// image: `faces` (drawnFaces) minus where it is.
+LayerPlan flippedPlan(const SceneLayers& scene, float faces, const LayerPlan& upright, const Eye& eye,
                       const ShadowedLayers& shadows) {
     LayerPlan plan;
     plan.batches.resize(upright.batches.size());
@@ -286,8 +286,8 @@ LayerPlan flippedPlan(const SceneLayers& scene, const LayerPlan& upright, const 
         const model::LayerId opposite = scene.layers[row].opposite;
         shader::LayerState state = upright.states[opposite.isValid() ? opposite.row() : row];
         if (!opposite.isValid()) {
-            state.z0 = scene.facesMm - upright.states[row].z1;
-            state.z1 = scene.facesMm - upright.states[row].z0;
+            state.z0 = faces - upright.states[row].z1;
+            state.z1 = faces - upright.states[row].z0;
             state.flags ^= isUneven(state) ? kUneven : 0;
             shadows.markMirrored(row, state);
         }
@@ -409,11 +409,12 @@ FramePlan planFrame(const SceneLayers& scene, const Camera& camera, const ViewSe
     const Eye eye = makeEye(camera, static_cast<float>(width) / pixelHeight);
     const float pixelsPerMm = std::abs(camera.projection(1.0F)[1][1]) * pixelHeight / 2.0F;
     FramePlan plan;
-    plan.isFromAbove = eye.isParallel ? eye.direction.z <= 0.0F : eye.position.z > 0.5F * scene.facesMm;
+    const float faces = drawnFaces(scene, settings);
+    plan.isFromAbove = eye.isParallel ? eye.direction.z <= 0.0F : eye.position.z > 0.5F * faces;
     const ShadowedLayers shadows(scene, settings, plan.isFromAbove);
     plan.upright = planLayers(scene, settings, eye, {eye.clipFromCentred, glm::dvec3(camera.target()), pixelsPerMm},
                               subject, shadows);
-    plan.flipped = scene.hasFlipped ? flippedPlan(scene, plan.upright, eye, shadows) : LayerPlan{};
+    plan.flipped = scene.hasFlipped ? flippedPlan(scene, faces, plan.upright, eye, shadows) : LayerPlan{};
     plan.faces = seenOfAny(plan);
 
     shader::FrameData& data = plan.data;

@@ -86,7 +86,8 @@ void ShadowedLayers::mark(std::span<shader::LayerState> states) const {
 
 void ShadowedLayers::markMirrored(std::uint32_t layer, shader::LayerState& state) const {
     const FrameLayer& own = m_scene.layers[layer];
-    set(own.growth == 0 && reachesOut({m_scene.facesMm - own.z1, m_scene.facesMm - own.z0}), state);
+    const float faces = m_scene.facesMm.x + m_scene.facesMm.y;
+    set(own.growth == 0 && reachesOut({faces - own.z1, faces - own.z0}), state);
 }
 
 }  // namespace render

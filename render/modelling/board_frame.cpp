@@ -16,9 +16,9 @@ std::uint32_t growthOf(const model::Layer& layer) {
 
 void setHeights(const model::Document& document, BoardFrame& out) {
     const model::ZRange faces = model::boardHeights(document);
-    out.facesMm = static_cast<float>(base::toMm(double(faces.bottom) + faces.top));
     auto low = static_cast<float>(base::toMm(faces.bottom));
     auto high = static_cast<float>(base::toMm(faces.top));
+    out.facesMm = {low, high};
     for (const model::Layer& layer : document.layers) {
         out.layers.push_back({static_cast<float>(base::toMm(layer.z)),
                               static_cast<float>(base::toMm(double(layer.z) + layer.thickness)),

@@ -47,8 +47,8 @@ struct BoardFrame {
     model::Point origin;  ///< nm, the centre of the board
     std::vector<FrameLayer> layers;
     std::vector<ModelCopy> copies = std::vector<ModelCopy>(1);  ///< rows as in model::StepTree: the board itself first
-    float facesMm = 0.0F;    ///< z of the board's lower plus z of its upper face: flipped, z is this minus z
-    glm::vec3 boxMin{0.0F};  ///< of the board, mm
+    glm::vec2 facesMm{0.0F};  ///< z of the board's lower and upper face: flipped, z is their sum minus z
+    glm::vec3 boxMin{0.0F};   ///< of the board, mm
     glm::vec3 boxMax{0.0F};
 };
 

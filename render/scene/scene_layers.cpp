@@ -70,4 +70,12 @@ std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& s
     return heights;
 }
 
+/// Explosion moves layers apart from the middle: of two at mirror images one by as much up as the other down.
+float drawnFaces(const SceneLayers& scene, const ViewSettings& settings) {
+    std::vector<FrameLayer> layers = scene.layers;
+    layers.push_back({scene.facesMm.x, scene.facesMm.y});
+    const ZRange faces = scaleHeights(layers, settings.zScale).back();
+    return faces.z0 + faces.z1;
+}
+
 }  // namespace render

@@ -32,12 +32,15 @@ struct SceneLayers {
     std::vector<LayerStyle> styles;             ///< likewise
     ElementColours palette = paletteOf({});
     float widthMm = 0.0F;     ///< longer side of the board
-    float facesMm = 0.0F;     ///< BoardFrame::facesMm
+    glm::vec2 facesMm{0.0F};  ///< BoardFrame::facesMm
     bool hasFlipped = false;  ///< some copies are flipped
     bool hasShadows = false;  ///< bodies of some step darken the board around them; not in the standard pipeline
 };
 
 /// Where layers are drawn: their heights after explosion; in 2D with LayerStyle::raised.
 [[nodiscard]] std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& settings);
+
+/// The board's lower plus its upper face as they are drawn: flipped, what is drawn at z is drawn at this minus z.
+[[nodiscard]] float drawnFaces(const SceneLayers& scene, const ViewSettings& settings);
 
 }  // namespace render

@@ -17,7 +17,7 @@ render::SceneLayers sceneWithBodies(std::uint32_t growth) {
     scene.layers.push_back(bodies);
     scene.styles.resize(1);
     scene.widthMm = 50.0F;
-    scene.facesMm = 1.6F;
+    scene.facesMm = {0.0F, 1.6F};
     scene.hasFlipped = true;
     return scene;
 }
@@ -56,6 +56,25 @@ private slots:
         QVERIFY((flipped.flags & shader::kLayerGrowsUp) == 0 && (flipped.flags & shader::kLayerGrowsDown) != 0);
         QCOMPARE(flipped.z1, 1.6F - 2.0F);
         QCOMPARE(flipped.z0, 1.6F - 5.0F);
+    }
+
+    /// A print 0.02 mm over copper that is 0.1 mm thick, on a core of 1.4 mm over copper of 0.1 mm.
+    void flippedPrintLiesOnTheBoardHoweverThickItIsDrawn() {
+        render::SceneLayers scene = sceneWithBodies(0);
+        scene.layers = {{1.6F, 1.62F}, {1.5F, 1.6F}, {0.1F, 1.5F}, {0.0F, 0.1F}};
+        scene.layers[1].isCopper = scene.layers[3].isCopper = true;
+        scene.layers[1].opposite = model::LayerId{std::size_t{3}};
+        scene.layers[3].opposite = model::LayerId{std::size_t{1}};
+        scene.styles.resize(scene.layers.size());
+        render::ViewSettings settings;
+        settings.zScale = {10.0F, 5.0F};
+        const render::FramePlan plan = render::planFrame(scene, {}, settings, 800, 600);
+        const auto& upright = plan.upright.states;
+        const auto& flipped = plan.flipped.states;
+        QVERIFY(std::abs(upright[0].z0 - upright[1].z1) < 1e-4F);
+        QVERIFY(std::abs(flipped[0].z1 - flipped[1].z0) < 1e-4F);
+        QVERIFY(std::abs(flipped[0].z1 - flipped[0].z0 - 0.1F) < 1e-4F);
+        QVERIFY(std::abs(flipped[2].z0 - 1.0F) < 1e-4F && std::abs(flipped[2].z1 - 8.0F) < 1e-4F);
     }
 
     /// Upper left in the picture, on the side of the board that is seen.

@@ -22,7 +22,7 @@ class ShadowedLayersTest : public QObject {
                         {0.0F, 1.6F, false, false, 0U, {}},
                         {-2.4F, 0.0F, true, false, shader::kLayerGrowsDown, {}}};
         scene.styles.resize(kRows);
-        scene.facesMm = 1.6F;
+        scene.facesMm = {0.0F, 1.6F};
         scene.hasShadows = true;
         return scene;
     }
