@@ -208,7 +208,10 @@ std::uint64_t Device::submit(const Submission& submission) {
     return m_state->submitted;
 }
 
-VkResult Device::State::waitFor(std::uint64_t number, std::uint64_t patienceNs) const {
+VkResult Device::State::waitFor(std::uint64_t number, std::uint64_t patienceNs) {
+    if (faults.loseAtWait > 0 && --faults.loseAtWait == 0) {
+        return VK_ERROR_DEVICE_LOST;
+    }
     auto info = vkInfo<VkSemaphoreWaitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO);
     info.semaphoreCount = 1;
     info.pSemaphores = &timeline;
@@ -229,8 +232,16 @@ bool Device::wait(std::uint64_t number) {
     return true;
 }
 
-bool Device::isDone(std::uint64_t number, std::uint64_t patienceNs) const {
-    return m_state->waitFor(number, patienceNs) == VK_SUCCESS;
+bool Device::isDone(std::uint64_t number, std::uint64_t patienceNs) {
+    if (isLost()) {
+        return false;
+    }
+    const VkResult result = m_state->waitFor(number, patienceNs);
+    if (noteLoss(result) || result == VK_TIMEOUT) {
+        return false;
+    }
+    VK_CHECK(result);
+    return true;
 }
 
 void Device::waitIdle() {

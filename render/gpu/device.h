@@ -69,6 +69,7 @@ struct Faults {
     bool failsFromThere = false;         ///< nor has any after it
     std::uint64_t loseAtSubmission = 0;  ///< finds the device lost
     std::uint64_t mostBytes = 0;         ///< of one allocation, where that is less than the device can
+    std::uint64_t loseAtWait = 0;        ///< for a submission, or look whether it is done: finds the device lost
 };
 
 /// One submission to the queue.
@@ -108,8 +109,8 @@ public:
     std::uint64_t submit(const Submission& submission);
     /// Waits until submission `number` is done; false if the device is lost.
     bool wait(std::uint64_t number);
-    /// Whether submission `number` is done; waits so many nanoseconds for it at most.
-    [[nodiscard]] bool isDone(std::uint64_t number, std::uint64_t patienceNs = 0) const;
+    /// Whether submission `number` is done; waits so many nanoseconds for it at most. Never, once the device is lost.
+    [[nodiscard]] bool isDone(std::uint64_t number, std::uint64_t patienceNs = 0);
     /// Waits for everything and frees what was retired.
     void waitIdle();
     /// From now on submit and wait fail.
@@ -164,7 +165,7 @@ private:
         void createObjects(bool hasDebugUtils);
         void createPipelineCache();
         void savePipelineCache();
-        [[nodiscard]] VkResult waitFor(std::uint64_t number, std::uint64_t patienceNs) const;
+        [[nodiscard]] VkResult waitFor(std::uint64_t number, std::uint64_t patienceNs);
     };
     explicit Device(std::unique_ptr<State> state) : m_state(std::move(state)) {}
     std::unique_ptr<State> m_state;

@@ -82,7 +82,7 @@ public:
     /// Waits for the frame last submitted; false if the device is lost.
     bool wait();
     /// Whether the device is done with the frame last submitted, and so with all before it. Waits so many nanoseconds
-    /// for it at most.
+    /// for it at most. Never, once the device is lost.
     [[nodiscard]] bool poll(std::uint64_t patienceNs = 0);
     /// GPU time of the last timed frame that is known to be done, 0 without timestamps.
     [[nodiscard]] double gpuMs() const { return m_gpuMs; }

@@ -16,6 +16,9 @@ constexpr std::uint64_t kMost = 200;
 
 enum class Loaded { AtOnce, WithTheFrame };
 
+/// When the device is lost.
+enum class Loss { AtSubmission, AtWait };
+
 base::Result<BoardScene> sceneOf(gpu::Device& device, const std::shared_ptr<const BoardModel>& model, Loaded when) {
     if (when == Loaded::AtOnce) {
         return BoardScene::make(device, *model);
@@ -148,15 +151,24 @@ private slots:
         QVERIFY(scene.geometryBytes() > 0);
     }
 
+    void wheneverTheDeviceIsLostThereIsAnError_data() {
+        QTest::addColumn<Loss>("loss");
+        QTest::newRow("when work is given to it") << Loss::AtSubmission;
+        QTest::newRow("while it works") << Loss::AtWait;
+    }
     void wheneverTheDeviceIsLostThereIsAnError() {
+        QFETCH(Loss, loss);
+        const auto fault = loss == Loss::AtWait ? &gpu::Faults::loseAtWait : &gpu::Faults::loseAtSubmission;
         const SyntheticBoard board = everything();
         std::uint64_t n = 1;
         for (bool wasReached = true; wasReached; ++n) {
             QVERIFY(n < kMost);
             gpu::Device device = freshDevice();
-            device.inject({0, false, n});
+            gpu::Faults faults;
+            faults.*fault = n;
+            device.inject(faults);
             const base::Result<Image> image = loadAndDraw(device, board);
-            wasReached = device.faults().loseAtSubmission == 0;
+            wasReached = device.faults().*fault == 0;
             QCOMPARE(!image, wasReached);
             QCOMPARE(device.isLost(), wasReached);
             if (!image) {
@@ -166,6 +178,24 @@ private slots:
         }
         qInfo("faults injected: %d times the device was lost", int(n) - 2);
         QVERIFY(n > 2);
+    }
+
+    /// Nobody waits for a window's frames: they look whether they are done.
+    void aDeviceThatIsLostWhileItDrawsIsNoticed() {
+        const SyntheticBoard board = everything();
+        gpu::Device device = freshDevice();
+        const BoardModel model = board.build();
+        base::Result<BoardScene> scene = BoardScene::make(device, model);
+        QVERIFY(scene);
+        scene->setStyles(board.styles());
+        Camera camera;
+        camera.fit(model.boxMin, model.boxMax, NamedView::Iso, 4.0F / 3.0F);
+        OffscreenPresenter presenter(device);
+        QVERIFY(presenter.begin(*scene, camera, {}, kWidth, kHeight));
+        device.inject({.loseAtWait = 1});
+        QVERIFY(!presenter.isDone());
+        QVERIFY(device.isLost());
+        QVERIFY(!presenter.isDone(1'000'000'000));
     }
 };
 
