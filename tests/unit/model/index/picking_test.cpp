@@ -191,6 +191,12 @@ private slots:
         QCOMPARE(elementsOf(hits), bodies);
         QCOMPARE(hits[0].depth, 8e6);
         QCOMPARE(hits[1].depth, 30e6);
+        // Three times as thick: bodies are as high as they are.
+        const std::vector<PickLayer> stretched = {{true, 10e6, 25e6}, {true, -25e6, -10e6}};
+        const auto deep = picker.along(down, 0.0, stretched);
+        QCOMPARE(elementsOf(deep), bodies);
+        QCOMPARE(deep[0].depth, 8e6);
+        QCOMPARE(deep[1].depth, 30e6);
     }
 
     /// A body of 2 mm on the top and one of 1 mm below a board of 10 mm, whose layers are 5 and 3 mm thick; a print
