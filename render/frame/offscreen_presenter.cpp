@@ -68,6 +68,7 @@ bool OffscreenPresenter::submit(BoardScene& scene, const Camera& camera, const V
         return false;
     }
     m_stats.backend = m_renderer.record(*frame, m_target, extent, gpu::kColourFormat, &scene, camera, settings);
+    m_stats.isByDevice = true;
     m_stats.isOverlayAlone = m_renderer.drewOverlayAlone();
     frame->endTiming();  // a window does not read back
     frame->beginStage("read back");

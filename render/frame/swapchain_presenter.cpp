@@ -45,6 +45,7 @@ bool SwapchainPresenter::tryToDraw(BoardScene* scene, const Camera& camera, cons
     m_stats.backend =
         m_renderer.record(*frame, m_target, m_swapchain.extent(), m_swapchain.drawFormat(), scene, camera, settings);
     const bool isSubmitted = m_ring.end();
+    m_stats.isByDevice = true;
     m_stats.isOverlayAlone = m_renderer.drewOverlayAlone();
     m_stats.cpuMs = watch.milliseconds();
     return isSubmitted;

@@ -63,6 +63,7 @@ struct FrameStats {
     double cpuMs = 0.0;               ///< recording and submitting
     double gpuMs = 0.0;               ///< by timestamps, without reading back; 0 if the device has none
     Backend backend = Backend::Auto;  ///< the one that drew
+    bool isByDevice = false;          ///< the device drew it; else it is of tiles, or an older frame from elsewhere
     bool isOverlayAlone = false;      ///< the board was the cached one
     bool isPartial = false;           ///< parts of the board are missing, and come with a later frame
 };

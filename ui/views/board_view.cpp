@@ -293,8 +293,8 @@ void BoardView::requestRestingFrame() {
 }
 
 void BoardView::onTimed(const render::FrameStats& stats) {
-    const bool isByDevice = stats.backend != render::Backend::Auto;  // what tiles give comes at once, and is refined
-    m_isSlow = m_isSlow || (isByDevice && !stats.isOverlayAlone && std::max(stats.cpuMs, stats.gpuMs) > kSlowMs);
+    // What tiles give comes at once, and is refined.
+    m_isSlow = m_isSlow || (stats.isByDevice && !stats.isOverlayAlone && std::max(stats.cpuMs, stats.gpuMs) > kSlowMs);
     emit timed(stats);
 }
 

@@ -364,7 +364,7 @@ void BoardViews::followAnchor(std::optional<float> before) {
 }
 
 void BoardViews::onTimed(const render::FrameStats& stats) {
-    m_isUntried = false;
+    m_isUntried = m_isUntried && !stats.isByDevice;
     if (!stats.isOverlayAlone) {
         emit timed(stats);
     }

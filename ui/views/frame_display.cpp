@@ -83,8 +83,7 @@ void FrameDisplay::setOn(bool isOn) {
 /// A frame that is drawn only to show a time tells nothing new, even where the board had to be drawn for it: it would
 /// ask for the next one, forever.
 void FrameDisplay::onTimed(const render::FrameStats& stats) {
-    const bool isByDevice = stats.backend != render::Backend::Auto;
-    if (std::exchange(m_isOwn, false) || stats.isOverlayAlone || !isByDevice) {
+    if (std::exchange(m_isOwn, false) || stats.isOverlayAlone || !stats.isByDevice) {
         return;
     }
     m_last = stats;

@@ -527,6 +527,31 @@ private slots:
         QTRY_VERIFY(!drawn.isEmpty());
     }
 
+    /// What needs no device says nothing of one that was started again.
+    void aDeviceThatIsLostBeforeItDrewAFrameKeepsFailing() {
+        if (!m_fixture->context().device().caps().isCpu) {
+            QSKIP("needs a software device: others draw the flat view too");
+        }
+        QVERIFY(m_fixture->openAndWait(kSample));
+        ui::BoardView& flat = window().views().flat();
+        window().views().setArrangement(ui::Arrangement::Flat);
+        QVERIFY(m_fixture->awaitRest());
+        QSignalSpy troubled(&window().views(), &ui::BoardViews::troubled);
+        QSignalSpy timed(&flat, &ui::BoardView::timed);
+        m_fixture->context().device().markLost();
+        flat.requestFrame();
+        QTRY_COMPARE(troubled.count(), 1);
+        QVERIFY(!m_fixture->context().device().isLost());
+        timed.clear();
+        flat.requestFrame();
+        QTRY_VERIFY(!timed.isEmpty());
+        m_fixture->context().device().markLost();
+        flat.requestFrame();
+        QTRY_VERIFY(troubled.count() > 1);
+        QVERIFY(troubled.last().first().toString().contains("keeps failing"));
+        QVERIFY(m_fixture->context().device().isLost());
+    }
+
     void keysSheetOpensBesideTheWindow() {
         m_fixture->window().actions()[ActionId::ShowKeys].trigger();
         auto* plane = window().findChild<QDialog*>("keysSheet");
