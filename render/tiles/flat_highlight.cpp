@@ -1,6 +1,7 @@
-// What stands out in a tile of a FlatPicture: as it is, then with its dark edge.
+// What stands out in a FlatPicture, and in its tiles: as it is, then with its dark edge.
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <utility>
 
 #include "render/tiles/flat_picture.h"
@@ -22,7 +23,68 @@ std::array<glm::dvec2, std::size(kSides)> movesTo(double distance) {
     return moves;
 }
 
+/// How often each step is drawn, the board itself first.
+std::vector<std::size_t> copiesOfSteps(const BoardModel& board) {
+    std::vector<std::size_t> counts(board.steps.size() + 1);
+    for (const ModelCopy& copy : board.copies) {
+        ++counts[copy.step];
+    }
+    return counts;
+}
+
+/// By state how many elements are in it, each as often as `copies` says of its list. Most follow many in the same
+/// state: eight are looked at together.
+std::array<std::size_t, 256> countStates(std::span<const std::vector<ElementState>> lists,
+                                         std::span<const std::size_t> copies) {
+    std::array<std::size_t, 256> counts{};
+    for (std::size_t row = 0; row < lists.size(); ++row) {
+        const std::vector<ElementState>& list = lists[row];
+        for (std::size_t from = 0; from < list.size();) {
+            std::array<ElementState, 8> eight{};
+            eight.fill(list[from]);
+            std::size_t to = from + 1;
+            while (to + eight.size() <= list.size() && std::memcmp(&list[to], eight.data(), sizeof(eight)) == 0) {
+                to += eight.size();
+            }
+            while (to < list.size() && list[to] == list[from]) {
+                ++to;
+            }
+            counts[list[from]] += copies[row] * (to - from);
+            from = to;
+        }
+    }
+    return counts;
+}
+
 }  // namespace
+
+/// Hidden elements are left out of tiles, what stands out lies over them.
+void FlatPicture::setStates(std::span<const std::vector<ElementState>> states) {
+    if (std::ranges::equal(states, m_states)) {
+        return;
+    }
+    m_states.assign(states.begin(), states.end());
+    const std::array<std::size_t, 256> counts = countStates(m_states, copiesOfSteps(board().model()));
+    const bool wasAnyHidden = m_isAnyHidden;
+    m_isAnyHidden = false;
+    m_standingOut = 0;
+    m_standing.clear();
+    for (std::size_t row = 0; row < counts.size(); ++row) {
+        const auto state = static_cast<ElementState>(row);
+        const bool isHidden = (state & kHidden) != 0;
+        m_isAnyHidden = m_isAnyHidden || (isHidden && counts[row] > 0);
+        if (counts[row] > 0 && standsOut(state)) {
+            m_standingOut += counts[row];
+            if (!isHidden) {
+                m_standing.push_back(state);
+            }
+        }
+    }
+    if (wasAnyHidden || m_isAnyHidden) {
+        clearTiles();
+    }
+    ++m_overLook;
+}
 
 /// Begun anew when other things stand out, in the same memory.
 FlatPicture::OverWork& FlatPicture::workOn(Tile& tile) const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "model/base/parallel.h"
@@ -41,27 +40,6 @@ bool isLevel(const FramePlan& plan) {
 /// But for their colours.
 bool isAlike(const Paint& a, const Paint& b) {
     return a.layer == b.layer && a.isBore == b.isBore && a.isOpaque() == b.isOpaque();
-}
-
-/// By state how many elements are in it. Most follow many in the same state: eight are looked at together.
-std::array<std::size_t, 256> countStates(std::span<const std::vector<ElementState>> lists) {
-    std::array<std::size_t, 256> counts{};
-    for (const std::vector<ElementState>& list : lists) {
-        for (std::size_t from = 0; from < list.size();) {
-            std::array<ElementState, 8> eight{};
-            eight.fill(list[from]);
-            std::size_t to = from + 1;
-            while (to + eight.size() <= list.size() && std::memcmp(&list[to], eight.data(), sizeof(eight)) == 0) {
-                to += eight.size();
-            }
-            while (to < list.size() && list[to] == list[from]) {
-                ++to;
-            }
-            counts[list[from]] += to - from;
-            from = to;
-        }
-    }
-    return counts;
 }
 
 glm::vec3 colourOf(const ElementColours& palette, ElementState state) {
@@ -117,34 +95,6 @@ void FlatPicture::clearTiles() {
     m_rough = std::make_shared<Pixels>();
     m_isLastShown = false;
     m_overview = {};
-}
-
-/// Hidden elements are left out of tiles, what stands out lies over them.
-void FlatPicture::setStates(std::span<const std::vector<ElementState>> states) {
-    if (std::ranges::equal(states, m_states)) {
-        return;
-    }
-    m_states.assign(states.begin(), states.end());
-    const std::array<std::size_t, 256> counts = countStates(m_states);
-    const bool wasAnyHidden = m_isAnyHidden;
-    m_isAnyHidden = false;
-    m_standingOut = 0;
-    m_standing.clear();
-    for (std::size_t row = 0; row < counts.size(); ++row) {
-        const auto state = static_cast<ElementState>(row);
-        const bool isHidden = (state & kHidden) != 0;
-        m_isAnyHidden = m_isAnyHidden || (isHidden && counts[row] > 0);
-        if (counts[row] > 0 && standsOut(state)) {
-            m_standingOut += counts[row];
-            if (!isHidden) {
-                m_standing.push_back(state);
-            }
-        }
-    }
-    if (wasAnyHidden || m_isAnyHidden) {
-        clearTiles();
-    }
-    ++m_overLook;
 }
 
 void FlatPicture::dropEmptyBores(std::vector<Paint>& paints) const {

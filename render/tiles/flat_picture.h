@@ -170,7 +170,7 @@ private:
     std::optional<SampleColours> m_colours;
     std::vector<std::vector<ElementState>> m_states;
     bool m_isAnyHidden = false;
-    std::size_t m_standingOut = 0;
+    std::size_t m_standingOut = 0;         ///< so many elements do, of all copies of steps
     std::vector<ElementState> m_standing;  ///< the states that stand out, each once
     bool m_isFabricated = false;
     std::optional<Window> m_window;  ///< of the last frame

@@ -14,6 +14,36 @@ constexpr int kWidth = 640;
 constexpr int kHeight = 480;
 constexpr float kAspect = 4.0F / 3.0F;
 
+Image imageOf(const FlatPicture& flat) {
+    Image image{kWidth, kHeight, {}};
+    const std::shared_ptr<const FlatPicture::Pixels> pixels = flat.pixels();
+    for (const std::uint32_t pixel : *pixels) {
+        for (const std::uint32_t shift : {16U, 8U, 0U, 24U}) {
+            image.rgba.push_back(static_cast<std::uint8_t>(pixel >> shift));
+        }
+    }
+    return image;
+}
+
+/// Nothing but copies of a step, in rows of eight.
+BoardModel panelOf(const BoardModel& step, std::uint32_t count) {
+    BoardModel panel;
+    panel.layers = step.layers;
+    panel.clustersOfLayer.resize(step.layers.size());
+    panel.areaBatchesOfLayer.resize(step.layers.size());
+    const glm::dvec2 size(glm::vec2(step.boxMax - step.boxMin));
+    for (std::uint32_t i = 0; i < count; ++i) {
+        ModelCopy copy;
+        copy.step = 1;
+        copy.origin = size * glm::dvec2(i % 8, i / 8);  // NOLINT(bugprone-integer-division)
+        panel.copies.push_back(copy);
+    }
+    panel.boxMin = step.boxMin;
+    panel.boxMax = step.boxMax + glm::vec3(panel.copies.back().origin, 0.0F);
+    panel.steps.push_back(step);
+    return panel;
+}
+
 /// A scene on the device and the same board in tiles.
 struct Both {
     Scene scene;
@@ -39,13 +69,7 @@ struct Both {
     FlatPicture::Quality drawFlat(Image& image, double budgetMs = 0.0) {
         const FlatPicture::Quality quality =
             flat.draw({&scene.scene.impl().layers, states, scene.camera, settings, kWidth, kHeight}, budgetMs);
-        image = {kWidth, kHeight, {}};
-        const std::shared_ptr<const FlatPicture::Pixels> pixels = flat.pixels();
-        for (const std::uint32_t pixel : *pixels) {
-            for (const std::uint32_t shift : {16U, 8U, 0U, 24U}) {
-                image.rgba.push_back(static_cast<std::uint8_t>(pixel >> shift));
-            }
-        }
+        image = imageOf(flat);
         return quality;
     }
     /// Both pictures are the same but in few pixels.
@@ -200,6 +224,30 @@ private slots:
         }
         QVERIFY(rough > 1 && rough < 10'000);
         both.compare();
+    }
+
+    /// Of so many elements nothing has one, and each copy of a step has its own.
+    void darkEdgesAreLeftOutByWhatStandsOutInAllCopies() {
+        constexpr std::uint32_t kCopies = 40;
+        const SyntheticBoard one = randomTraces(60, 5);
+        const auto panel = std::make_shared<const BoardModel>(panelOf(one.build(), kCopies));
+        const std::vector<ElementState> own(panel->steps.front().elementCount, kHighlighted);
+        BoardScene scene(Gpu::get().device, *panel);
+        scene.setStyles(one.styles());
+        scene.setStates(own, 1);
+        Camera camera;
+        camera.setOrthographic(true);
+        camera.fit(panel->boxMin, panel->boxMax, NamedView::Top, kAspect);
+        ViewSettings settings;
+        settings.is2d = true;
+        settings.backend = Backend::Impostor;
+        FlatPicture flat(panel);
+        const std::vector<std::vector<ElementState>> states{{}, own};
+        QCOMPARE(flat.draw({&scene.impl().layers, states, camera, settings, kWidth, kHeight}, 0.0),
+                 FlatPicture::Quality::Exact);
+        const auto device = Gpu::get().presenter.render(scene, camera, settings, kWidth, kHeight);
+        QVERIFY(device);
+        QVERIFY(differingPixels(*device, imageOf(flat), 40) < kWidth * kHeight / 1000);
     }
 
     /// Its tiles keep what they showed while the view is elsewhere.
