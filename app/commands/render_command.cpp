@@ -16,6 +16,7 @@
 #include "render/frame/transparent.h"
 #include "render/gpu/check.h"
 #include "render/scene/explosion.h"
+#include "render/scene/scene_layers.h"
 #include "render/standard/standard_model.h"
 
 namespace app {
@@ -99,36 +100,6 @@ render::ZScale zScaleOf(const RenderArguments& arguments) {
     return arguments.zScale.empty() ? render::ZScale{} : render::ZScale{arguments.zScale[0], arguments.zScale[1]};
 }
 
-/// The box as high as the tallest bodies reach.
-render::Box3 withBodies(render::Box3 box, const render::BoardFrame& model) {
-    for (const render::FrameLayer& layer : model.layers) {
-        if (layer.growth != 0) {
-            box.min.z = std::min(box.min.z, layer.z0);
-            box.max.z = std::max(box.max.z, layer.z1);
-        }
-    }
-    return box;
-}
-
-render::Camera cameraFor(const RenderArguments& arguments, const render::BoardFrame& model, render::NamedView view) {
-    const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
-    render::Camera camera;
-    camera.setOrthographic(arguments.mode == "2d");
-    render::Box3 box = render::explodedBox(render::scaledBox(model, zScaleOf(arguments)), arguments.explode);
-    if (arguments.hasComponents) {
-        box = withBodies(box, model);
-    }
-    camera.fit(box.min, box.max, view, aspect);
-    if (!arguments.window.empty()) {
-        const auto corner = [&](double x, double y) {
-            return glm::vec2(x - base::toMm(model.origin.x), y - base::toMm(model.origin.y));
-        };
-        camera.fitWindow(corner(arguments.window[0], arguments.window[1]),
-                         corner(arguments.window[2], arguments.window[3]), model.boxMax.z, aspect, view);
-    }
-    return camera;
-}
-
 render::Backend backendNamed(const std::string& name) {
     constexpr render::Backend kChoices[] = {render::Backend::Mesh, render::Backend::Pull, render::Backend::Impostor,
                                             render::Backend::Raster};
@@ -178,6 +149,28 @@ struct Scenery {
     render::NamedView view;
     std::shared_ptr<const render::SectionCut> cut;
 };
+
+render::Camera cameraFor(const RenderArguments& arguments, const render::BoardFrame& model, const Scenery& scenery) {
+    const float aspect = static_cast<float>(arguments.width) / static_cast<float>(arguments.height);
+    render::Camera camera;
+    camera.setOrthographic(arguments.mode == "2d");
+    const render::ViewSettings settings = settingsFor(arguments);
+    render::Box3 box = render::explodedBox(render::scaledBox(model, settings.zScale), settings.explode);
+    if (arguments.hasComponents) {
+        render::SceneLayers layers(model);
+        layers.styles = scenery.styles;
+        box = render::withBodies(box, layers, settings);
+    }
+    camera.fit(box.min, box.max, scenery.view, aspect);
+    if (!arguments.window.empty()) {
+        const auto corner = [&](double x, double y) {
+            return glm::vec2(x - base::toMm(model.origin.x), y - base::toMm(model.origin.y));
+        };
+        camera.fitWindow(corner(arguments.window[0], arguments.window[1]),
+                         corner(arguments.window[2], arguments.window[3]), model.boxMax.z, aspect, scenery.view);
+    }
+    return camera;
+}
 
 /// What draws.
 struct Painter {
@@ -253,7 +246,7 @@ Result<render::Image> draw(const RenderArguments& arguments, const Model& board,
     for (std::uint32_t step = 0; step < scenery.highlights.size(); ++step) {
         scene.setStates(scenery.highlights[step].bytes(), step);
     }
-    const render::Camera camera = cameraFor(arguments, board, scenery.view);
+    const render::Camera camera = cameraFor(arguments, board, scenery);
     return drawFrames(arguments, scenery, [&](const render::ViewSettings& settings) {
         return painter.presenter->render(scene, camera, settings, arguments.width, arguments.height);
     });
@@ -263,7 +256,7 @@ Result<render::Image> draw(const RenderArguments& arguments, const Model& board,
 Result<render::Image> drawFlat(const RenderArguments& arguments, const std::shared_ptr<const render::BoardModel>& board,
                                const Scenery& scenery, std::future<Result<Painter>>& opening) {
     FlatRender flat(board, scenery.styles, scenery.highlights, arguments.width, arguments.height);
-    const render::Camera camera = cameraFor(arguments, *board, scenery.view);
+    const render::Camera camera = cameraFor(arguments, *board, scenery);
     Result<render::Image> picture = drawFrames(
         arguments, scenery, [&](const render::ViewSettings& settings) { return flat.draw(camera, settings); });
     return picture ? std::move(picture) : draw(arguments, *board, scenery, opening);

@@ -6,6 +6,7 @@
 #include "render/scene/body_colours.h"
 #include "render/scene/element_state.h"
 #include "render/scene/z_scale.h"
+#include "shaders/shared/board.h"
 
 namespace render {
 
@@ -68,6 +69,23 @@ std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& s
         raise(scene.styles, heights);
     }
     return heights;
+}
+
+Box3 withBodies(Box3 box, const SceneLayers& scene, const ViewSettings& settings) {
+    const std::vector<ZRange> heights = drawnHeights(scene, settings);
+    for (std::size_t row = 0; row < heights.size(); ++row) {
+        const FrameLayer& layer = scene.layers[row];
+        const float tallest = layer.z1 - layer.z0;
+        if (!scene.styles[row].isVisible || layer.growth == 0) {
+            continue;
+        }
+        if (layer.growth == shader::kLayerGrowsDown) {
+            box.min.z = std::min(box.min.z, heights[row].z1 - tallest);
+        } else {
+            box.max.z = std::max(box.max.z, heights[row].z0 + tallest);
+        }
+    }
+    return box;
 }
 
 /// Explosion moves layers apart from the middle: of two at mirror images one by as much up as the other down.

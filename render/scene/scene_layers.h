@@ -40,6 +40,10 @@ struct SceneLayers {
 /// Where layers are drawn: their heights after explosion; in 2D with LayerStyle::raised.
 [[nodiscard]] std::vector<ZRange> drawnHeights(const SceneLayers& scene, const ViewSettings& settings);
 
+/// `box` as high as the bodies of components reach that are drawn: they are as high as they are, on layers that are
+/// scaled and apart.
+[[nodiscard]] Box3 withBodies(Box3 box, const SceneLayers& scene, const ViewSettings& settings);
+
 /// The board's lower plus its upper face as they are drawn: flipped, what is drawn at z is drawn at this minus z.
 [[nodiscard]] float drawnFaces(const SceneLayers& scene, const ViewSettings& settings);
 
