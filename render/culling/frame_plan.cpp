@@ -82,9 +82,10 @@ SeenFaces seenFaces(const Eye& eye, const shader::LayerState& layer) {
         const float z = eye.direction.z;
         return {z<0.0F, std::abs(z) < kStraight, z> 0.0F};
     }
-    // Where heights differ, a face that is seen may lie anywhere in the layer.
-    const float upper = (layer.flags & shader::kLayerGrowsUp) != 0 ? layer.z0 : layer.z1;
-    const float lower = (layer.flags & shader::kLayerGrowsDown) != 0 ? layer.z1 : layer.z0;
+    // Where heights differ, a face that is seen may lie anywhere in the layer: lids of parts that are low, undersides
+    // of those that stand on others.
+    const float upper = isUneven(layer) ? layer.z0 : layer.z1;
+    const float lower = isUneven(layer) ? layer.z1 : layer.z0;
     return {eye.position.z > upper, true, eye.position.z < lower};
 }
 

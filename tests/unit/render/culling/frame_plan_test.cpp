@@ -121,6 +121,27 @@ private slots:
         QCOMPARE(shades(render::NamedView::Bottom, true), glm::vec3(flat.y, 1.0F, 1.0F));
     }
 
+    /// Lids of bodies and undersides of their parts lie anywhere between the faces of their layer.
+    void fromBetweenTheFacesOfALayerOfBodiesBothSidesAreSeen() {
+        const auto facesFrom = [](float z, std::uint32_t growth) {
+            render::CameraPose pose;
+            pose.target.z = z;
+            render::Camera camera;
+            camera.setPose(pose);  // looks along the board
+            return planOf(sceneWithBodies(growth), camera).upright.faces[0];
+        };
+        for (const std::uint32_t growth : {shader::kLayerGrowsUp, shader::kLayerGrowsDown}) {
+            const render::SeenFaces between = facesFrom(3.5F, growth);
+            QVERIFY(between.upper && between.lower);
+            const render::SeenFaces above = facesFrom(6.0F, growth);
+            QVERIFY(above.upper && !above.lower);
+            const render::SeenFaces below = facesFrom(1.0F, growth);
+            QVERIFY(!below.upper && below.lower);
+        }
+        const render::SeenFaces within = facesFrom(3.5F, 0);
+        QVERIFY(!within.upper && !within.lower);
+    }
+
     void evenLayersStayEven() {
         const render::FramePlan plan = planOf(sceneWithBodies(0), {});
         constexpr std::uint32_t kUneven = shader::kLayerGrowsUp | shader::kLayerGrowsDown;
