@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
 #include "lib/area.glsl"
+#include "lib/cull_thread.glsl"
 #include "lib/element.glsl"
 #include "lib/in_view.glsl"
 #include "lib/level.glsl"
@@ -49,7 +50,7 @@ uint wayOf(AreaInstance instance, LayerState layer) {
 }
 
 void main() {
-    const uint index = gl_GlobalInvocationID.x;
+    const uint index = cullThread();
     if (index >= FRAME.instanceCount) {
         return;
     }

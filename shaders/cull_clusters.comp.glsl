@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lib/frame.glsl"
+#include "lib/cull_thread.glsl"
 #include "lib/in_view.glsl"
 #include "lib/level.glsl"
 
@@ -8,7 +9,7 @@
 layout(local_size_x = kCullGroupSize) in;
 
 void main() {
-    const uint index = gl_GlobalInvocationID.x;
+    const uint index = cullThread();
     if (index >= FRAME.clusterCount) {
         return;
     }

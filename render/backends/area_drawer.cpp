@@ -58,8 +58,7 @@ void AreaDrawer::reset(const Recording& recording) const {
 
 void AreaDrawer::cull(const Recording& recording) const {
     recording.bind(m_cull);
-    const std::uint32_t groups = (recording.step.instanceCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
-    vkCmdDispatch(recording.commands(), groups, 1, 1);
+    dispatchCull(recording.commands(), recording.step.instanceCount);
 }
 
 void AreaDrawer::lineUp(const Recording& recording) const {

@@ -1,5 +1,7 @@
 #include "render/backends/let_backend.h"
 
+#include <algorithm>
+
 #include "model/base/parallel.h"
 #include "render/gpu/device_select.h"
 
@@ -15,6 +17,16 @@ PassPipelines makePassPipelines(gpu::Device& device, std::string_view label, std
                                    target.colour, gpu::kDepthFormat, target.samples, target.hasSection});
     });
     return pipelines;
+}
+
+glm::uvec2 cullGroups(std::uint32_t count) {
+    const std::uint32_t groups = count / shader::kCullGroupSize + (count % shader::kCullGroupSize != 0 ? 1 : 0);
+    return {std::min(groups, shader::kCullRow), (groups + shader::kCullRow - 1) / shader::kCullRow};
+}
+
+void dispatchCull(VkCommandBuffer commands, std::uint32_t count) {
+    const glm::uvec2 groups = cullGroups(count);
+    vkCmdDispatch(commands, groups.x, groups.y, 1);
 }
 
 }  // namespace render

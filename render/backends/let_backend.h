@@ -52,6 +52,11 @@ struct Recording {
     }
 };
 
+/// Workgroups, along x and y, of compute shaders with a thread for each of so many clusters or area instances.
+[[nodiscard]] glm::uvec2 cullGroups(std::uint32_t count);
+/// Dispatches them, for the pipeline that is bound (shaders/lib/cull_thread.glsl).
+void dispatchCull(VkCommandBuffer commands, std::uint32_t count);
+
 /// Draws lets. All ways take the same buffers and describe the same prisms: mesh and pull as polygons (lib/prism.glsl),
 /// impostors as true outlines (lib/outline.glsl, lib/sight.glsl).
 class LetBackend {

@@ -47,9 +47,7 @@ void PullBackend::cull(std::span<const Recording> recordings) {
     frame.beginStage("cull clusters");
     for (const Recording& recording : recordings) {
         recording.bind(m_cullClusters);
-        const std::uint32_t groups =
-            (recording.step.clusterCount + shader::kCullGroupSize - 1) / shader::kCullGroupSize;
-        vkCmdDispatch(recording.commands(), groups, 1, 1);
+        dispatchCull(recording.commands(), recording.step.clusterCount);
     }
     frame.beginStage("cull lets");
     dispatchForClusters(m_cullLets, recordings);

@@ -185,6 +185,7 @@ struct Push {
 GPU_SIZE(Push, 48);
 
 GPU_CONST kCullGroupSize = 64;  // threads per workgroup of the compute shaders that test clusters and area instances
+GPU_CONST kCullRow = 1024;  // workgroups of them along x: devices need take no more than 65,535 along x, nor along y
 
 #ifdef __cplusplus
 }  // namespace shader

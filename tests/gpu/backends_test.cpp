@@ -350,6 +350,28 @@ private slots:
         QVERIFY2(triangles() > 0 && triangles() < 30, qPrintable(QString::number(triangles())));
     }
 
+    /// More than a row of workgroups tests.
+    void noneOfManyAreasIsLeftOut() {
+        constexpr std::uint32_t kColumns = 350;
+        constexpr std::uint32_t kRows = 200;
+        static_assert(kColumns * kRows > shader::kCullRow * shader::kCullGroupSize);
+        std::vector<shader::AreaInstance> places;
+        for (std::uint32_t i = 0; i < kColumns * kRows; ++i) {
+            places.push_back(at({0.4F * static_cast<float>(i % kColumns), 0.4F * static_cast<float>(i / kColumns)}));
+        }
+        SyntheticBoard board;
+        board.addLayer(0.0F, 0.02F, {0.8F, 0.2F, 0.2F});
+        board.addArea({{{0, 0}, {300, 0}, {0, 300}}}, places);
+        Scene scene(board);
+        scene.lookDown({-1, -1}, {141, 81});
+        ViewSettings how = settings(Backend::Pull);
+        how.is2d = true;
+        how.isSmoothed = false;
+        const auto triangles = drawnTriangles(scene.scene, scene.camera, how, 1420, 820);
+        QVERIFY(triangles);
+        QCOMPARE(*triangles, std::uint64_t{kColumns * kRows});
+    }
+
     /// A step of a hundredth of zoom moves all outlines. A level of detail that strays from the exact outlines by much
     /// less than that is not seen to come or go.
     void changesOfLevelAreNotSeen() {
