@@ -146,6 +146,7 @@ void RenderTarget::beginRendering(VkCommandBuffer commands, const VkRenderingAtt
     const VkRect2D area{{0, 0}, m_extent};
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &area);
+    gpu::Pipeline::setFrontFace(commands, false);
 }
 
 void RenderTarget::beginOver(VkCommandBuffer commands) const {
@@ -190,7 +191,6 @@ void RenderTarget::start(VkCommandBuffer commands, VkAttachmentLoadOp load, cons
     VkRenderingAttachmentInfo depth = attachment(m_depth, kDepthLayout, load);
     depth.clearValue.depthStencil = {0.0F, 0};  // reversed: 0 is farthest
     beginRendering(commands, colour, &depth);
-    gpu::Pipeline::setFrontFace(commands, false);
 }
 
 void RenderTarget::end(VkCommandBuffer commands) const {
