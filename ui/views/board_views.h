@@ -71,8 +71,9 @@ public:
     void requestFrame() { std::ranges::for_each(m_views, &BoardView::requestFrame); }
     void requestFrameAtRest() { std::ranges::for_each(m_views, &BoardView::requestFrameAtRest); }
     void requestOverlay() { std::ranges::for_each(m_views, &BoardView::requestOverlay); }
-    /// How elements look otherwise than their layers; the colours that they name, 63 at most; and by how much what does
-    /// not stand out is darkened, 0 to 1. They show in the next frame of the board, which the caller asks for.
+    /// How elements look otherwise than their layers; the colours that they name, shader::kHighlightRow at most; and by
+    /// how much what does not stand out is darkened, 0 to 1. They show in the next frame of the board, which the caller
+    /// asks for.
     void setStates(ElementStateLists states);
     void setElementColours(std::vector<glm::vec3> colours) { m_elementColours = std::move(colours); }
     void setDim(float dim) {
