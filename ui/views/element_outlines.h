@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/index/picking.h"
 #include "ui/common/kept_picture.h"
 #include "ui/views/board_views.h"
 #include "ui/views/outline_strokes.h"
