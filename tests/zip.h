@@ -17,7 +17,7 @@ struct Entry {
     std::uint32_t flags = 0;
 };
 
-/// Little-endian.
+/// Little-endian, of at most eight bytes.
 inline std::string number(std::size_t value, int bytes) {
     std::string text;
     for (int i = 0; i < bytes; ++i) {
@@ -44,10 +44,11 @@ inline std::string header(const Entry& entry) {
 }
 
 inline std::string packed(const std::vector<Entry>& entries) {
+    const std::string unset(10, '\0');  // comment, disk and attributes
     std::string files;
     std::string directory;
     for (const Entry& entry : entries) {
-        directory += "PK\1\2" + number(20, 2) + header(entry) + number(0, 10) + number(files.size(), 4) + entry.name;
+        directory += "PK\1\2" + number(20, 2) + header(entry) + unset + number(files.size(), 4) + entry.name;
         files += "PK\3\4" + header(entry) + entry.name + entry.bytes;
     }
     const std::string count = number(entries.size(), 2);
