@@ -41,6 +41,12 @@ Diagnostics Diagnostics::without(const Diagnostics& other) const {
     return rest;
 }
 
+void Diagnostics::soften(Severity most) {
+    for (Diagnostic& entry : m_entries) {
+        entry.severity = std::min(entry.severity, most);
+    }
+}
+
 void Diagnostics::locate(std::size_t row, ElementId element, std::optional<base::Point> location) {
     m_entries[row].element = element;
     m_entries[row].location = location;

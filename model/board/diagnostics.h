@@ -37,6 +37,8 @@ public:
     void append(const Diagnostics& other);
     /// All entries but those about the same file with the same text as one of `other`.
     [[nodiscard]] Diagnostics without(const Diagnostics& other) const;
+    /// Entries that are more severe become no more than `most`.
+    void soften(Severity most);
     /// Says where the first occurrence of an entry is to be seen, once that is known.
     void locate(std::size_t row, ElementId element, std::optional<base::Point> location);
 

@@ -213,14 +213,9 @@ base::Status unpack(BoardInput& input, base::Progress& progress) {
 
 /// A board that is one file lacks nothing where others of its project cannot be read.
 void warnOfOthers(const BoardFormat& format, BoardInput& input) {
-    if (!format.isDesign) {
-        return;
+    if (format.isDesign) {
+        input.unpacking.soften(Severity::Warning);
     }
-    Diagnostics milder;
-    for (const Diagnostic& entry : input.unpacking.entries()) {
-        milder.report(std::min(entry.severity, Severity::Warning), entry.file, entry.line, entry.text);
-    }
-    input.unpacking = std::move(milder);
 }
 
 /// What else lies there is said in the messages of the board.

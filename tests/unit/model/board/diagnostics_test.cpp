@@ -43,6 +43,21 @@ private slots:
         QCOMPARE(diagnostics.entries()[0].text, std::string("Layer x: odd"));
     }
 
+    void softenedEntriesKeepAllElse() {
+        Diagnostics diagnostics;
+        diagnostics.report(Severity::Error, "a", 7, "odd", ElementId{3});
+        diagnostics.report(Severity::Error, "a", 9, "odd", ElementId{4});
+        diagnostics.report(Severity::Info, "b", 1, "even");
+        diagnostics.soften(Severity::Warning);
+        diagnostics.report(Severity::Error, "a", 11, "odd");
+        QCOMPARE(diagnostics.entries().size(), 2U);
+        QVERIFY(diagnostics.entries()[0].severity == Severity::Warning);
+        QCOMPARE(diagnostics.entries()[0].count, 3U);
+        QCOMPARE(diagnostics.entries()[0].line, 7U);
+        QVERIFY(diagnostics.entries()[0].element == ElementId{3});
+        QVERIFY(diagnostics.entries()[1].severity == Severity::Info);
+    }
+
     void anEntryCanBeLocatedLater() {
         Diagnostics diagnostics;
         diagnostics.report(Severity::Info, "a", 1, "odd");
