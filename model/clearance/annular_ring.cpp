@@ -93,14 +93,38 @@ std::vector<ElementId> platedHolesOf(const Document& document, LayerId layer) {
     return holes;
 }
 
-}  // namespace
-
-std::vector<AnnularRing> annularRings(const Document& document, LayerId layer, double below) {
-    const LayerGeometry copper = layerGeometry(document, layer);
-    const std::vector<ElementId> holes = platedHolesOf(document, layer);
+std::vector<AnnularRing> ringsOf(const Document& document, const LayerGeometry& copper,
+                                 std::span<const ElementId> holes, double below) {
     std::vector<AnnularRing> rings(holes.size());
     base::parallelFor(holes.size(), [&](std::size_t i) { rings[i] = ringOf(document, copper, holes[i], below); });
     return rings;
+}
+
+/// The copper of the layer that may be at one of the holes.
+LayerGeometry copperAt(const Document& document, LayerId layer, std::span<const ElementId> holes) {
+    constexpr Nm kRounding = 1'000;  ///< more than boxes of elements and of their figures may differ by
+    std::vector<Box> boxes;
+    boxes.reserve(holes.size());
+    for (const ElementId hole : holes) {
+        boxes.push_back(document.boxOf(hole).grownBy(kRounding));
+    }
+    const BoxIndex index(boxes);
+    return layerGeometry(document, layer, [&](ElementId element) {
+        bool isAtHole = false;
+        index.visit(document.boxOf(element), [&isAtHole](std::uint32_t) { isAtHole = true; });
+        return isAtHole;
+    });
+}
+
+}  // namespace
+
+std::vector<AnnularRing> annularRings(const Document& document, LayerId layer, double below) {
+    return ringsOf(document, layerGeometry(document, layer), platedHolesOf(document, layer), below);
+}
+
+std::vector<AnnularRing> annularRings(const Document& document, LayerId layer, std::span<const ElementId> holes,
+                                      double below) {
+    return ringsOf(document, copperAt(document, layer, holes), holes, below);
 }
 
 }  // namespace model

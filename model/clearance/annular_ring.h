@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/board/document.h"
@@ -24,5 +25,8 @@ struct AnnularRing {
 /// Widths from `below` (nm) on may be infinite. By hole, rising; holes without a size are left out. Over all cores, the
 /// same with any number of threads.
 [[nodiscard]] std::vector<AnnularRing> annularRings(const Document& document, LayerId layer, double below);
+/// The same of some of these holes, in their order, without a look at copper elsewhere: a few take little time.
+[[nodiscard]] std::vector<AnnularRing> annularRings(const Document& document, LayerId layer,
+                                                    std::span<const ElementId> holes, double below);
 
 }  // namespace model

@@ -1,6 +1,8 @@
 #include "model/design_rules/ring_checks.h"
 
-#include <set>
+#include <algorithm>
+#include <iterator>
+#include <vector>
 
 #include "model/clearance/annular_ring.h"
 
@@ -12,12 +14,11 @@ void RingChecks::check(LayerId layer) {
     }
     const double reach = m_context.choice().reachOf(RuleKind::AnnularRing);
     for (const AnnularRing& found : annularRings(m_context.document(), layer, reach)) {
-        const auto rule = m_context.choice().of(RuleKind::AnnularRing, layer, m_context.partyOf(found.hole));
+        const auto rule = ruleOf(found.hole, layer);
         if (!rule) {
             continue;
         }
         HoleRings& rings = m_rings[found.hole];
-        ++rings.layers;
         rings.rule = rings.first.isValid() ? rings.rule : *rule;
         rings.first = rings.first.isValid() ? rings.first : layer;
         rings.hasCopper = rings.hasCopper || found.ring.state != RingState::Apart;
@@ -32,41 +33,43 @@ void RingChecks::check(LayerId layer) {
     }
 }
 
+std::optional<std::size_t> RingChecks::ruleOf(ElementId hole, LayerId layer) const {
+    return m_context.choice().of(RuleKind::AnnularRing, layer, m_context.partyOf(hole));
+}
+
 Spacing RingChecks::middleOf(ElementId hole) const {
     const PointD middle = base::toDouble(m_context.document().boxOf(hole).middle());
     return {0.0, middle, middle};
 }
 
-std::size_t RingChecks::layersOf(ElementId hole) const {
+bool RingChecks::isUnseen(ElementId hole, LayerId layer) const {
     const Document& document = m_context.document();
-    const Layer& drill = document.layer(document.elements.layer[hole.row()]);
-    const PlatedSpan plated = document.platedSpanOf(hole);
-    std::size_t count = 0;
-    for (std::size_t row = 0; row < document.layers.size(); ++row) {
-        const LayerId layer{row};
-        count += document.layers[row].isCopper() && drill.spans(layer) && plated.joins(layer) ? 1 : 0;
-    }
-    return count;
+    const bool isJoined = document.layer(layer).isCopper() &&
+                          document.layer(document.elements.layer[hole.row()]).spans(layer) &&
+                          document.platedSpanOf(hole).joins(layer);
+    return isJoined && !ruleOf(hole, layer);
 }
 
 void RingChecks::lookOnOtherLayers() {
-    std::set<ElementId> holes;
+    std::vector<ElementId> holes;
     for (const auto& [hole, rings] : m_rings) {
-        if (!rings.removed && !rings.hasCopper && rings.layers < layersOf(hole)) {
-            holes.insert(hole);
+        if (!rings.removed && !rings.hasCopper) {
+            holes.push_back(hole);
         }
     }
     const Document& document = m_context.document();
     const double reach = m_context.choice().reachOf(RuleKind::AnnularRing);
-    for (std::size_t row = 0; row < document.layers.size() && !holes.empty(); ++row) {
-        if (!document.layers[row].isCopper() || m_context.progress().isCancelled()) {
+    for (std::size_t row = 0; row < document.layers.size() && !m_context.progress().isCancelled(); ++row) {
+        const LayerId layer{row};
+        std::vector<ElementId> unseen;
+        std::ranges::copy_if(holes, std::back_inserter(unseen),
+                             [&](ElementId hole) { return isUnseen(hole, layer) && !m_rings.at(hole).hasCopper; });
+        if (unseen.empty()) {
             continue;
         }
-        for (const AnnularRing& found : annularRings(document, LayerId{row}, reach)) {
-            const bool isThere = found.ring.state == RingState::BreaksOut || found.ring.state == RingState::Around;
-            if (isThere && holes.erase(found.hole) > 0) {
-                m_rings[found.hole].hasCopper = true;
-            }
+        for (const AnnularRing& found : annularRings(document, layer, unseen, reach)) {
+            m_rings[found.hole].hasCopper =
+                found.ring.state == RingState::BreaksOut || found.ring.state == RingState::Around;
         }
     }
 }

@@ -22,16 +22,16 @@ private:
     struct HoleRings {
         std::optional<RuleFinding> removed;  ///< on the first layer where the drill takes the pad
         bool hasCopper = false;
-        std::size_t rule = 0;    ///< of the first layer
-        std::size_t layers = 0;  ///< with a rule for it
-        LayerId first;           ///< the first one of these
+        std::size_t rule = 0;  ///< of the first layer with a rule for it
+        LayerId first;         ///< that layer
     };
 
+    [[nodiscard]] std::optional<std::size_t> ruleOf(ElementId hole, LayerId layer) const;
+    [[nodiscard]] Spacing middleOf(ElementId hole) const;
     /// Looks for copper of holes that have none where rules hold for them.
     void lookOnOtherLayers();
-    [[nodiscard]] Spacing middleOf(ElementId hole) const;
-    /// How many copper layers the plating of a hole joins.
-    [[nodiscard]] std::size_t layersOf(ElementId hole) const;
+    /// Is it a copper layer that the plating of the hole joins, without a rule for it?
+    [[nodiscard]] bool isUnseen(ElementId hole, LayerId layer) const;
 
     RuleContext& m_context;
     std::map<ElementId, HoleRings> m_rings;

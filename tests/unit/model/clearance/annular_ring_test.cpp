@@ -2,7 +2,9 @@
 #include "model/clearance/annular_ring.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 #include "model/board/document_builder.h"
@@ -338,6 +340,25 @@ private slots:
         QCOMPARE(report.findings.size(), std::size_t{1});
         QVERIFY(report.findings[0].reason == FindingReason::NoPad);
         QCOMPARE(model::secondSideOf(*document, report.findings[0]), std::string("(no pad)"));
+    }
+
+    void ringsOfSomeHolesAreThoseAmongAll() {
+        const Planting planting(1);
+        const model::Document& board = *planting.document;
+        const LayerId top = planting.planted.front().first;
+        std::vector<AnnularRing> expected = model::annularRings(board, top, kFar);
+        std::vector<model::ElementId> some;
+        std::erase_if(expected, [](const AnnularRing& ring) { return ring.hole.row() % 7 != 0; });
+        std::ranges::transform(expected, std::back_inserter(some), &AnnularRing::hole);
+        const std::vector<AnnularRing> found = model::annularRings(board, top, some, kFar);
+        QVERIFY(!some.empty());
+        QCOMPARE(found.size(), expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            QVERIFY(found[i].hole == expected[i].hole && found[i].pad == expected[i].pad);
+            QVERIFY(found[i].ring.state == RingState::Around);
+            QCOMPARE(found[i].ring.width.distance, expected[i].ring.width.distance);
+        }
+        QVERIFY(model::annularRings(board, top, {}, kFar).empty());
     }
 
     /// Random holes and slots with rings of random width, some of them below the limit: exactly those are found.

@@ -156,6 +156,25 @@ private slots:
         QCOMPARE(found(500 * kUm), std::size_t{0});
     }
 
+    /// One hole has a pad where no rule holds, one none at all, and one no rule.
+    void padsOnLayersWithoutARuleAreOfTheirHolesAlone() {
+        model::Rule rule{RuleKind::AnnularRing, 1, {"net:A*", ""}};
+        rule.layer = "to*";
+        Board board;
+        board.builder.beginLayer(board.bottom);
+        board.builder.addCircle({{5000 * kUm, 0}, 500 * kUm, 0}, of(board.a, model::kPad));
+        board.builder.beginLayer(board.drill);
+        for (const Nm x : {0, 5000 * kUm}) {
+            board.builder.addCircle({{x, 0}, 300 * kUm, 300 * kUm}, of(board.a, kWall));
+        }
+        board.builder.addCircle({{9000 * kUm, 0}, 300 * kUm, 300 * kUm}, of(board.b, kWall));  // no rule
+        const auto document = board.builder.finish();
+        const RuleReport report = check(*document, RuleTable{{}, {rule}});
+        QCOMPARE(report.findings.size(), std::size_t{1});
+        QCOMPARE(report.findings.front().reason, model::FindingReason::NoPad);
+        QVERIFY(document->boxOf(report.findings.front().a).middle() == model::Point{});
+    }
+
     /// A pad without a net that touches a net is part of it; one that lies alone keeps away from all, other such too.
     void copperWithoutANetBelongsToWhatItTouches() {
         Board board;
