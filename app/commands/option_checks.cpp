@@ -27,18 +27,6 @@ bool isAddedTo(const CLI::Option& out, const CLI::Option& in) {
     return out.check_lname("write-waivers") && in.check_lname("waivers");
 }
 
-bool isSameFile(const fs::path& a, const fs::path& b) {
-    std::error_code error;
-    return fs::equivalent(a, b, error) && !error;
-}
-
-/// Would writing the file change what the option names: that file, or one of a board that is a folder?
-bool isOfInput(const fs::path& file, const CLI::Option& in, const std::string& read) {
-    std::error_code error;
-    const bool isInBoard = in.get_positional() && fs::is_directory(read, error) && fs::is_regular_file(file, error);
-    return isSameFile(file, read) || (isInBoard && model::isReadIn(read, file));
-}
-
 /// What writing the file that an option names writes.
 std::vector<fs::path> filesBy(const CLI::App& command, const std::string& written) {
     std::vector<fs::path> files{written};
@@ -60,7 +48,7 @@ std::optional<std::string> overwrittenInput(const CLI::App& command) {
             for (const std::string& written : out->results()) {
                 for (const fs::path& file : filesBy(command, written)) {
                     const bool isRead = std::ranges::any_of(
-                        in->results(), [&](const std::string& read) { return isOfInput(file, *in, read); });
+                        in->results(), [&](const std::string& read) { return model::isReadFor(read, file); });
                     if (isRead && !isAddedTo(*out, *in)) {
                         return refusal(*out, file, written);
                     }

@@ -14,8 +14,8 @@ namespace app {
 void limitCombinations(CLI::App& parser);
 
 /// After parsing: why the command that was chosen cannot be done as it is given, a sentence. An option stands
-/// before the command, which would not see it; a file that is read, or one of a folder that is the board, would be
-/// written over. Else none.
+/// before the command, which would not see it; a file that is read, or one that is read with the board
+/// (isReadFor), would be written over. Else none.
 [[nodiscard]] std::optional<std::string> unusableOption(const CLI::App& parser);
 
 }  // namespace app

@@ -79,6 +79,10 @@ bool isNamedLikeProject(std::string_view path) {
     return path.ends_with(".kicad_pro") || path.ends_with(".kicad_dru");
 }
 
+gerber::ReadFile::Kind gerberKindOf(const fs::path& file) {
+    return gerber::kindOf(headOf(file), file.filename().string());
+}
+
 /// May a file of a folder be read for a board there?
 bool isRead(const formats::Archive& folder, const fs::path& file, const std::string& path) {
     if (isNamedLikeArchive(path) || isNamedLikeProject(path) || odb::isOfJob(folder, path)) {
@@ -86,13 +90,16 @@ bool isRead(const formats::Archive& folder, const fs::path& file, const std::str
     }
     const BoardInput input{file, headOf(file), {}, {}, {}};
     const auto isBoard = [&](const BoardFormat& format) { return format.probe != nullptr && format.probe(input); };
-    return std::ranges::any_of(knownFormats(), isBoard) ||
-           gerber::kindOf(input.head, file.filename().string()) != gerber::ReadFile::Kind::Other;
+    return std::ranges::any_of(knownFormats(), isBoard) || gerberKindOf(file) != gerber::ReadFile::Kind::Other;
 }
 
-}  // namespace
+bool isSameFile(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return fs::equivalent(a, b, error) && !error;
+}
 
-bool isReadIn(const fs::path& folder, const fs::path& file) {
+/// May the file be read for a board in the folder, or only for the Gerber job there?
+bool isReadIn(const fs::path& folder, const fs::path& file, bool isOfGerber) {
     base::Progress progress;
     Diagnostics ignored;
     const base::Result<formats::Archive> files = formats::Archive::open(folder, {}, progress, ignored);
@@ -100,10 +107,36 @@ bool isReadIn(const fs::path& folder, const fs::path& file) {
         return false;
     }
     return std::ranges::any_of(files->rows(), [&](const auto& entry) {
-        std::error_code error;
         const std::string& path = files->path(entry.second);
-        return fs::equivalent(folder / path, file, error) && isRead(*files, folder / path, path);
+        return isSameFile(folder / path, file) &&
+               (isOfGerber ? gerberKindOf(folder / path) != gerber::ReadFile::Kind::Other
+                           : isRead(*files, folder / path, path));
     });
+}
+
+}  // namespace
+
+fs::path sourceOf(const fs::path& path) {
+    std::error_code error;
+    return gerberKindOf(path) == gerber::ReadFile::Kind::Job ? fs::absolute(path, error).parent_path() : path;
+}
+
+std::vector<fs::path> filesBeside(const fs::path& path) {
+    if (path.extension() != ".kicad_pcb") {
+        return {};
+    }
+    return {fs::path(path).replace_extension(".kicad_pro"), fs::path(path).replace_extension(".kicad_dru")};
+}
+
+bool isReadFor(const fs::path& path, const fs::path& file) {
+    const auto isFile = [&file](const fs::path& read) { return isSameFile(read, file); };
+    if (isFile(path) || std::ranges::any_of(filesBeside(path), isFile)) {
+        return true;
+    }
+    std::error_code error;
+    const fs::path source = sourceOf(path);
+    return fs::is_regular_file(file, error) && fs::is_directory(source, error) &&
+           isReadIn(source, file, source != path);
 }
 
 fs::path jobOfFiles(std::span<const fs::path> files) {

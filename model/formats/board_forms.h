@@ -26,9 +26,14 @@ namespace model {
 /// Which of several forms was read, the first, and what else is there: "read as KiCad board, a.kicad_pcb; what else …".
 [[nodiscard]] std::string choiceText(std::span<const BoardForm> forms, const std::filesystem::path& path);
 
-/// Is the file, under whatever name, one that may be read where the folder is opened as a board? By what it is and
-/// where it lies, so that reports and pictures there are none.
-[[nodiscard]] bool isReadIn(const std::filesystem::path& folder, const std::filesystem::path& file);
+/// Where all lies that is read for a board: the folder of a job file of Gerber (.gbrjob), which stands for what is
+/// beside it; else the path itself, a folder or file.
+[[nodiscard]] std::filesystem::path sourceOf(const std::filesystem::path& path);
+/// Files beside one that are read with it where they are there: project and rules of a board of KiCad.
+[[nodiscard]] std::vector<std::filesystem::path> filesBeside(const std::filesystem::path& path);
+/// Is the file, under whatever name, one that may be read where `path`, a folder or file, is opened as a board? In
+/// folders by what it is and where it lies, so that reports and pictures there are none.
+[[nodiscard]] bool isReadFor(const std::filesystem::path& path, const std::filesystem::path& file);
 
 /// The folder of files that were named together if at least two of them are of one Gerber job; else empty.
 [[nodiscard]] std::filesystem::path jobOfFiles(std::span<const std::filesystem::path> files);

@@ -56,6 +56,22 @@ private slots:
         }
     }
 
+    void whatIsReadBesideABoardIsNotWrittenOver() {
+        const QTemporaryDir folder;
+        const QString board = folder.filePath("small.kicad_pcb");
+        const QString project = folder.filePath("small.kicad_pro");
+        QVERIFY(QFile::copy(QString(locations::kTestData) + "/kicad/small.kicad_pcb", board));
+        QFile file(project);
+        QVERIFY(file.open(QFile::WriteOnly) && file.write("{}") == 2);
+        file.close();
+        const Outcome refused = copperscope({"clearance", board, "--worst", "1", "--format", "csv", "-o", project});
+        QCOMPARE(refused.exitCode, 1);
+        QVERIFY2(refused.err.contains("small.kicad_pro is read, so it is not written over"), refused.err.constData());
+        QCOMPARE(QFileInfo(project).size(), qint64{2});
+        const Outcome run = copperscope({"export", board, "-o", folder.filePath("small.svg")});
+        QVERIFY2(run.exitCode == 0, run.err.constData());
+    }
+
     /// The board has the name of the materials.
     void whatIsReadIsNoMaterials() {
         const QTemporaryDir folder;

@@ -202,13 +202,43 @@ private slots:
         fs::create_symlink("job/matrix/matrix", folder.path() / "link");
         for (const char* file : {"job/matrix/matrix", "link", "gerber/top.gbr", "gerber/board.ipc", "gerber.zip",
                                  "board-c.xml", "board.kicad_pcb", "board.kicad_pro"}) {
-            QVERIFY2(model::isReadIn(folder.path(), folder.path() / file), file);
+            QVERIFY2(model::isReadFor(folder.path(), folder.path() / file), file);
         }
         for (const char* file :
              {"report.csv", "report.txt", "report.xml", "job/report.json", "picture.svg", "none", "job"}) {
-            QVERIFY2(!model::isReadIn(folder.path(), folder.path() / file), file);
+            QVERIFY2(!model::isReadFor(folder.path(), folder.path() / file), file);
         }
-        QVERIFY(!model::isReadIn(folder.path() / "gerber", folder.path() / "board.kicad_pcb"));
+        QVERIFY(!model::isReadFor(folder.path() / "gerber", folder.path() / "board.kicad_pcb"));
+    }
+
+    void whatIsReadWithAFileIsTold() {
+        Folder folder;
+        fill(folder.path());
+        const fs::path jobFile = folder.write("job/board.gbrjob", "{\"GeneralSpecs\": {}, \"FilesAttributes\": []}");
+        for (const char* name : {"job/top.gbr", "job/out/bottom.gbr"}) {
+            folder.write(name, kImage);
+        }
+        for (const char* name : {"board.kicad_pro", "board.kicad_dru", "other.kicad_pro", "job/report.csv"}) {
+            folder.write(name, "{}");
+        }
+        fs::copy(folder.path() / "gerber.zip", folder.path() / "job");
+        const auto isRead = [&folder](const char* board, const char* file) {
+            return model::isReadFor(folder.path() / board, folder.path() / file);
+        };
+        QCOMPARE(model::sourceOf(jobFile), folder.path() / "job");
+        for (const char* file : {"job/board.gbrjob", "job/top.gbr", "job/out/bottom.gbr"}) {
+            QVERIFY2(isRead("job/board.gbrjob", file), file);
+        }
+        for (const char* file : {"job/report.csv", "job/gerber.zip", "job/none.gbr", "board.kicad_pcb"}) {
+            QVERIFY2(!isRead("job/board.gbrjob", file), file);
+        }
+        for (const char* file : {"board.kicad_pcb", "board.kicad_pro", "board.kicad_dru"}) {
+            QVERIFY2(isRead("board.kicad_pcb", file), file);
+        }
+        for (const char* file : {"other.kicad_pro", "board-b.xml"}) {
+            QVERIFY2(!isRead("board.kicad_pcb", file), file);
+        }
+        QVERIFY(isRead("job/top.gbr", "job/top.gbr") && !isRead("job/top.gbr", "job/out/bottom.gbr"));
     }
 
     void imagesThatAreNamedTogetherAreAJob() {
