@@ -1,8 +1,11 @@
 #include "ui/workspace/board_watch.h"
 
 #include <QStringList>
+#include <algorithm>
 #include <utility>
 
+#include "model/formats/board_forms.h"
+#include "model/formats/common/folder_files.h"
 #include "ui/common/paths.h"
 
 namespace ui {
@@ -12,17 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kQuietMs = 700;
-/// Of a larger folder only its subfolders are watched, in which files come and go.
+/// Of a larger folder only so many files are watched, and the folders that they lie in.
 constexpr std::size_t kMostFiles = 2000;
 
 bool isSession(const fs::path& path) {
     return path.filename().string().find(".copperscope.json") != std::string::npos;
-}
-
-/// What the files of a board lie in: a job file stands for all that are beside it.
-fs::path rootOf(const fs::path& path) {
-    std::error_code error;
-    return path.extension() == ".gbrjob" ? fs::absolute(path, error).parent_path() : path;
 }
 
 }  // namespace
@@ -49,26 +46,26 @@ BoardWatch::States BoardWatch::statesOf(const fs::path& path) {
     };
     if (!fs::is_directory(path, error)) {
         add(path);
-        if (path.extension() == ".kicad_pcb") {
-            add(fs::path(path).replace_extension(".kicad_pro"));
-            add(fs::path(path).replace_extension(".kicad_dru"));
-        }
+        std::ranges::for_each(model::filesBeside(path), add);
         return states;
     }
-    fs::recursive_directory_iterator at(path, fs::directory_options::skip_permission_denied, error);
-    for (; !error && at != fs::recursive_directory_iterator() && states.size() < kMostFiles; at.increment(error)) {
-        add(at->path());
+    base::Progress progress;
+    model::Diagnostics ignored;  // reading the board reports them
+    if (const auto files = model::formats::filesBelow(path, kMostFiles, progress, ignored)) {
+        for (const model::formats::FolderFile& file : *files) {
+            add(file.source);
+        }
     }
     return states;
 }
 
 void BoardWatch::begin(const model::OpenRequest& request) {
-    m_begunPath = rootOf(request.path);
+    m_begunPath = model::sourceOf(request.path);
     m_begun = statesOf(m_begunPath);
 }
 
 void BoardWatch::watch(const model::OpenRequest& request) {
-    m_path = rootOf(request.path);
+    m_path = model::sourceOf(request.path);
     m_read = m_begunPath == m_path ? std::move(m_begun) : statesOf(m_path);
     m_begun = {};
     m_last = m_read;

@@ -123,6 +123,34 @@ private slots:
         QTRY_COMPARE(watched.changes.count(), 4);
     }
 
+    void filesOfFoldersThatLinksLeadToAreTold() {
+        QTemporaryDir folder;
+        const fs::path job = fs::path(folder.path().toStdString()) / "job";
+        const fs::path elsewhere = fs::path(folder.path().toStdString()) / "elsewhere";
+        write(job / "top.gtl", "one");
+        write(elsewhere / "thru.drl", "one");
+        fs::create_directory_symlink("../elsewhere", job / "drills");
+        fs::create_directory_symlink("..", job / "up");  // is not read
+        Watched watched(job);
+        write(elsewhere / "thru.drl", "two, in place");
+        QTRY_COMPARE(watched.changes.count(), 1);
+        replace(elsewhere / "thru.drl", "three, put in its place");
+        QTRY_COMPARE(watched.changes.count(), 2);
+        write(job.parent_path() / "other.gtl", "of another board");
+        QTest::qWait(4 * kQuietMs);
+        QCOMPARE(watched.changes.count(), 2);
+    }
+
+    void whatLiesBesideAJobFileIsOfIt() {
+        QTemporaryDir folder;
+        const fs::path job = fs::path(folder.path().toStdString()) / "job";
+        write(job / "board.gbrjob", R"({"GeneralSpecs": {}, "FilesAttributes": []})");
+        write(job / "top.gtl", "one");
+        Watched watched(job / "board.gbrjob");
+        write(job / "top.gtl", "two, in place");
+        QTRY_COMPARE(watched.changes.count(), 1);
+    }
+
     void whatChangesWhileTheBoardIsReadIsTold() {
         QTemporaryDir folder;
         const fs::path board = fs::path(folder.path().toStdString()) / "board.xml";
