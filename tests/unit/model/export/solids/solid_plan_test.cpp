@@ -347,7 +347,7 @@ private slots:
             if (isCancelled) {
                 progress.cancel();
             }
-            holes.compare(board.pads, progress);
+            holes.compare(std::array{board.pads[0], board.blind[0], board.eaten[0]}, progress);
             return holes.sharedShapeOf(board.pads[0])->key.drilled;
         };
         QVERIFY(drilledOf(false) != drilledOf(true));
