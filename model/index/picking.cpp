@@ -158,6 +158,30 @@ ElementHeights elementHeights(const Document& step, ElementId element, bool isFl
     return heights;
 }
 
+namespace {
+
+bool hasBodies(const Layer& layer) {
+    return layer.type == LayerType::ComponentBody;
+}
+
+/// Where what is on a layer may be drawn: bodies from both sides of a step stand on it where some copies are flipped,
+/// and are as high as they are.
+std::pair<double, double> heightsOf(const Document& board, LayerId id, bool isMirrored, const PickLayer& drawn) {
+    const Layer& layer = board.layer(id);
+    ElementHeights heights;
+    if (isMirrored) {
+        heights.faces = facesOf(board);
+    }
+    if (hasBodies(layer)) {
+        const Nm flipped = layer.opposite.isValid() ? board.layer(layer.opposite).thickness : 0;
+        heights.body = std::max({double(layer.thickness), double(flipped), drawn.top - drawn.bottom});
+        heights.growsDown = growsDownInCopy(board, id, isMirrored);
+    }
+    return heights.on(drawn);
+}
+
+}  // namespace
+
 bool Picker::isHidden(std::uint32_t step, ElementId element) const {
     if (step >= m_hiddenNets.size()) {
         return false;
@@ -180,7 +204,7 @@ void Picker::collect(const Probe& probe, std::vector<Hit>& hits) {
                 return;
             }
             std::optional<Probe> own = probe;
-            if (probe.line != nullptr && step.bodyOf(element) != nullptr) {
+            if (probe.line != nullptr && hasBodies(step.layer(layer))) {
                 const auto [low, high] = elementHeights(step, element, placed.isFlipped).on(probe.layers[layer.row()]);
                 own = probe.between(low, high);
             }
@@ -238,12 +262,10 @@ std::vector<Hit> Picker::along(const SightLine& line, double reach, std::span<co
     Box around = m_index->board->extent;
     around.include(m_index->extents.front());
     around = around.grownBy(1'000'000);
-    const double faces = facesOf(*m_index->board);
     const bool hasFlipped = std::ranges::any_of(m_index->tree.copies, &StepCopy::isFlipped);
     std::vector<Hit> hits;
     const auto take = [&](LayerId layer, bool isMirrored) {
-        const ElementHeights heights{isMirrored ? std::optional(faces) : std::nullopt};
-        const auto [low, high] = heights.on(layers[layer.row()]);
+        const auto [low, high] = heightsOf(*m_index->board, layer, isMirrored, layers[layer.row()]);
         const ClippedRange range = partWithin(line, around, low, high);
         if (range.first > range.last || !std::isfinite(range.last)) {
             return;

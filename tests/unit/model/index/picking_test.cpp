@@ -199,8 +199,8 @@ private slots:
         QCOMPARE(deep[1].depth, 30e6);
     }
 
-    /// A body of 2 mm on the top and one of 1 mm below a board of 10 mm, whose layers are 5 and 3 mm thick; a print
-    /// that has no counterpart.
+    /// Bodies of 2 and of 5 mm on the top and one of 1 mm below a board of 10 mm, whose layers are 5 and 3 mm thick; a
+    /// print that has no counterpart.
     void whatIsFlippedIsPickedOnTheOtherSide() {
         DocumentBuilder builder;
         const auto add = [&](model::LayerType type, model::LayerSide side, Nm z, Nm thickness) {
@@ -223,12 +223,15 @@ private slots:
             builder.layer(pair[1]).opposite = pair[0];
         }
         std::vector<ElementId> elements;
-        for (const auto& [layer, x, height] :
-             {std::tuple(bodies[0], 0, 2 * kMm), std::tuple(bodies[1], 2 * kMm, kMm)}) {
-            builder.beginLayer(layer);
+        const auto addBody = [&](Nm x, Nm height) {
             elements.push_back(builder.addCircle({{x, 0}, kMm, 0}, {}));
             builder.addBody({elements.back(), {}, height});
-        }
+        };
+        builder.beginLayer(bodies[0]);
+        addBody(0, 2 * kMm);
+        addBody(6 * kMm, 5 * kMm);
+        builder.beginLayer(bodies[1]);
+        addBody(2 * kMm, kMm);
         builder.beginLayer(print);
         elements.push_back(builder.addCircle({{4 * kMm, 0}, kMm, 0}, {}));
         const auto step = builder.finish();
@@ -255,11 +258,13 @@ private slots:
         QCOMPARE(at(0, -1.9), std::vector{elements[0]});
         QCOMPARE(at(0, -2.1), nothing);
         QCOMPARE(at(0, 10.5), nothing);
-        QCOMPARE(at(-2, 10.9), std::vector{elements[1]});
+        QCOMPARE(at(-2, 10.9), std::vector{elements[2]});
         QCOMPARE(at(-2, 11.1), nothing);
-        QCOMPARE(at(-4, -0.4), std::vector{elements[2]});
+        QCOMPARE(at(-6, -4.9), std::vector{elements[1]});  // higher than what stands on the bottom
+        QCOMPARE(at(-6, -5.1), nothing);
+        QCOMPARE(at(-4, -0.4), std::vector{elements[3]});
         QCOMPARE(at(-4, 10.4), nothing);
-        const model::ElementHeights heights = model::elementHeights(*step, elements[2], true);
+        const model::ElementHeights heights = model::elementHeights(*step, elements[3], true);
         QCOMPARE(heights.on({true, 20e6, 30e6}), std::pair(-20e6, -10e6));  // exploded
     }
 
