@@ -7,7 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "model/board/board_heights.h"
 #include "model/figures/distance.h"
 
 namespace model {
@@ -60,12 +59,6 @@ double firstContact(const FigureTable& figures, PointD a, PointD b) {
 
 double sizeOf(const Box& box) {
     return std::hypot(static_cast<double>(box.width()), static_cast<double>(box.height()));
-}
-
-/// Heights of the board's faces added: of what is mirrored through it, the height and that of its mirror image.
-double facesOf(const Document& document) {
-    const ZRange board = boardHeights(document);
-    return double(board.bottom) + board.top;
 }
 
 /// The part of a line of sight between two heights and inside of a box around the board, in steps; empty if first >
@@ -137,8 +130,8 @@ struct Picker::Probe {
 };
 
 std::pair<double, double> ElementHeights::on(const PickLayer& drawn) const {
-    const double bottom = faces ? *faces - drawn.top : drawn.bottom;
-    const double top = faces ? *faces - drawn.bottom : drawn.top;
+    const double bottom = isMirrored ? drawn.faces - drawn.top : drawn.bottom;
+    const double top = isMirrored ? drawn.faces - drawn.bottom : drawn.top;
     if (!body) {
         return {bottom, top};
     }
@@ -147,10 +140,7 @@ std::pair<double, double> ElementHeights::on(const PickLayer& drawn) const {
 
 ElementHeights elementHeights(const Document& step, ElementId element, bool isFlipped) {
     const LayerId layer = step.elements.layer[element.row()];
-    ElementHeights heights;
-    if (isMirroredInCopy(step, layer, isFlipped)) {
-        heights.faces = facesOf(step);
-    }
+    ElementHeights heights{isMirroredInCopy(step, layer, isFlipped)};
     if (const Body* body = step.bodyOf(element)) {
         heights.body = body->height;
         heights.growsDown = growsDownInCopy(step, layer, isFlipped);
@@ -168,10 +158,7 @@ bool hasBodies(const Layer& layer) {
 /// and are as high as they are.
 std::pair<double, double> heightsOf(const Document& board, LayerId id, bool isMirrored, const PickLayer& drawn) {
     const Layer& layer = board.layer(id);
-    ElementHeights heights;
-    if (isMirrored) {
-        heights.faces = facesOf(board);
-    }
+    ElementHeights heights{isMirrored};
     if (hasBodies(layer)) {
         const Nm flipped = layer.opposite.isValid() ? board.layer(layer.opposite).thickness : 0;
         heights.body = std::max({double(layer.thickness), double(flipped), drawn.top - drawn.bottom});

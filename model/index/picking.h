@@ -17,15 +17,17 @@ struct PickLayer {
     double bottom = 0.0;  ///< nm, as drawn (exploded, exaggerated); `top` is not below it
     double top = 0.0;
     bool isSeenThrough = false;  ///< hides nothing that lies beneath
+    double faces = 0.0;          ///< nm, heights of the board's faces as drawn, added: what is mirrored is drawn at
+                                 ///< this minus where its layer is
 };
 
 /// Where an element of a copy is drawn, whatever the heights of its layer: as high as that is, mirrored through the
 /// board where a flipped copy has no layer to lie on, or, a component's body, as high as this is from the face it
 /// stands on.
 struct ElementHeights {
-    std::optional<double> faces = {};  ///< nm, heights of the board's faces added; mirrored layers only
-    std::optional<double> body = {};   ///< nm, how high it is
-    bool growsDown = false;            ///< bodies: from the upper face of their layer
+    bool isMirrored = false;          ///< isMirroredInCopy
+    std::optional<double> body = {};  ///< nm, how high it is
+    bool growsDown = false;           ///< bodies: from the upper face of their layer
 
     /// Lower and upper end, nm. `drawn`: Document::layerOfCopy, as upright copies are drawn.
     [[nodiscard]] std::pair<double, double> on(const PickLayer& drawn) const;

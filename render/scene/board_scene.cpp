@@ -434,6 +434,10 @@ std::vector<ZRange> BoardScene::drawnHeights(const ViewSettings& settings) const
     return render::drawnHeights(m_impl->layers, settings);
 }
 
+float BoardScene::drawnFaces(const ViewSettings& settings) const {
+    return render::drawnFaces(m_impl->layers, settings);
+}
+
 void BoardScene::setStates(std::span<const ElementState> states, std::uint32_t step) {
     SceneStep& owner = m_impl->steps[step];
     // Those that nothing is said of are plain.

@@ -48,6 +48,9 @@ public:
     void setHeights(const BoardFrame& frame);
     /// Lower and upper face of every layer as a view with these settings and the styles set last draws it, mm.
     [[nodiscard]] std::vector<ZRange> drawnHeights(const ViewSettings& settings) const;
+    /// Likewise the board's lower plus its upper face, mm: flipped copies are mirrored at half of that where a layer
+    /// has no counterpart.
+    [[nodiscard]] float drawnFaces(const ViewSettings& settings) const;
     /// How elements of the board itself or of a step it places (0 = the board, else 1 + row of BoardModel::steps) look
     /// in all its copies, by row; those beyond the list are plain. What did not change is not sent again, what did
     /// comes with the next frame of the board.

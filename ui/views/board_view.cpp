@@ -126,6 +126,10 @@ std::vector<render::ZRange> BoardView::drawnHeights() const {
     return m_picture.scene->drawnHeights(m_picture.frameSettings());
 }
 
+float BoardView::drawnFaces() const {
+    return m_picture.scene != nullptr ? m_picture.scene->drawnFaces(m_picture.frameSettings()) : 0.0F;
+}
+
 float BoardView::seenFace(const model::Document& board) const {
     const std::vector<render::ZRange> heights = drawnHeights();
     const bool isFromBelow = m_controller.camera().direction().z > 0.0F;

@@ -104,6 +104,8 @@ public:
     [[nodiscard]] const std::vector<render::LayerStyle>& styles() const { return m_picture.styles; }
     /// Where layers are drawn, in millimetres; empty without a scene.
     [[nodiscard]] std::vector<render::ZRange> drawnHeights() const;
+    /// Likewise render::BoardScene::drawnFaces; 0 without a scene.
+    [[nodiscard]] float drawnFaces() const;
     /// Likewise the face of the board that is seen: the outer side of the copper nearest to the viewer; 0 without
     /// copper.
     [[nodiscard]] float seenFace(const model::Document& board) const;

@@ -132,6 +132,7 @@ OutlineStrokes ElementOutlines::strokesOver(const BoardView& view) const {
     }
     OutlineStrokes strokes(sight);
     const std::vector<render::ZRange> heights = view.drawnHeights();
+    const double faces = view.drawnFaces() * base::kNmPerMm;
     const bool isFromBelow = view.controller().camera().direction().z > 0.0F;
     const auto add = [&](const Outline& outline, Ink ink) {
         const std::size_t row = outline.layer.row();
@@ -139,8 +140,8 @@ OutlineStrokes ElementOutlines::strokesOver(const BoardView& view) const {
         if (outline.runs.isEmpty() || row >= heights.size() || !view.styles()[row].isVisible || isOfHiddenNet) {
             return;
         }
-        const auto [bottom, top] =
-            outline.heights.on({true, heights[row].z0 * base::kNmPerMm, heights[row].z1 * base::kNmPerMm});
+        const auto [bottom, top] = outline.heights.on(
+            {.bottom = heights[row].z0 * base::kNmPerMm, .top = heights[row].z1 * base::kNmPerMm, .faces = faces});
         strokes.add(outline.runs, static_cast<float>((isFromBelow ? bottom : top) / base::kNmPerMm), ink);
     };
     add(m_hovered, Hovered);  // first: what is too much goes from the end

@@ -148,11 +148,13 @@ std::vector<model::PickLayer> Probing::layersOf(const BoardView& view) const {
     }
     std::vector<model::PickLayer> layers(m_picker->index().board->layers.size());
     const std::vector<render::ZRange> heights = view.drawnHeights();
+    const double faces = static_cast<double>(view.drawnFaces()) * base::kNmPerMm;
     for (std::size_t row = 0; row < std::min(heights.size(), layers.size()); ++row) {
         layers[row].isVisible = isPickable(m_picker->index().board->layers[row], view.styles()[row]);
         layers[row].bottom = static_cast<double>(heights[row].z0) * base::kNmPerMm;
         layers[row].top = static_cast<double>(heights[row].z1) * base::kNmPerMm;
         layers[row].isSeenThrough = view.styles()[row].opacity < 1.0F;
+        layers[row].faces = faces;
     }
     return layers;
 }

@@ -96,6 +96,20 @@ private slots:
         QVERIFY((*place() - *before).manhattanLength() < 2.0);
     }
 
+    void facesOfTheBoardAreScaledToo() {
+        const model::Document& document = *window().document();
+        slider("heightScale").setValue(5);
+        const std::vector<model::PickLayer> layers = window().probing().layersOf(views().solid());
+        slider("heightScale").setValue(1);
+        double low = 1e12;
+        double high = -1e12;
+        for (std::size_t row = 0; row < layers.size(); ++row) {
+            low = document.layers[row].isBoardCopper() ? std::min(low, layers[row].bottom) : low;
+            high = document.layers[row].isBoardCopper() ? std::max(high, layers[row].top) : high;
+        }
+        QVERIFY2(std::abs(layers.front().faces - low - high) < 10.0, qPrintable(QString::number(low + high)));
+    }
+
     void theMarkIsOnTheView() {
         const QImage plain = m_fixture->picture();
         slider("heightScale").setValue(2);

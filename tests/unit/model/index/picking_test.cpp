@@ -247,7 +247,7 @@ private slots:
         board->extent = {{-10 * kMm, -10 * kMm}, {10 * kMm, 10 * kMm}};
         std::vector<PickLayer> layers;
         for (const model::Layer& layer : board->layers) {
-            layers.push_back({true, double(layer.z), double(layer.z) + layer.thickness});
+            layers.push_back({true, double(layer.z), double(layer.z) + layer.thickness, false, 10e6});
         }
         Picker picker(indexed(board));
         const auto at = [&](double xMm, double zMm) {
@@ -265,7 +265,16 @@ private slots:
         QCOMPARE(at(-4, -0.4), std::vector{elements[3]});
         QCOMPARE(at(-4, 10.4), nothing);
         const model::ElementHeights heights = model::elementHeights(*step, elements[3], true);
-        QCOMPARE(heights.on({true, 20e6, 30e6}), std::pair(-20e6, -10e6));  // exploded
+        QCOMPARE(heights.on({true, 20e6, 30e6, false, 10e6}), std::pair(-20e6, -10e6));  // exploded
+        // Twice as thick, a board from 0 to 20 mm has the print from 20 to 21 mm: flipped, from -1 to 0 mm.
+        for (std::size_t row = 0; row < layers.size(); ++row) {
+            layers[row] = {true, 2 * layers[row].bottom, 2 * layers[row].top, false, 20e6};
+        }
+        QCOMPARE(heights.on(layers[print.row()]), std::pair(-1e6, 0.0));
+        QCOMPARE(at(-4, -0.9), std::vector{elements[3]});
+        QCOMPARE(at(-4, -10.5), nothing);
+        QVERIFY(std::ranges::any_of(picker.at({-4.0 * kMm, 0.0}, 0.0, layers, true),
+                                    [&](const Hit& hit) { return hit.depth == 5e6; }));  // from the lowest body
     }
 
     void boxTakesWhatIsInsideAndWithTouchingWhatReachesIn() {
