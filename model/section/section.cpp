@@ -127,6 +127,15 @@ private:
         return rows;
     }
 
+    /// Without what the line meets of it.
+    [[nodiscard]] SectionPiece pieceOf(const Placed& placed, ElementId element) const {
+        const LayerId own = placed.step.elements.layer[element.row()];
+        SectionPiece piece{placed.step.layerOfCopy(own, placed.how.isFlipped), {placed.copy, element}};
+        piece.material = materialOf(board(), piece.layer);
+        piece.isMirrored = isMirroredInCopy(placed.step, own, placed.how.isFlipped);
+        return piece;
+    }
+
     void cutElementOf(const Placed& placed, ElementId element, const Leg& leg) {
         const Document& step = placed.step;
         const LayerId layer = step.layerOfCopy(step.elements.layer[element.row()], placed.how.isFlipped);
@@ -142,8 +151,7 @@ private:
         const bool hasWalls = !subtracted(found.covered, found.opening).empty();
         found.covered = clipped(found.covered, 0.0, leg.length);
         const bool isMilled = isOfMilled(placed, element) && mill({placed.copy, element}, found.covered);
-        SectionPiece piece{layer, {placed.copy, element}};
-        piece.material = materialOf(board(), layer);
+        const SectionPiece piece = pieceOf(placed, element);
         const std::optional<LandingVia> via =
             isHole && !isMilled && !found.covered.empty() ? landingOf(placed, element, leg) : std::nullopt;
         if (isHole) {
@@ -556,20 +564,21 @@ std::vector<double> bendsOf(const Section& section) {
 }
 
 std::vector<SectionPiece> merged(const std::vector<SectionPiece>& pieces) {
-    std::map<std::tuple<LayerId, Nm, Nm, SectionMaterial>, std::vector<Interval>> byHeight;
+    std::map<std::tuple<LayerId, Nm, Nm, SectionMaterial, bool>, std::vector<Interval>> byHeight;
     std::vector<SectionPiece> out;
     for (const SectionPiece& piece : pieces) {
         if (piece.leans()) {
             out.push_back(piece);
             out.back().at = {};
         } else {
-            byHeight[{piece.layer, piece.bottom, piece.top, piece.material}].push_back({piece.from, piece.to});
+            byHeight[{piece.layer, piece.bottom, piece.top, piece.material, piece.isMirrored}].push_back(
+                {piece.from, piece.to});
         }
     }
     for (auto& [key, intervals] : byHeight) {
-        const auto& [layer, bottom, top, material] = key;
+        const auto& [layer, bottom, top, material, isMirrored] = key;
         for (const Interval& interval : united(std::move(intervals))) {
-            out.push_back({layer, {}, interval.from, interval.to, bottom, top, 0.0, 0.0, material});
+            out.push_back({layer, {}, interval.from, interval.to, bottom, top, 0.0, 0.0, material, {}, isMirrored});
         }
     }
     std::ranges::stable_sort(out, {}, &SectionPiece::layer);

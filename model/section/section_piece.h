@@ -20,6 +20,7 @@ struct SectionPiece {
     double leanTo = 0.0;
     SectionMaterial material = SectionMaterial::Other;
     std::optional<std::size_t> stackupRow = {};  ///< of Stackup::rows; of dielectrics that it has
+    bool isMirrored = false;                     ///< isMirroredInCopy: on the other side than its layer
 
     [[nodiscard]] bool leans() const { return leanFrom != 0.0 || leanTo != 0.0; }
     [[nodiscard]] double upperFrom() const { return from + leanFrom; }

@@ -57,14 +57,14 @@ std::vector<shader::SectionTrapezoid> trapezoids(const FramePlan& plan, const Sc
     std::vector<shader::SectionTrapezoid> list;
     for (const SectionFace& face : cut.faces) {
         const std::size_t layer = face.layer.row();
-        const shader::LayerState& state = plan.upright.states[layer];
+        const std::vector<shader::LayerState>& states = face.isMirrored ? plan.flipped.states : plan.upright.states;
         if (!scene.styles[layer].isVisible || (face.beside.isValid() && !isOn(plan, face.layer, face.beside))) {
             continue;
         }
         const std::size_t at = face.beside.isValid() ? face.beside.row() : layer;
-        const ZRange z = drawn(face, scene.layers[at], plan.upright.states[at]);
+        const ZRange z = drawn(face, scene.layers[at], states[at]);
         const auto end = [&](double along) { return glm::vec2(cut.plane.start + along * cut.plane.direction); };
-        list.push_back({colourOf(face, state), face.isInside ? 1U : 0U, end(face.from), end(face.to),
+        list.push_back({colourOf(face, states[layer]), face.isInside ? 1U : 0U, end(face.from), end(face.to),
                         end(face.from + face.leanFrom), end(face.to + face.leanTo), z.z0, z.z1});
     }
     std::ranges::stable_sort(list, {}, &shader::SectionTrapezoid::rank);  // what is drawn last is seen

@@ -41,20 +41,21 @@ model::SectionRequest throughBox(const model::Box& box, PointD start, PointD uni
     return {{at(least - 1.0), at(most + 1.0)}, {}, true};
 }
 
-/// At the height of a layer, its own or another.
-SectionFace faceAt(const model::SectionPiece& piece, const model::Layer& layer, model::Nm bottom, model::Nm top) {
-    const auto part = [&](model::Nm z) {
-        return static_cast<float>((double{1} * z - layer.z) / static_cast<double>(layer.thickness));
+/// Between two heights; `layer` is where its layer lies, or another one.
+SectionFace faceAt(const model::SectionPiece& piece, const model::ZRange& layer, const model::ZRange& z,
+                   bool isSubstrate = false) {
+    const auto part = [&](model::Nm at) {
+        return static_cast<float>((double{1} * at - layer.bottom) / (double{1} * layer.top - layer.bottom));
     };
-    const bool isSubstrate = layer.type == model::LayerType::Body || layer.type == model::LayerType::Dielectric;
     SectionFace face;
     face.layer = piece.layer;
     face.from = base::toMm(piece.from);
     face.to = base::toMm(piece.to);
     face.leanFrom = base::toMm(piece.leanFrom);
     face.leanTo = base::toMm(piece.leanTo);
-    face.bottom = part(bottom);
-    face.top = part(top);
+    face.bottom = part(z.bottom);
+    face.top = part(z.top);
+    face.isMirrored = piece.isMirrored;
     face.isInside = !isSubstrate;
     if (isSubstrate) {
         face.colour = model::colourOf(piece.material);
@@ -76,15 +77,17 @@ model::LayerId copperBeside(const model::Document& board, const model::SectionPi
 
 /// What of a piece lies in its layer, and what of a mask lies beside copper.
 void addFaces(const model::Document& board, const model::SectionPiece& piece, std::vector<SectionFace>& faces) {
-    const model::Layer& layer = board.layer(piece.layer);
+    const model::LayerType type = board.layer(piece.layer).type;
+    const bool isSubstrate = type == model::LayerType::Body || type == model::LayerType::Dielectric;
     const bool isMask = piece.material == model::SectionMaterial::SolderMask;
-    const model::Nm upper = layer.z + layer.thickness;
-    const bool reachesOut = isMask && (piece.bottom < layer.z || piece.top > upper);
-    faces.push_back(faceAt(piece, layer, isMask ? std::max(piece.bottom, layer.z) : piece.bottom,
-                           isMask ? std::min(piece.top, upper) : piece.top));
+    const model::ZRange own = model::heightsInCopy(board, piece.layer, piece.isMirrored);
+    const model::ZRange z{isMask ? std::max(piece.bottom, own.bottom) : piece.bottom,
+                          isMask ? std::min(piece.top, own.top) : piece.top};
+    const bool reachesOut = z.bottom != piece.bottom || z.top != piece.top;
+    faces.push_back(faceAt(piece, own, z, isSubstrate));
     if (const model::LayerId copper = reachesOut ? copperBeside(board, piece) : model::LayerId{}; copper.isValid()) {
-        const model::Layer& beside = board.layer(copper);
-        faces.push_back(faceAt(piece, beside, beside.z, beside.z + beside.thickness));
+        const model::ZRange beside = model::heightsInCopy(board, copper, false);
+        faces.push_back(faceAt(piece, beside, beside));
         faces.back().beside = copper;
     }
 }

@@ -26,7 +26,8 @@ struct SectionFace {
     double leanTo = 0.0;
     float bottom = 0.0F;  ///< of its layer: 0 the lower, 1 the upper face; so it stays when the stackup changes
     float top = 1.0F;
-    bool isInside = false;                ///< may lie in a substrate, and is then seen
+    bool isMirrored = false;  ///< of flipped copies: of the mirror image of the layer, which has no counterpart
+    bool isInside = false;    ///< may lie in a substrate, and is then seen
     std::optional<std::uint32_t> colour;  ///< of dielectrics by their material, 0xRRGGBB; none: of the layer
     /// Other layers than its own at whose height it lies: solder mask beside the copper of this layer, drawn while the
     /// mask lies right on that copper.

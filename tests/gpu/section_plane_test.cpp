@@ -98,6 +98,41 @@ std::shared_ptr<const Document> panel() {
     return board.finish();
 }
 
+/// A plate of copper, flipped, with a print of 1 mm that has no counterpart.
+std::shared_ptr<const Document> flippedPrint() {
+    const auto addLayers = [](model::DocumentBuilder& builder) {
+        for (const auto& [type, z, thickness] : {std::tuple(model::LayerType::Signal, kMm, kMm / 10),
+                                                 std::tuple(model::LayerType::Signal, model::Nm{0}, kMm / 10),
+                                                 std::tuple(model::LayerType::SilkScreen, kMm + kMm / 10, kMm)}) {
+            model::Layer layer;
+            layer.type = type;
+            layer.side = z > 0 ? model::LayerSide::Top : model::LayerSide::Bottom;
+            layer.z = z;
+            layer.thickness = thickness;
+            builder.addLayer(layer);
+        }
+        builder.layer(model::LayerId{0}).opposite = model::LayerId{1};
+        builder.layer(model::LayerId{1}).opposite = model::LayerId{0};
+        builder.setBoardThickness(1'100'000);
+    };
+    const auto addRectangle = [](model::DocumentBuilder& builder, model::Nm x, model::Nm y) {
+        model::ShapeSketch sketch;
+        sketch.addPolygon(std::array<model::Point, 4>{{{-x, -y}, {x, -y}, {x, y}, {-x, y}}}, false);
+        return builder.addShape(sketch);
+    };
+    model::DocumentBuilder step;
+    addLayers(step);
+    for (const std::size_t layer : {std::size_t{0}, std::size_t{2}}) {
+        step.beginLayer(model::LayerId{layer});
+        step.addArea({addRectangle(step, 15 * kMm, 10 * kMm), {}}, {});
+    }
+    model::DocumentBuilder board;
+    addLayers(board);
+    board.addInstance({board.addStep(step.finish()), {{0, 0}, 0.0, true}, true});
+    board.setProfile(addRectangle(board, 20 * kMm, 15 * kMm));
+    return board.finish();
+}
+
 /// 0.4 mm square: a laser via of 0.1 mm, plated 15 µm, from the top through 80 µm of dielectric to an inner pad.
 std::shared_ptr<const Document> laserVia() {
     model::DocumentBuilder builder;
@@ -209,9 +244,11 @@ public:
           m_sign(settings.section->plane.direction.x),
           m_boardFromClip(glm::inverse(glm::dmat4(camera.projection(kAspect)) * glm::dmat4(camera.view()))) {
         const std::vector<ZRange> heights = board.scene.drawnHeights(settings);
+        const float faces = board.scene.drawnFaces(settings);
         for (const SectionFace& face : settings.section->faces) {
             const std::size_t layer = face.layer.row();
-            const ZRange z = heights[face.beside.isValid() ? face.beside.row() : layer];
+            const ZRange upright = heights[face.beside.isValid() ? face.beside.row() : layer];
+            const ZRange z = face.isMirrored ? ZRange{faces - upright.z1, faces - upright.z0} : upright;
             QVERIFY2(face.leanFrom == 0.0 && face.leanTo == 0.0, "the sample has no laser vias");
             if (board.styles[layer].isVisible) {
                 m_pieces.push_back({{face.from, glm::mix(z.z0, z.z1, face.bottom)},
@@ -465,6 +502,35 @@ private slots:
             }
         }
         QVERIFY2(checked > 30000 && wrong == 0, qPrintable(QString("%1 of %2").arg(wrong).arg(checked)));
+    }
+
+    void whatHasNoCounterpartIsCutWhereItIsDrawn() {
+        Board board(flippedPrint());
+        ViewSettings settings;
+        settings.zScale = {2.0F, 2.0F};
+        settings.section = board.cut({1, 0}, {0, 0});
+        const auto& faces = settings.section->faces;
+        const auto print = std::ranges::find(faces, model::LayerId{2}, &SectionFace::layer);
+        QVERIFY(print != faces.end() && print->isMirrored);
+        QCOMPARE(print->bottom, 0.0F);
+        QCOMPARE(print->top, 1.0F);
+        const auto copper = std::ranges::find(faces, model::LayerId{1}, &SectionFace::layer);
+        QVERIFY(copper != faces.end() && !copper->isMirrored);
+        Camera camera = board.seen(NamedView::Iso, false);
+        camera.setPose({{0.0F, 0.0F, 0.0F}, 30.0F, 0.0F, -0.2F, false});
+        const Image open = board.draw(camera, settings);
+        const CutFace face(board, settings, camera);
+        std::size_t checked = 0;
+        std::size_t wrong = 0;
+        for (std::uint32_t y = 1; y + 1 < kHeight; ++y) {
+            for (std::uint32_t x = 1; x + 1 < kWidth; ++x) {
+                if (const std::optional<Rgb> colour = face.colourAt(x, y)) {
+                    ++checked;
+                    wrong += test::distance(pixel(open, x, y), *colour) > 2 ? 1 : 0;
+                }
+            }
+        }
+        QVERIFY2(checked > 3000 && wrong == 0, qPrintable(QString("%1 of %2").arg(wrong).arg(checked)));
     }
 
     void linesOfSightAreCutToo() {

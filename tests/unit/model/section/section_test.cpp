@@ -294,6 +294,10 @@ private slots:
             QCOMPARE(textOf(solid.pieces, Bottom), QStringList{"19000-21000@0-50"});
             QCOMPARE(textOf(solid.pieces, lieOn), QStringList{"19000-21000@-2000-0"});
             QCOMPARE(textOf(solid.bores, Drill), QStringList{"14500-15500@0-1200"});
+            for (const SectionPiece& piece : merged(solid.pieces)) {
+                const bool hasCounterpart = piece.layer == LayerId{Bottom} || lieOn != bodies;
+                QCOMPARE(piece.isMirrored, piece.layer == LayerId{Drill} || !hasCounterpart);
+            }
             const Section real = *makeSection(*index, {{{0, 0}, {40e6, 0}}, {}});
             std::size_t pieces = 0;
             for (const SectionPiece& piece : real.pieces) {
