@@ -34,10 +34,24 @@ struct Copper {
     double farthest = 0.0;      ///< nm; no two items are farther apart
 };
 
-ZRange heightsOf(const Document& board, LayerId top, LayerId bottom) {
-    const auto low = [&](LayerId id) { return board.layer(id).z; };
-    const auto high = [&](LayerId id) { return board.layer(id).z + board.layer(id).thickness; };
-    return {std::min(low(top), low(bottom)), std::max(high(top), high(bottom))};
+/// First and last copper layer of the board, and whether flipped copies have them on the other side.
+struct Span {
+    LayerId top;
+    LayerId bottom;
+    bool isMirrored = false;
+    auto operator<=>(const Span&) const = default;
+};
+
+Span spanIn(const Document& step, const StepCopy& copy, LayerId top, LayerId bottom) {
+    const auto [first, last] =
+        std::minmax({step.layerOfCopy(top, copy.isFlipped), step.layerOfCopy(bottom, copy.isFlipped)});
+    return {first, last, isMirroredInCopy(step, top, copy.isFlipped)};
+}
+
+ZRange heightsOf(const Document& board, const Span& span) {
+    const ZRange top = heightsInCopy(board, span.top, span.isMirrored);
+    const ZRange bottom = heightsInCopy(board, span.bottom, span.isMirrored);
+    return {std::min(top.bottom, bottom.bottom), std::max(top.top, bottom.top)};
 }
 
 class Collector {
@@ -60,7 +74,7 @@ public:
         Box extent;
         ZRange z{0, 0};
         for (auto& [span, open] : m_open) {
-            copper.slabs.push_back({heightsOf(m_board, span.first, span.second), LayerGeometry(std::move(open.figures)),
+            copper.slabs.push_back({heightsOf(m_board, span), LayerGeometry(std::move(open.figures)),
                                     std::move(open.nets), std::move(open.copies)});
             extent.include(copper.slabs.back().copper.extent());
             z = {std::min(z.bottom, copper.slabs.back().z.bottom), std::max(z.top, copper.slabs.back().z.top)};
@@ -85,8 +99,7 @@ private:
             }
             const PlatedSpan span = isWall ? step.platedSpanOf(ElementId{i}) : PlatedSpan{{}, layer, layer};
             if (span.top.isValid() && span.bottom.isValid()) {
-                Open& open = m_open[std::minmax(step.layerOfCopy(span.top, copy.isFlipped),
-                                                step.layerOfCopy(span.bottom, copy.isFlipped))];
+                Open& open = m_open[spanIn(step, copy, span.top, span.bottom)];
                 open.figures.add(step, ElementId{i}, copy.placement);
                 open.nets.resize(open.figures.size(), m_firstNet + step.elements.net[i].value);
                 open.copies.resize(open.figures.size(), row);
@@ -95,8 +108,8 @@ private:
     }
 
     const Document& m_board;
-    std::map<std::pair<LayerId, LayerId>, Open> m_open;  ///< by first and last copper layer
-    std::uint32_t m_firstNet = 0;                        ///< of the copy that is added
+    std::map<Span, Open> m_open;
+    std::uint32_t m_firstNet = 0;  ///< of the copy that is added
 };
 
 /// Does a component say that it joins nets? Else there are no ties, and the copper need not be followed.

@@ -96,7 +96,11 @@ Piece pieceOf(const BoardIndex& index, BoardElement at) {
         std::swap(piece.top, piece.bottom);
     }
     piece.hasHeights = isInStackup(index.board->layer(piece.layer));
-    if (isPlatedHole(step.elements.flags[at.element.row()]) && span.top.isValid()) {
+    const bool isPlated = isPlatedHole(step.elements.flags[at.element.row()]);
+    if (piece.hasHeights && (isPlated || (step.elements.flags[at.element.row()] & kHole) == 0)) {
+        piece.isMirrored = isMirroredInCopy(step, span.top.isValid() ? span.top : own, copy.isFlipped);
+    }
+    if (isPlated && span.top.isValid()) {
         const ZRange a = heightsInCopy(step, span.top, copy.isFlipped);
         const ZRange b = heightsInCopy(step, span.bottom, copy.isFlipped);
         piece.z = {std::min(a.bottom, b.bottom), std::max(a.top, b.top)};

@@ -66,10 +66,12 @@ struct Piece {
     LayerId bottom;
     bool hasHeights = false;  ///< drawings and the like are not in the stackup
     ZRange z;
+    std::optional<bool> isMirrored;  ///< isMirroredInCopy; none: of both sides (other holes, locations, drawings)
 
-    /// Lie both on one layer at least? What is on no layer lies on all.
+    /// Lie both on one layer at least? What is on no layer lies on all. A layer and its mirror image are two.
     [[nodiscard]] bool sharesLayerWith(const Piece& other) const {
-        return !layer.isValid() || !other.layer.isValid() || (top <= other.bottom && other.top <= bottom);
+        const bool isOneSide = !isMirrored || !other.isMirrored || *isMirrored == *other.isMirrored;
+        return !layer.isValid() || !other.layer.isValid() || (isOneSide && top <= other.bottom && other.top <= bottom);
     }
 };
 

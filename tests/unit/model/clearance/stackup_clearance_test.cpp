@@ -155,6 +155,33 @@ private slots:
         QVERIFY(found[1].layerA != found[1].layerB);
     }
 
+    /// Copper on the top of 1 mm of substrate: that of a flipped copy is on the bottom.
+    void acrossCopiesOfOneCopperLayer() {
+        const auto addLayers = [](DocumentBuilder& builder) {
+            model::Layer layer;
+            layer.type = model::LayerType::Signal;
+            layer.side = model::LayerSide::Top;
+            layer.z = kMm;
+            layer.thickness = 35 * kUm;
+            builder.setBoardThickness(kMm);
+            return builder.addLayer(layer);
+        };
+        DocumentBuilder card;
+        card.beginLayer(addLayers(card));
+        card.addCircle({{0, 0}, 200 * kUm, 0}, of(card.addNet("A")));
+        DocumentBuilder panel;
+        addLayers(panel);
+        const std::uint32_t row = panel.addStep(card.finish());
+        panel.addInstance({row, {{0, 0}}, false});
+        panel.addInstance({row, {{500 * kUm, 0}}, false});
+        panel.addInstance({row, {{100 * kUm, 0}, 0.0, true}, true});
+        const auto found = measure(*panel.finish(), {10, 1e9, {}});
+        QCOMPARE(found.size(), std::size_t{3});
+        QVERIFY(isNear(found[0].spacing.distance, 300'000) && found[0].height == 0.0);
+        QVERIFY(isNear(found[1].spacing.distance, kMm - 35 * kUm) && found[1].planar == 0.0);
+        QVERIFY(isNear(found[2].height, kMm - 35 * kUm) && isNear(found[2].planar, 200'000));
+    }
+
     void withoutHeightsThereIsNothingToMeasure() {
         DocumentBuilder builder;
         builder.beginLayer(addLayer(builder, "top"));

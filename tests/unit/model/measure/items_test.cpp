@@ -103,6 +103,47 @@ private slots:
         QCOMPARE(piece.z.bottom, -2 * kMm);
         QCOMPARE(piece.z.top, 0);
     }
+
+    /// A board of one copper layer: that of a flipped copy is on the other side.
+    void copperOfFlippedCopiesIsOnALayerOfItsOwn() {
+        const auto add = [](DocumentBuilder& builder) {
+            Layer layer;
+            layer.type = LayerType::Signal;
+            layer.side = LayerSide::Top;
+            layer.z = kMm;
+            layer.thickness = kMm / 10;
+            builder.setBoardThickness(kMm);
+            return builder.addLayer(layer);
+        };
+        DocumentBuilder step;
+        const LayerId copper = add(step);
+        step.beginLayer(copper);
+        const ElementId pad = step.addCircle({{0, 0}, kMm, 0}, {});
+        Layer drill;
+        drill.type = LayerType::Drill;
+        drill.spanTop = drill.spanBottom = copper;
+        step.beginLayer(step.addLayer(drill));
+        const ElementId hole = step.addCircle({{0, 0}, kMm / 2, kMm / 2}, flagged(kHole));
+        DocumentBuilder panel;
+        add(panel);
+        panel.addLayer(drill);
+        const std::uint32_t row = panel.addStep(step.finish());
+        panel.addInstance({row, {{0, 0}}, false});
+        panel.addInstance({row, {{5 * kMm, 0}}, false});
+        panel.addInstance({row, {{10 * kMm, 0}, 0.0, true}, true});
+        const auto index = indexed(panel.finish());
+        const auto pieceOf = [&](const MeasureItem& item) { return piecesOf(*index, item).pieces.front(); };
+        const Piece upright = pieceOf(BoardElement{1, pad});
+        const Piece flipped = pieceOf(BoardElement{3, pad});
+        QCOMPARE(flipped.layer, upright.layer);
+        QCOMPARE(flipped.z.bottom, Nm{0});
+        QVERIFY(!flipped.sharesLayerWith(upright));
+        QVERIFY(upright.sharesLayerWith(pieceOf(BoardElement{2, pad})));
+        for (const MeasureItem& item : {MeasureItem(BoardElement{1, hole}), MeasureItem(Location{{0, 0}, copper})}) {
+            QVERIFY(pieceOf(item).sharesLayerWith(flipped));  // holes pass both sides
+            QVERIFY(pieceOf(item).sharesLayerWith(upright));
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(ItemsTest)
