@@ -130,6 +130,50 @@ double middleOf(const StandingPart& part) {
     return (from + to) / 2;
 }
 
+LayerSide sideOf(const BoardFace& face) {
+    return face.isTop ? LayerSide::Top : LayerSide::Bottom;
+}
+
+/// By its layer, whatever its height.
+LayerSide sideOf(const Document& board, const SectionPiece& piece) {
+    const LayerSide side = board.layer(piece.layer).side;
+    if (!piece.isMirrored || (side != LayerSide::Top && side != LayerSide::Bottom)) {
+        return side;
+    }
+    return side == LayerSide::Top ? LayerSide::Bottom : LayerSide::Top;
+}
+
+/// Does a piece lie on the side of a face? Where layers may be missing, heights do not say so.
+bool isOn(const Document& board, const Stretch& stretch, const BoardFace& face, const SectionPiece& piece) {
+    return stretch.isBounded ? sideOf(board, piece) == sideOf(face)
+           : face.isTop      ? piece.bottom >= face.copper
+                             : piece.top <= face.copper;
+}
+
+/// The mask that flipped copies have on a face if it has no counterpart: that of the other one.
+LayerId mirroredMask(const Stretch& stretch, const BoardFace& face) {
+    const auto other = std::ranges::find(stretch.faces, !face.isTop, &BoardFace::isTop);
+    return other != stretch.faces.end() ? other->maskLayer : LayerId{};
+}
+
+/// Is a piece of the mask that lies on a face?
+bool isMaskOf(const Stretch& stretch, const BoardFace& face, const SectionPiece& piece) {
+    return piece.layer == (piece.isMirrored ? mirroredMask(stretch, face) : face.maskLayer);
+}
+
+/// Solder from the copper of a face to a piece of a part that stands higher.
+void addSolder(const BoardFace& face, Nm seat, SectionPiece piece, const Intervals& where,
+               std::vector<SectionPiece>& out) {
+    piece.bottom = std::min(face.copper, seat);
+    piece.top = std::max(face.copper, seat);
+    piece.material = SectionMaterial::Solder;
+    for (const Interval& joint : clipped(where, piece.from, piece.to)) {
+        piece.from = joint.from;
+        piece.to = joint.to;
+        out.push_back(piece);
+    }
+}
+
 /// Copper that ends on a face.
 Intervals copperOf(const BoardFace& face, const LegCut& leg) {
     return intervalsOf(leg.pieces, [&](const SectionPiece& piece) {
@@ -337,18 +381,10 @@ void LegShaper::shapeStretch(const Stretch& stretch, LegCut& leg) const {
 /// `stacks`.
 void LegShaper::shapeFace(const Stretch& stretch, const BoardFace& face, std::vector<LaidStack>& stacks,
                           LegCut& leg) const {
-    // In a flipped copy a mask without a counterpart lies on the other side.
-    const auto isMask = [&](const SectionPiece& piece) {
-        const bool isThisSide =
-            stretch.isBounded || (face.isTop ? piece.bottom >= face.copper : piece.top <= face.copper);
-        return face.maskLayer.isValid() && piece.layer == face.maskLayer && isThisSide;
-    };
+    // What is mirrored stays level.
+    const auto isMask = [&](const SectionPiece& piece) { return !piece.isMirrored && isMaskOf(stretch, face, piece); };
     const auto isInk = [&](const SectionPiece& piece) {
-        const bool isThisSide =
-            stretch.isBounded ? m_board.layer(piece.layer).side == (face.isTop ? LayerSide::Top : LayerSide::Bottom)
-            : face.isTop      ? piece.bottom >= face.copper
-                              : piece.top <= face.copper;
-        return !face.isFlat && piece.material == SectionMaterial::Silkscreen && isThisSide;
+        return !face.isFlat && piece.material == SectionMaterial::Silkscreen && isOn(m_board, stretch, face, piece);
     };
     const Intervals under = raisedOf(face, leg);
     const Intervals masked = intervalsOf(leg.pieces, isMask);
@@ -397,7 +433,7 @@ void LegShaper::shapeFilms(const LaidStack& stack, const Intervals& raised, std:
 void LegShaper::movePaste(const BoardFace& face, LegCut& leg) const {
     const auto whole = std::ranges::find(m_faces, face.isTop, &BoardFace::isTop);
     for (SectionPiece& piece : leg.pieces) {
-        const bool isThisSide = m_board.layer(piece.layer).side == (face.isTop ? LayerSide::Top : LayerSide::Bottom);
+        const bool isThisSide = sideOf(m_board, piece) == sideOf(face);
         if (whole != m_faces.end() && piece.material == SectionMaterial::Paste && isThisSide) {
             piece.bottom += face.copper - whole->copper;
             piece.top += face.copper - whole->copper;
@@ -405,64 +441,67 @@ void LegShaper::movePaste(const BoardFace& face, LegCut& leg) const {
     }
 }
 
+/// How high the mask is that copies of one way up have on the copper of a face: in flipped ones a mask without a
+/// counterpart lies on the other side, level.
+Nm LegShaper::maskOn(const Stretch& stretch, const BoardFace& face, bool isFlipped) const {
+    if (face.mask > 0 && !isMirroredInCopy(m_board, face.maskLayer, isFlipped)) {
+        return face.outwards() * (face.onCopper() - face.copper);
+    }
+    const LayerId other = mirroredMask(stretch, face);
+    return isFlipped && other.isValid() && isMirroredInCopy(m_board, other, isFlipped) ? m_board.layer(other).thickness
+                                                                                       : 0;
+}
+
 /// Parts stand on the highest of what may lie under them.
-Nm LegShaper::seatOf(const Stretch& stretch, const BoardFace& face) const {
+Nm LegShaper::seatOf(const Stretch& stretch, const BoardFace& face, bool isFlipped) const {
     Nm ink = 0;
     for (const Layer& layer : m_board.layers) {
-        const bool isThisSide = layer.side == (face.isTop ? LayerSide::Top : LayerSide::Bottom);
+        const bool isThisSide = layer.side == sideOf(face);
         if (layer.type == LayerType::SilkScreen && isOnBoard(layer) && isThisSide && layer.elements.count > 0) {
             ink = std::max(ink, layer.thickness);
         }
     }
     const Nm film = stretch.stack.coverlayOn(face);
-    const Nm mask = face.mask > 0 ? face.outwards() * (face.onCopper() - face.copper) : 0;
-    return face.copper + face.outwards() * (std::max(mask, film) + ink);
+    return face.copper + face.outwards() * (std::max(maskOn(stretch, face, isFlipped), film) + ink);
 }
 
 void LegShaper::addParts(const Stretch& stretch, const BoardFace& face, LegCut& leg) const {
     const auto isPaste = [&](const SectionPiece& piece) {
-        return piece.material == SectionMaterial::Paste &&
-               (face.isTop ? piece.bottom >= face.copper : piece.top <= face.copper);
+        return piece.material == SectionMaterial::Paste && isOn(m_board, stretch, face, piece);
     };
     const Intervals masked =
-        intervalsOf(leg.pieces, [&](const SectionPiece& piece) { return piece.layer == face.maskLayer; });
+        intervalsOf(leg.pieces, [&](const SectionPiece& piece) { return isMaskOf(stretch, face, piece); });
     const Intervals bare = subtracted(copperOf(face, leg), masked);
     const Intervals pasted = common(bare, intervalsOf(leg.pieces, isPaste));
-    const Nm seat = seatOf(stretch, face);
     std::vector<SectionPiece> standing;
+    std::vector<Interval> covered;
     for (StandingPart& part : leg.parts) {
         if (part.isTop != face.isTop) {
             continue;
         }
-        for (SectionPiece piece : part.pieces) {
-            const bool isTerminal = piece.material == SectionMaterial::Terminal;
-            const Intervals soldered = clipped(isTerminal ? bare : pasted, piece.from, piece.to);
-            for (const Interval& joint : piece.bottom == 0 && seat != face.copper ? soldered : Intervals{}) {
-                piece.from = joint.from;
-                piece.to = joint.to;
-                piece.bottom = std::min(face.copper, seat);
-                piece.top = std::max(face.copper, seat);
-                piece.material = SectionMaterial::Solder;
-                standing.push_back(piece);
+        const Nm seat = seatOf(stretch, face, part.isFlipped);
+        for (const SectionPiece& piece : part.pieces) {
+            if (piece.bottom == 0 && seat != face.copper) {
+                addSolder(face, seat, piece, piece.material == SectionMaterial::Terminal ? bare : pasted, standing);
             }
         }
         stand(part.pieces, seat, face.isTop);
         standing.insert(standing.end(), part.pieces.begin(), part.pieces.end());
+        std::ranges::copy(
+            intervalsOf(part.pieces,
+                        [&](const SectionPiece& piece) { return (face.isTop ? piece.bottom : piece.top) == seat; }),
+            std::back_inserter(covered));
     }
-    const Intervals taken = intervalsOf(
-        standing, [&](const SectionPiece& piece) { return (face.isTop ? piece.bottom : piece.top) == seat; });
-    std::vector<SectionPiece> pieces;
-    for (const SectionPiece& piece : leg.pieces) {
-        for (const Interval& rest :
-             isPaste(piece) ? subtracted({{piece.from, piece.to}}, taken) : Intervals{{piece.from, piece.to}}) {
-            pieces.push_back(piece);
-            if (isPaste(piece)) {
-                pieces.back().from = rest.from;
-                pieces.back().to = rest.to;
-            }
+    const Intervals taken = united(std::move(covered));
+    replace(leg.pieces, isPaste, [&](const SectionPiece& piece) {
+        std::vector<SectionPiece> rest;
+        for (const Interval& where : subtracted({{piece.from, piece.to}}, taken)) {
+            rest.push_back(piece);
+            rest.back().from = where.from;
+            rest.back().to = where.to;
         }
-    }
-    leg.pieces = std::move(pieces);
+        return rest;
+    });
     leg.pieces.insert(leg.pieces.end(), standing.begin(), standing.end());
 }
 

@@ -13,6 +13,7 @@ namespace model {
 /// A component as a line cuts it, with heights from the face it stands on (partPieces).
 struct StandingPart {
     bool isTop = true;
+    bool isFlipped = false;  ///< of a flipped copy
     std::vector<SectionPiece> pieces;
 };
 
@@ -47,7 +48,8 @@ private:
     void shapeFilms(const LaidStack& stack, const Intervals& raised, std::vector<LaidPart>& laid, LegCut& leg) const;
     void movePaste(const BoardFace& face, LegCut& leg) const;
     void addParts(const Stretch& stretch, const BoardFace& face, LegCut& leg) const;
-    [[nodiscard]] Nm seatOf(const Stretch& stretch, const BoardFace& face) const;
+    [[nodiscard]] Nm maskOn(const Stretch& stretch, const BoardFace& face, bool isFlipped) const;
+    [[nodiscard]] Nm seatOf(const Stretch& stretch, const BoardFace& face, bool isFlipped) const;
     [[nodiscard]] bool isSurface(const SectionPiece& piece) const;
     [[nodiscard]] bool isFilm(const SectionPiece& piece) const;
     void splitDielectrics(const std::vector<Stretch>& stretches, std::vector<SectionPiece>& pieces) const;

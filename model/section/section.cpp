@@ -224,7 +224,7 @@ private:
         const BodyPlan none;
         const SectionPiece like{layer, {placed.copy, body.element}};
         const LayerId own = placed.step.elements.layer[body.element.row()];
-        StandingPart part{!growsDownInCopy(placed.step, own, placed.how.isFlipped), {}};
+        StandingPart part{!growsDownInCopy(placed.step, own, placed.how.isFlipped), placed.how.isFlipped, {}};
         const BodyPlan& plan = body.component.isValid() ? m_plans.of(placed.step, body.component) : none;
         for (SectionPiece piece : partPieces(placed.step, body, plan, placed.line, like)) {
             piece.from = leg.start + std::clamp(piece.from, 0.0, leg.length);

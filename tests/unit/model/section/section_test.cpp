@@ -308,6 +308,61 @@ private slots:
         }
     }
 
+    /// Mask of 20 µm on the top only, and a part on each side: flipped, the mask and the upper part are below.
+    void partsOfFlippedCopiesStandOnTheMaskThatIsThere() {
+        enum : std::size_t { Mask = Print + 1, BodiesTop, BodiesBottom };
+        const auto add = [](DocumentBuilder& builder) {
+            addLayers(builder);
+            const auto addLayer = [&](LayerType type, LayerSide side, Nm z, Nm thickness, LayerId opposite) {
+                Layer layer;
+                layer.type = type;
+                layer.side = side;
+                layer.z = z;
+                layer.thickness = thickness;
+                layer.opposite = opposite;
+                layer.isSynthetic = true;
+                builder.addLayer(layer);
+            };
+            addLayer(LayerType::SolderMask, LayerSide::Top, 2'300'000, 20'000, {});
+            addLayer(LayerType::ComponentBody, LayerSide::Top, 2'300'000, kMm, LayerId{BodiesBottom});
+            addLayer(LayerType::ComponentBody, LayerSide::Bottom, -kMm, kMm, LayerId{BodiesTop});
+        };
+        DocumentBuilder card;
+        add(card);
+        Package package;
+        package.body = card.addShape(rectangle({-kMm, -kMm}, {kMm, kMm}));
+        const ShapeId outline = package.body;
+        const PackagePin pins[] = {{{}, PinKind::Surface, {-kMm, 0}, {}}, {{}, PinKind::Surface, {kMm, 0}, {}}};
+        Component part;
+        part.package = card.addPackage(std::move(package), pins);
+        part.height = kMm;
+        const ComponentId component = card.addComponent(std::move(part), {});
+        for (const std::size_t layer : {std::size_t{BodiesTop}, std::size_t{BodiesBottom}}) {
+            card.beginLayer(LayerId{layer});
+            const ElementId body = card.addArea({outline, {}}, {});
+            card.addBody({body, component, kMm});
+        }
+        DocumentBuilder panel;
+        add(panel);
+        const std::uint32_t row = panel.addStep(card.finish());
+        panel.addInstance({row, {{20 * kMm, 0}, 0.0, true}, true});
+        panel.addInstance({row, {{40 * kMm, 0}, 0.0, false}, false});
+        const Section section = cut(panel.finish(), {{0, 0}, {60e6, 0}});
+        const auto seatOf = [&](std::uint32_t copy, std::size_t layer) {
+            Nm seat = layer == BodiesTop ? 5 * kMm : -5 * kMm;  // beyond all
+            for (const SectionPiece& piece : section.pieces) {
+                if (piece.at.copy == copy && piece.layer == LayerId{layer}) {
+                    seat = layer == BodiesTop ? std::min(seat, piece.bottom) : std::max(seat, piece.top);
+                }
+            }
+            return seat;
+        };
+        QCOMPARE(seatOf(1, BodiesTop), 2'300'000);
+        QCOMPARE(seatOf(1, BodiesBottom), -20'000);
+        QCOMPARE(seatOf(2, BodiesTop), 2'310'000);
+        QCOMPARE(seatOf(2, BodiesBottom), 0);
+    }
+
     void aPanelsOwnHolesPassItsSteps() {
         DocumentBuilder builder;
         addLayers(builder);
