@@ -29,7 +29,12 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
 }
 
 void MessageBar::showError(const QString& text) {
-    m_label->setText(text);
+    const bool isOneMore = m_isNew.isActive() && !isHidden();
+    if (!isOneMore) {
+        m_label->setText(text);
+    } else if (!m_label->text().split('\n').contains(text)) {
+        m_label->setText(m_label->text() + '\n' + text);
+    }
     show();
     m_isNew.start();
 }

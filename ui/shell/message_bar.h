@@ -15,6 +15,7 @@ class MessageBar : public QFrame {
 public:
     explicit MessageBar(QWidget* parent = nullptr);
 
+    /// Takes the place of an earlier error; those that come together are shown below each other, each once.
     void showError(const QString& text);
     /// Something succeeded: an error from before it is over, one that came with it is not.
     void endEarlierError();

@@ -325,6 +325,19 @@ private slots:
         QVERIFY(!window().messageBar().isVisible());
     }
 
+    void errorsThatComeTogetherAreAllShown() {
+        for (const char* text : {"one", "two", "one"}) {
+            window().workspace().reportError(text);
+        }
+        QCOMPARE(window().error(), QString("one\ntwo"));
+        window().messageBar().hide();
+        window().workspace().reportError("three");
+        QCOMPARE(window().error(), QString("three"));
+        QTest::qWait(1);
+        window().workspace().reportError("four");
+        QCOMPARE(window().error(), QString("four"));
+    }
+
     void escapeClosesTheErrorBeforeItClearsTheSelection() {
         QVERIFY(!m_fixture->openAndWait("/no/such/board.tgz"));
         QVERIFY(window().messageBar().isVisible());

@@ -138,8 +138,11 @@ private slots:
         for (int i = 0; i < 6; ++i) {
             window().savePicture(folder.filePath("%1.png").arg(i), 3'000);
         }
+        connect(&window().workspace(), &ui::Workspace::sessionRestored, this,
+                [this] { window().workspace().reportError("Of the new board"); });
         QVERIFY(m_fixture->openAndWait(kSample));  // at once: it has been read
         QTRY_VERIFY(window().messageBar().isVisible());
+        QVERIFY2(window().error().startsWith("Of the new board\n"), qPrintable(window().error()));
         QVERIFY2(window().error().contains("not saved: ") && window().error().endsWith(folder.filePath("5.png")),
                  qPrintable(window().error()));
         QVERIFY(window().awaitWork());
@@ -179,7 +182,8 @@ private slots:
         QTRY_VERIFY(!m_fixture->context().device().isLost());
         QVERIFY(window().awaitWork());
         QTRY_VERIFY(folder.isEmpty());
-        QTRY_VERIFY(window().messageBar().isVisible());
+        QTRY_VERIFY2(window().error().contains("was started again.\n") && window().error().contains("not saved: "),
+                     qPrintable(window().error()));
         QTRY_VERIFY(window().views().solid().hasScene());
         begin();
         m_fixture->restart();
