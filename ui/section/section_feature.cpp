@@ -121,7 +121,12 @@ void SectionFeature::connectCommands(FeatureContext& context) {
         FeatureContext::raise(*m_panel);
         followNet();
     });
-    on(ActionId::OpenAlongSection, [this] { showIn3D(); });
+    on(ActionId::OpenAlongSection, [this] {
+        if (straightLine()) {
+            m_views.reveal(m_views.solid());
+        }
+        showIn3D();
+    });
     on(ActionId::SaveSection, [this] { saveSection(); });
     on(ActionId::ExportSection, [this, &context] {
         if (m_panel->view().section()) {
@@ -191,6 +196,7 @@ void SectionFeature::connectPlaneMoves(FeatureContext& context) {
     const auto on = [&](ActionId id, auto slot) {
         context.on(id, this, [this, slot] {
             if (m_plane.isOn()) {
+                m_views.reveal(m_views.solid());
                 slot();
             } else {
                 m_workspace.report(

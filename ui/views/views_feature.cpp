@@ -66,14 +66,18 @@ void connectContrast(FeatureContext& context) {
     QObject::connect(&workspace, &Workspace::boardOpened, &views, setContrast);
 }
 
-/// Before what the commands do: hints on it are about a view that is seen.
+/// Before what the commands do: hints on it are about a view that is seen. To switch something off needs no look at it.
 void connectHiddenViews(FeatureContext& context) {
     BoardViews& views = context.views;
     QObject::connect(&views, &BoardViews::bothWanted, &context.actions[ActionId::ShowSideBySide], &QAction::trigger);
     for (const ActionSpec& spec : ActionSet::kSpecs) {
         if ((spec.flags & (kInFlat | kInSolid)) != 0) {
             const BoardView& view = (spec.flags & kInFlat) != 0 ? views.flat() : views.solid();
-            context.on(spec.id, &views, [&views, &view] { views.reveal(view); });
+            context.on(spec.id, &views, [&views, &view, isSwitch = (spec.flags & kCheckable) != 0](bool isOn) {
+                if (isOn || !isSwitch) {
+                    views.reveal(view);
+                }
+            });
         }
     }
 }

@@ -84,8 +84,10 @@ struct ActionSpec {
 inline constexpr unsigned kCheckable = 1U;
 inline constexpr unsigned kNewGroup = 2U;  ///< a separator goes before it
 inline constexpr unsigned kNeedsBoard = 4U;
-inline constexpr unsigned kInFlat = 8U;    ///< what it does is seen in the 2D view alone
-inline constexpr unsigned kInSolid = 16U;  ///< in the 3D view alone
+/// What it does, or switches on, is seen in the 2D view alone, which is shown for it where it is hidden. Commands that
+/// may have nothing to do call BoardViews::reveal where they do something instead.
+inline constexpr unsigned kInFlat = 8U;
+inline constexpr unsigned kInSolid = 16U;  ///< in the 3D view alone, likewise
 
 [[nodiscard]] QString menuTitle(MenuId menu);
 /// Keys written as in ActionSpec::shortcuts.

@@ -66,6 +66,42 @@ private slots:
         QVERIFY2(!views().flat().isVisible(), "this is about either");
     }
 
+    void aHiddenViewStaysSoWhereNothingIsDoneInIt() {
+        const auto& actions = window().actions();
+        actions[ActionId::ShowFlat].trigger();
+        for (const ActionId id : {ActionId::RotateSectionPlane, ActionId::MoveSectionPlaneOn,
+                                  ActionId::MoveSectionPlaneBack, ActionId::OpenAlongSection}) {
+            actions[id].trigger();
+            QVERIFY2(!views().solid().isVisible(), qPrintable(actions[id].text()));
+        }
+        actions[ActionId::Explode].trigger();
+        actions[ActionId::ShowFlat].trigger();
+        actions[ActionId::Explode].trigger();
+        views().setExplode(0.0F);  // at once
+        QVERIFY2(!views().solid().isVisible(), "it was switched off");
+        actions[ActionId::DrawSection].trigger();
+        actions[ActionId::ShowSolid].trigger();
+        actions[ActionId::MeasurePoints].trigger();
+        QVERIFY(!actions[ActionId::DrawSection].isChecked());
+        QVERIFY(!views().flat().isVisible());
+        actions[ActionId::MeasurePoints].trigger();
+    }
+
+    void theSectionPlaneIsShownWhereItIsMoved() {
+        const auto& actions = window().actions();
+        const model::Box box = window().document()->board;
+        window().sections().cutAlong({base::toDouble(box.min), base::toDouble(box.max)});
+        for (const ActionId id : {ActionId::OpenAlongSection, ActionId::RotateSectionPlane,
+                                  ActionId::MoveSectionPlaneOn, ActionId::MoveSectionPlaneBack}) {
+            actions[ActionId::ShowFlat].trigger();
+            actions[id].trigger();
+            QVERIFY2(views().solid().isVisible(), qPrintable(actions[id].text()));
+        }
+        window().sections().cutAlong({});
+        actions[ActionId::SectionPlane].trigger();
+        QVERIFY(!actions[ActionId::SectionPlane].isChecked());
+    }
+
     void commandsGoToTheViewInUse() {
         const float solidScale = solid().mmPerPixel();
         const float flatScale = flat().mmPerPixel();
