@@ -186,6 +186,11 @@ private slots:
                      qPrintable(window().error()));
         QTRY_VERIFY(window().views().solid().hasScene());
         begin();
+        window().close();
+        auto* question = window().findChild<QMessageBox*>();
+        QVERIFY(question != nullptr);
+        QTest::mouseClick(question->button(QMessageBox::Close), Qt::LeftButton);
+        QVERIFY(!window().isVisible());
         m_fixture->restart();
         QTRY_VERIFY(folder.isEmpty());
         QVERIFY(m_fixture->openAndWait(kSample));
