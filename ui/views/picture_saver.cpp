@@ -108,7 +108,7 @@ PictureSaver::PictureSaver(FeatureContext& context)
     m_workspace.watchWriting(m_work.background(),
                              [this] { return m_path.isEmpty() ? tr("Picture") : QFileInfo(m_path).fileName(); });
     connect(&m_workspace, &Workspace::boardLeaves, this, [this] {
-        giveUp(!m_isBegun, tr("Another board was opened before the graphics device had drawn the old one"));
+        giveUp(!m_isBegun, tr("The board on the screen was replaced before the graphics device had drawn it"));
     });
     connect(&m_workspace, &Workspace::deviceGoes, this, &PictureSaver::releaseDevice);
 }

@@ -142,7 +142,8 @@ private slots:
                 [this] { window().workspace().reportError("Of the new board"); });
         QVERIFY(m_fixture->openAndWait(kSample));  // at once: it has been read
         QTRY_VERIFY(window().messageBar().isVisible());
-        QVERIFY2(window().error().startsWith("Of the new board\n"), qPrintable(window().error()));
+        QVERIFY2(window().error().startsWith("Of the new board\nThe board on the screen was replaced"),
+                 qPrintable(window().error()));
         QVERIFY2(window().error().contains("not saved: ") && window().error().endsWith(folder.filePath("5.png")),
                  qPrintable(window().error()));
         QVERIFY(window().awaitWork());
