@@ -105,8 +105,9 @@ PictureSaver::PictureSaver(FeatureContext& context)
                                             : tr("Stopped: %1 was not saved").arg(m_path));
         goOn();
     });
-    m_workspace.watchWriting(m_work.background(),
-                             [this] { return m_path.isEmpty() ? tr("Picture") : QFileInfo(m_path).fileName(); });
+    m_workspace.watchWriting(
+        m_work.background(), [this] { return m_path.isEmpty() ? tr("Picture") : QFileInfo(m_path).fileName(); },
+        [this] { return nextFile(); });
     connect(&m_workspace, &Workspace::boardLeaves, this, [this] {
         giveUp(!m_isBegun, tr("The board on the screen was replaced before the graphics device had drawn it"));
     });
@@ -213,6 +214,13 @@ void PictureSaver::report() {
         m_workspace.reportSaved(picture ? base::Status(base::Done{}) : picture.error(), m_path);
     }
     goOn();
+}
+
+QString PictureSaver::nextFile() const {
+    const auto isFile = [](const Wanted& wanted) { return !wanted.path.isEmpty(); };
+    const auto waiting = std::ranges::find_if(m_waiting, isFile);
+    const QString path = m_path.isEmpty() && waiting != m_waiting.end() ? waiting->path : m_path;
+    return QFileInfo(path).fileName();
 }
 
 void PictureSaver::giveUp(bool hasCurrent, const QString& why) {

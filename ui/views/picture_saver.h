@@ -18,8 +18,9 @@ class Workspace;
 
 /// Saves and copies pictures of views while the window goes on: the device draws them in its turn, a thread of their
 /// own paints what is over the board and packs the pixels. One after the other, each as the view was when it was asked
-/// for; the workspace shows how far the first is, lets Esc stop it, and asks before the window is closed. They go on
-/// while another board is read; once it is there, those that the device has not begun are reported as not saved.
+/// for; the workspace shows how far the first is, lets Esc stop it, and asks before the window is closed over one that
+/// is saved. They go on while another board is read; once it is there, those that the device has not begun are reported
+/// as not saved.
 class PictureSaver : public QObject {
     Q_OBJECT
 
@@ -48,6 +49,8 @@ private:
     void end(const base::Status& drawn);
     void goOn();
     void report();
+    /// The name of the file that is written, or of the first that waits while a picture is copied; empty: no file.
+    [[nodiscard]] QString nextFile() const;
     /// Those that wait, and the current one, too; reports them.
     void giveUp(bool hasCurrent, const QString& why);
     void releaseDevice();

@@ -112,7 +112,7 @@ void Workspace::open(model::OpenRequest request) {
 /// What was begun while the next board was read, too, is about the one that goes.
 void Workspace::stopWorkOnBoard() {
     for (const Work& work : m_works) {
-        if (!work.isWriting) {
+        if (!work.file) {
             work.background->cancel();
         }
     }
@@ -194,8 +194,8 @@ void Workspace::reportSaved(const base::Status& saved, const QString& path) {
     saved ? report(tr("Saved %1").arg(path)) : reportError(QString::fromStdString(saved.error().text));
 }
 
-void Workspace::watch(Background& work, std::function<QString()> name, bool isWriting) {
-    m_works.push_back({&work, std::move(name), isWriting});
+void Workspace::watch(Background& work, std::function<QString()> name, std::function<QString()> file) {
+    m_works.push_back({&work, std::move(name), std::move(file)});
     const auto isShown = [this, &work] { return isWorking() && firstRunning()->background == &work; };
     connect(&work, &Background::started, this, [this, isShown] {
         if (isShown()) {
@@ -235,9 +235,11 @@ bool Workspace::cancelWork() {
 }
 
 QString Workspace::fileAtWork() const {
-    const auto writing =
-        std::ranges::find_if(m_works, [](const Work& work) { return work.isWriting && work.background->isRunning(); });
-    return writing != m_works.end() ? writing->name() : QString();
+    const auto isWriting = [](const Work& work) {
+        return work.file && work.background->isRunning() && !work.file().isEmpty();
+    };
+    const auto writing = std::ranges::find_if(m_works, isWriting);
+    return writing != m_works.end() ? writing->file() : QString();
 }
 
 }  // namespace ui

@@ -69,9 +69,13 @@ public:
     void reportSaved(const base::Status& saved, const QString& path);
 
     /// Shows the progress of this work from now on, and lets Esc stop it. It is about the board: another one stops it.
-    void watch(Background& work, std::function<QString()> name) { watch(work, std::move(name), false); }
+    void watch(Background& work, std::function<QString()> name) { watch(work, std::move(name), {}); }
     /// The same of work that writes a file of that name, which goes on while another board is opened.
-    void watchWriting(Background& work, std::function<QString()> name) { watch(work, std::move(name), true); }
+    void watchWriting(Background& work, const std::function<QString()>& name) { watch(work, name, name); }
+    /// Likewise; `file` says what is written now or next, empty: nothing that would be missed if the work were stopped.
+    void watchWriting(Background& work, std::function<QString()> name, std::function<QString()> file) {
+        watch(work, std::move(name), std::move(file));
+    }
     /// Stops what runs, a load first; false when nothing does.
     bool cancelWork();
     void cancelLoading() { m_loader.cancel(); }
@@ -123,7 +127,7 @@ private:
     struct Work {
         QPointer<Background> background;
         std::function<QString()> name;
-        bool isWriting = false;
+        std::function<QString()> file;  ///< none: it does not write, and is about the board
     };
     /// Thicknesses that are not those of the board that was read.
     struct Restack {
@@ -131,7 +135,7 @@ private:
         bool areSaved = true;
     };
 
-    void watch(Background& work, std::function<QString()> name, bool isWriting);
+    void watch(Background& work, std::function<QString()> name, std::function<QString()> file);
     void onEnded();
     void stopWorkOnBoard();
     void take(const LoadedBoard& board);

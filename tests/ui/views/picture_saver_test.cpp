@@ -167,6 +167,20 @@ private slots:
         QCOMPARE(QImage(path).width(), 2'000);
     }
 
+    void closingAsksForPicturesThatAreSavedAndNotForCopies() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        window().actions()[ActionId::CopyPicture].trigger();
+        QVERIFY(window().workspace().isWorking());
+        QCOMPARE(window().workspace().fileAtWork(), QString());
+        window().savePicture(m_fixture->folder() + "/picture.png");  // waits for its turn
+        QCOMPARE(window().workspace().fileAtWork(), QString("picture.png"));
+        QVERIFY(window().awaitWork());
+        window().actions()[ActionId::CopyPicture].trigger();
+        QVERIFY(window().workspace().isWorking());
+        window().close();
+        QVERIFY(!window().isVisible());
+    }
+
     void picturesEndWithTheirWindowOrDevice() {
         QVERIFY(m_fixture->openAndWait(kSample));
         const QDir folder(m_fixture->folder() + "/pictures");

@@ -180,6 +180,18 @@ private slots:
         QVERIFY(workspace.fileAtWork().isEmpty() && !workspace.isWorking());
     }
 
+    void workThatWritesNoFileNowIsNoFileAtWork() {
+        Workspace workspace(work);
+        ui::Background writing;
+        QString file;
+        workspace.watchWriting(
+            writing, [] { return QString("Picture"); }, [&file] { return file; });
+        writing.start(untilStopped, "Drawing");
+        QVERIFY(workspace.isWorking() && workspace.fileAtWork().isEmpty());
+        file = "picture.png";
+        QCOMPARE(workspace.fileAtWork(), file);
+    }
+
     void progressIsThatOfTheFirstWork() {
         Workspace workspace(work);
         ui::Background first;
