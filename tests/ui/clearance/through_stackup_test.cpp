@@ -63,13 +63,13 @@ private slots:
     }
 
     void otherThicknessesEndThem() {
+        bool isDrawn = false;
+        const auto drawing = connect(&window().workspace(), &ui::Workspace::spacingWanted, this,
+                                     [&isDrawn](const auto& spacing) { isDrawn = spacing.has_value(); });
         measure();
         const ClearanceModel& locations = window().find<ClearanceModel>();
         QVERIFY(locations.rowCount() > 1);
         QVERIFY(notes().isEmpty());
-        bool isDrawn = true;
-        const auto drawing = connect(&window().workspace(), &ui::Workspace::spacingWanted, this,
-                                     [&isDrawn](const auto& spacing) { isDrawn = spacing.has_value(); });
         panel().setCurrentRow(0);
         QVERIFY(isDrawn);
         setThickness(70'000);
