@@ -1,6 +1,7 @@
 #include "ui/section/section_panel.h"
 
 #include <QComboBox>
+#include <QKeyEvent>
 #include <QListView>
 #include <QSplitter>
 
@@ -62,7 +63,7 @@ SectionPanel::SectionPanel(SelectionModel& selection, QAbstractItemModel& saved,
 }
 
 void SectionPanel::addListCommands() {
-    m_list->addAction(tr("Show"), m_list, [this] { emit m_list->activated(m_list->currentIndex()); });
+    m_list->addAction(tr("Show"), m_list, [this] { showSaved(m_list->currentIndex()); });
     m_list->addAction(tr("Rename\tF2"), m_list, [this] { m_list->edit(m_list->currentIndex()); });
     auto* remove = m_list->addAction(tr("Delete"), QKeySequence(QKeySequence::Delete), this, [this] {
         if (m_list->currentIndex().isValid()) {
@@ -75,13 +76,26 @@ void SectionPanel::addListCommands() {
     // A double click is a click that was meant well: the next key does not overwrite the name.
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
     m_list->setToolTip(tr("Saved sections: a click or Enter shows one, F2 renames it, Del deletes it"));
-    const auto show = [this](const QModelIndex& at) {
-        if (at.isValid()) {
-            emit chosen(at.row());
-        }
-    };
-    connect(m_list, &QListView::clicked, this, show);
-    connect(m_list, &QListView::activated, this, show);
+    m_list->installEventFilter(this);
+    connect(m_list, &QListView::clicked, this, &SectionPanel::showSaved);
+}
+
+/// Enter is taken here: Qt's `activated` is a click too, on some desktops the first one.
+bool SectionPanel::eventFilter(QObject* watched, QEvent* event) {
+    const int key = watched == m_list && event->type() == QEvent::KeyPress ? static_cast<QKeyEvent*>(event)->key()
+                                                                           : Qt::Key_unknown;
+    const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (isEnter && !m_list->isPersistentEditorOpen(m_list->currentIndex())) {  // whose Enter arrives here too
+        showSaved(m_list->currentIndex());
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void SectionPanel::showSaved(const QModelIndex& saved) {
+    if (saved.isValid()) {
+        emit chosen(saved.row());
+    }
 }
 
 void SectionPanel::setNotes(const QString& notes) {

@@ -36,8 +36,12 @@ signals:
     void chosen(int row);
     void forgotten(int row);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void addListCommands();
+    void showSaved(const QModelIndex& saved);
 
     SectionView* m_view;
     QListView* m_list;

@@ -2,6 +2,7 @@
 #include <QAction>
 #include <QLineEdit>
 #include <QListView>
+#include <QProxyStyle>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -13,6 +14,19 @@
 
 using base::PointD;
 using ui::ActionId;
+
+namespace {
+
+/// A desktop on which one click opens what is clicked.
+class OneClickStyle : public QProxyStyle {
+public:
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* data) const override {
+        return hint == SH_ItemView_ActivateItemOnSingleClick ? 1 : QProxyStyle::styleHint(hint, option, widget, data);
+    }
+};
+
+}  // namespace
 
 class SavedSectionsTest : public QObject, protected SectionFixture {
     Q_OBJECT
@@ -60,6 +74,22 @@ private slots:
         QTest::keyClick(list.findChild<QLineEdit*>(), Qt::Key_Escape);
         QTRY_VERIFY(!isEdited());
         action("Delete")->trigger();
+        QVERIFY(kept().empty());
+    }
+
+    void aClickShowsASectionOnceOnEveryDesktop() {
+        drawLine();
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
+        auto& panel = window().find<ui::SectionPanel>();
+        QListView& list = panel.list();
+        OneClickStyle style;
+        list.setStyle(&style);
+        const QSignalSpy chosen(&panel, &ui::SectionPanel::chosen);
+        const QPoint middle = list.visualRect(list.model()->index(0, 0)).center();
+        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, middle);
+        list.setStyle(nullptr);
+        QCOMPARE(chosen.count(), 1);
+        emit panel.forgotten(0);
         QVERIFY(kept().empty());
     }
 
