@@ -1,5 +1,6 @@
 #include "ui/views/board_view.h"
 
+#include <QGuiApplication>
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -310,7 +311,8 @@ void BoardView::takeKeyboard() {
 }
 
 bool BoardView::hasKeyboard() const {
-    return m_window != nullptr ? m_window->isActive() : m_image->hasFocus();
+    // To Qt, a window in a window is active with it, whichever of both has the keyboard.
+    return m_window != nullptr ? QGuiApplication::focusWindow() == m_window : m_image->hasFocus();
 }
 
 QObject& BoardView::canvas() {
