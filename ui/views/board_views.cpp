@@ -36,6 +36,12 @@ bool isKeyboardNeeded() {
            (focus != nullptr && isTypedIn(*focus));
 }
 
+/// Something else in our windows has it.
+bool isKeyboardBeside(const BoardView& view) {
+    const QWidget* focus = QApplication::focusWidget();
+    return focus != nullptr && focus != &view && !view.isAncestorOf(focus);
+}
+
 }  // namespace
 
 BoardViews::BoardViews(GpuContext& context, QWidget* parent)
@@ -89,13 +95,16 @@ void BoardViews::onPointed(BoardView& view) {
         QApplication::activeWindow() == window() || std::ranges::any_of(m_views, &BoardView::hasKeyboard);
     if (isHere && !view.hasKeyboard() && !isKeyboardNeeded()) {
         view.takeKeyboard();
+        m_keyboardTaker = &view;
     }
 }
 
-/// A view that was only crossed gives the keyboard to the one in use: keys go where commands go.
+/// A view that was only crossed gives the keyboard to the one in use: keys go where commands go. Where the desktop has
+/// not yet given it what it took, it will.
 void BoardViews::onLeft(BoardView& view) {
     m_pointed = nullptr;
-    if (&view != m_active && view.hasKeyboard() && !isKeyboardNeeded()) {
+    const bool hasTaken = std::exchange(m_keyboardTaker, nullptr) == &view && !isKeyboardBeside(view);
+    if (&view != m_active && (hasTaken || view.hasKeyboard()) && !isKeyboardNeeded()) {
         m_active->takeKeyboard();
     }
 }

@@ -147,7 +147,8 @@ private:
     QSplitter* m_splitter = nullptr;
     std::array<BoardView*, 2> m_views{};
     BoardView* m_active = nullptr;
-    BoardView* m_pointed = nullptr;  ///< the pointer is on it
+    BoardView* m_pointed = nullptr;        ///< the pointer is on it
+    BoardView* m_keyboardTaker = nullptr;  ///< it took the keyboard as the pointer came
 };
 
 }  // namespace ui

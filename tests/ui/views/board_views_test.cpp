@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "tests/locations.h"
+#include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/layers/layers_panel.h"
 #include "ui/views/plan_painter.h"
@@ -140,6 +141,10 @@ private slots:
     }
 
     void aViewThatThePointerCrossesGetsNoCommands() {
+        window().activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        views().solid().takeKeyboard();
+        QTRY_VERIFY(views().solid().hasKeyboard());
         click(views().solid(), {60, 60});
         const float scale = flat().mmPerPixel();
         const float solidScale = solid().mmPerPixel();
@@ -149,6 +154,12 @@ private slots:
         window().actions()[ActionId::ZoomIn].trigger();
         QCOMPARE(flat().mmPerPixel(), scale);
         QVERIFY(solid().mmPerPixel() < solidScale * 0.9F);
+        QTest::qWait(50);  // the desktop may give the keyboard a moment after it was asked for
+        QTRY_VERIFY(views().solid().hasKeyboard());
+        moveOver(views().flat());
+        QTRY_VERIFY(views().flat().hasKeyboard());
+        leave(views().flat());
+        QTRY_VERIFY(views().solid().hasKeyboard());
     }
 
     void keysActOnTheViewUnderThePointer() {
