@@ -39,7 +39,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {Undo, MenuId::Edit, QT_TR_NOOP("&Undo"), "Ctrl+Z", QT_TR_NOOP("Undo the last change")},
     {Redo, MenuId::Edit, QT_TR_NOOP("&Redo"), "Ctrl+Shift+Z Ctrl+Y", QT_TR_NOOP("Redo the change that was undone")},
     {Find, MenuId::Edit, QT_TR_NOOP("&Find…"), "Ctrl+F", QT_TR_NOOP("Find a net, component, pin, attribute, layer, location or command"), kNewGroup},
-    {Commands, MenuId::Edit, QT_TR_NOOP("&Commands…"), "Ctrl+Shift+P", QT_TR_NOOP("Find a command by its name and run it")},
+    {Commands, MenuId::Edit, QT_TR_NOOP("&Commands…"), "Ctrl+Shift+P", QT_TR_NOOP("Find a command by its name, its menu or what it does, and run it")},
     {Fit, MenuId::View, QT_TR_NOOP("&Fit"), "F Home", QT_TR_NOOP("Fit the whole board into the view, direction unchanged"), kNeedsBoard},
     {ViewTop, MenuId::View, QT_TR_NOOP("&Top"), "T", QT_TR_NOOP("View from the top side"), kNeedsBoard},
     {ViewBottom, MenuId::View, QT_TR_NOOP("&Bottom"), "B", QT_TR_NOOP("View from the bottom side"), kNeedsBoard},
