@@ -230,18 +230,23 @@ private slots:
     }
 
     void theMenuOfARowCopiesAllWithHeadings() {
-        QTimer::singleShot(0, this, [] {
-            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-            QVERIFY(menu != nullptr);
-            for (QAction* action : menu->actions()) {
+        bool isInMenu = false;
+        QTimer::singleShot(0, this, [&isInMenu] {
+            QWidget* popup = QApplication::activePopupWidget();
+            const auto* menu = qobject_cast<QMenu*>(popup);
+            for (QAction* action : menu != nullptr ? menu->actions() : QList<QAction*>()) {
                 if (action->text().remove('&') == QLatin1String("Copy all with headings")) {
                     action->trigger();
+                    isInMenu = true;
                 }
             }
-            menu->close();
+            if (popup != nullptr) {
+                popup->close();  // or else a test that fails waits for it
+            }
         });
         QGuiApplication::clipboard()->clear();
         emit window().layersPanel().table().customContextMenuRequested({5, 5});
+        QVERIFY(isInMenu);
         const QString copied = QGuiApplication::clipboard()->text();
         QVERIFY2(copied.contains("\tTOP\t"), qPrintable(copied));
         QCOMPARE(copied.count('\n'), window().layersPanel().rows().rowCount() + 1);

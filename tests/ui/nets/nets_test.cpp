@@ -318,12 +318,14 @@ private slots:
         }
         QStringList texts;
         QTimer::singleShot(0, this, [&] {
-            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-            QVERIFY(menu != nullptr);
-            for (const QAction* action : menu->actions()) {
+            QWidget* popup = QApplication::activePopupWidget();
+            const auto* menu = qobject_cast<QMenu*>(popup);
+            for (const QAction* action : menu != nullptr ? menu->actions() : QList<QAction*>()) {
                 texts += action->text().remove('&');
             }
-            menu->close();
+            if (popup != nullptr) {
+                popup->close();  // or else a test that fails waits for it
+            }
         });
         QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, table().viewport()->mapToGlobal(QPoint(5, 5)));
         QCoreApplication::sendEvent(table().viewport(), &event);
