@@ -30,7 +30,7 @@ private slots:
 
     void heightsBetweenLayersFollowAndComeBack() {
         Measurement measurement = between("top", "inner", 1e6);
-        measurement.notes = {"both are of net GND", std::string(kHeightIsAssumed) + "below top"};
+        measurement.notes = {"both are of net GND", std::string(kHeightIsAssumed).append("below top")};
         const Measurement after = restacked(*m_before, *m_now, measurement);
         QCOMPARE(after.dz, 1.5e6);
         QCOMPARE(after.notes, std::vector<std::string>{"both are of net GND"});  // it is known now
