@@ -367,6 +367,7 @@ private slots:
         ViewSettings how = settings(Backend::Pull);
         how.is2d = true;
         how.isSmoothed = false;
+        scene.draw(how, 1420, 820);
         const auto triangles = drawnTriangles(scene.scene, scene.camera, how, 1420, 820);
         QVERIFY(triangles);
         QCOMPARE(*triangles, std::uint64_t{kColumns * kRows});

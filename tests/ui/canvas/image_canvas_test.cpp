@@ -48,8 +48,9 @@ private slots:
         QTRY_VERIFY(m_fixture->window().views().scene() != nullptr);
         ui::Picture picture = ofFlatView();
         const std::vector<render::LayerStyle> all = picture.styles;
-        std::for_each(picture.styles.begin() + 1, picture.styles.end(),
-                      [](render::LayerStyle& style) { style.isVisible = false; });
+        const auto shown = std::ranges::find(picture.styles, true, &render::LayerStyle::isVisible);
+        QVERIFY(shown != picture.styles.end());
+        std::for_each(shown + 1, picture.styles.end(), [](render::LayerStyle& style) { style.isVisible = false; });
         ui::CameraController controller;
         controller.setPlan();
         controller.setViewport(kSize);
