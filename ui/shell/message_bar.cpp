@@ -6,6 +6,13 @@
 
 namespace ui {
 
+namespace {
+
+/// Errors of one mishap come within this time.
+constexpr qint64 kTogetherMs = 1000;
+
+}  // namespace
+
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
     setObjectName(QStringLiteral("messageBar"));
     setStyleSheet(QStringLiteral(
@@ -29,7 +36,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
 }
 
 void MessageBar::showError(const QString& text) {
-    const bool isOneMore = m_isNew.isActive() && !isHidden();
+    const bool isOneMore = !isHidden() && m_sinceLast.isValid() && !m_sinceLast.hasExpired(kTogetherMs);
     if (!isOneMore) {
         m_label->setText(text);
     } else if (!m_label->text().split('\n').contains(text)) {
@@ -37,6 +44,7 @@ void MessageBar::showError(const QString& text) {
     }
     show();
     m_isNew.start();
+    m_sinceLast.start();
 }
 
 void MessageBar::endEarlierError() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QFrame>
 #include <QTimer>
 
@@ -15,7 +16,7 @@ class MessageBar : public QFrame {
 public:
     explicit MessageBar(QWidget* parent = nullptr);
 
-    /// Takes the place of an earlier error; those that come together are shown below each other, each once.
+    /// Takes the place of an earlier error; those that come within a second are shown below each other, each once.
     void showError(const QString& text);
     /// Something succeeded: an error from before it is over, one that came with it is not.
     void endEarlierError();
@@ -25,6 +26,7 @@ public:
 private:
     QLabel* m_label;
     QTimer m_isNew;  ///< runs until what was going on when the error came is done
+    QElapsedTimer m_sinceLast;
 };
 
 }  // namespace ui
