@@ -6,13 +6,6 @@
 
 namespace ui {
 
-namespace {
-
-/// Errors of one mishap come within this time.
-constexpr qint64 kTogetherMs = 1000;
-
-}  // namespace
-
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent), m_label(new QLabel) {
     setObjectName(QStringLiteral("messageBar"));
     setStyleSheet(QStringLiteral(

@@ -14,9 +14,12 @@ class MessageBar : public QFrame {
     Q_OBJECT
 
 public:
+    /// Errors of one mishap come within this time.
+    static constexpr int kTogetherMs = 1000;
+
     explicit MessageBar(QWidget* parent = nullptr);
 
-    /// Takes the place of an earlier error; those that come within a second are shown below each other, each once.
+    /// Takes the place of an earlier error; those that come together are shown below each other, each once.
     void showError(const QString& text);
     /// Something succeeded: an error from before it is over, one that came with it is not.
     void endEarlierError();

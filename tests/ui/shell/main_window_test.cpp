@@ -333,7 +333,7 @@ private slots:
         window().messageBar().hide();
         window().workspace().reportError("three");
         QCOMPARE(window().error(), QString("three"));
-        QTest::qWait(1);
+        QTest::qWait(ui::MessageBar::kTogetherMs + 1);
         window().workspace().reportError("four");
         QCOMPARE(window().error(), QString("four"));
     }
