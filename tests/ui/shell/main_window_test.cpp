@@ -551,17 +551,24 @@ private slots:
         QVERIFY(m_fixture->awaitRest());
         QSignalSpy troubled(&window().views(), &ui::BoardViews::troubled);
         QSignalSpy timed(&flat, &ui::BoardView::timed);
-        m_fixture->context().device().markLost();
-        flat.requestFrame();
-        QTRY_COMPARE(troubled.count(), 1);
+        const auto keepsFailing = [&] {
+            const qsizetype before = troubled.count();
+            m_fixture->context().device().markLost();
+            flat.requestFrame();
+            return QTest::qWaitFor([&] { return troubled.count() > before; }, kPatienceMs) &&
+                   troubled.last().first().toString().contains("keeps failing");
+        };
+        QVERIFY(!keepsFailing());
+        QCOMPARE(troubled.count(), 1);
         QVERIFY(!m_fixture->context().device().isLost());
-        timed.clear();
-        flat.requestFrame();
-        QTRY_VERIFY(!timed.isEmpty());
-        m_fixture->context().device().markLost();
-        flat.requestFrame();
-        QTRY_VERIFY(troubled.count() > 1);
-        QVERIFY(troubled.last().first().toString().contains("keeps failing"));
+        bool isSaid = false;
+        for (int i = 0; i < 5 && !isSaid; ++i) {  // where tiles are late the device draws the flat view, too, and works
+            timed.clear();
+            flat.requestFrame();
+            QTRY_VERIFY(!timed.isEmpty());
+            isSaid = keepsFailing();
+        }
+        QVERIFY(isSaid);
         QVERIFY(m_fixture->context().device().isLost());
     }
 
