@@ -213,6 +213,17 @@ void replace(std::vector<SectionPiece>& pieces, auto isMeant, auto shaped) {
     pieces = std::move(out);
 }
 
+/// What of a piece lies beside these.
+std::vector<SectionPiece> beside(const Intervals& taken, const SectionPiece& piece) {
+    std::vector<SectionPiece> rest;
+    for (const Interval& where : subtracted({{piece.from, piece.to}}, taken)) {
+        rest.push_back(piece);
+        rest.back().from = where.from;
+        rest.back().to = where.to;
+    }
+    return rest;
+}
+
 /// Ink on films, and else on the mask or what is without it.
 std::vector<SectionPiece> inkOn(const BoardFace& face, const SectionPiece& piece, const Intervals& raised,
                                 const Intervals& masked, const std::vector<LaidPart>& films) {
@@ -493,15 +504,7 @@ void LegShaper::addParts(const Stretch& stretch, const BoardFace& face, LegCut& 
             std::back_inserter(covered));
     }
     const Intervals taken = united(std::move(covered));
-    replace(leg.pieces, isPaste, [&](const SectionPiece& piece) {
-        std::vector<SectionPiece> rest;
-        for (const Interval& where : subtracted({{piece.from, piece.to}}, taken)) {
-            rest.push_back(piece);
-            rest.back().from = where.from;
-            rest.back().to = where.to;
-        }
-        return rest;
-    });
+    replace(leg.pieces, isPaste, [&](const SectionPiece& piece) { return beside(taken, piece); });
     leg.pieces.insert(leg.pieces.end(), standing.begin(), standing.end());
 }
 
