@@ -1,5 +1,6 @@
 #include "model/board/copies.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "model/board/board_heights.h"
@@ -55,15 +56,17 @@ ZRange heightsInCopy(const Document& step, LayerId layer, bool isFlipped) {
     return {faces - z.top, faces - z.bottom};
 }
 
+ZRange heightsInCopy(const Document& step, LayerId from, LayerId to, bool isFlipped) {
+    const ZRange a = heightsInCopy(step, from, isFlipped);
+    const ZRange b = heightsInCopy(step, to, isFlipped);
+    return {std::min(a.bottom, b.bottom), std::max(a.top, b.top)};
+}
+
 ZRange heightsInCopy(const Document& step, ElementId element, bool isFlipped) {
     const LayerId layer = step.elements.layer[element.row()];
     const ZRange z = heightsInCopy(step, layer, isFlipped);
     const Body* body = step.bodyOf(element);
-    if (body == nullptr) {
-        return z;
-    }
-    return growsDownInCopy(step, layer, isFlipped) ? ZRange{z.top - body->height, z.top}
-                                                   : ZRange{z.bottom, z.bottom + body->height};
+    return body != nullptr ? body->heightsIn(z, growsDownInCopy(step, layer, isFlipped)) : z;
 }
 
 bool growsDownInCopy(const Document& step, LayerId layer, bool isFlipped) {

@@ -43,6 +43,8 @@ struct BoardNet {
 /// From where to where on the board lies what is on a layer of a step, in a copy: an upright one has the heights of the
 /// layer, a flipped one those of Layer::opposite, or mirrored through the board (boardHeights) where that is none.
 [[nodiscard]] ZRange heightsInCopy(const Document& step, LayerId layer, bool isFlipped);
+/// The same from the outer face of one layer to that of another, in either order.
+[[nodiscard]] ZRange heightsInCopy(const Document& step, LayerId from, LayerId to, bool isFlipped);
 /// The same of an element, with its own height if it is the body of a component.
 [[nodiscard]] ZRange heightsInCopy(const Document& step, ElementId element, bool isFlipped);
 /// Do the bodies of a layer grow down from their board in a copy, from the upper face of where the layer lies?

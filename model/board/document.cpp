@@ -43,11 +43,7 @@ ZRange Document::heightsOf(ElementId element) const {
     const Layer& on = layer(elements.layer[element.row()]);
     const ZRange all{on.z, on.z + on.thickness};
     const Body* body = bodyOf(element);
-    if (body == nullptr) {
-        return all;
-    }
-    return on.side == LayerSide::Bottom ? ZRange{all.top - body->height, all.top}
-                                        : ZRange{all.bottom, all.bottom + body->height};
+    return body != nullptr ? body->heightsIn(all, on.side == LayerSide::Bottom) : all;
 }
 
 const Body* Document::bodyOf(ElementId element) const {

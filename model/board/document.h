@@ -229,6 +229,11 @@ struct Body {
     ComponentId component;
     Nm height = 0;
     Source source = Source::Assumed;  ///< of the height
+
+    /// Where it lies in its layer: on that one's lower face, or, where it grows down, from the upper one.
+    [[nodiscard]] ZRange heightsIn(const ZRange& layer, bool growsDown) const {
+        return growsDown ? ZRange{layer.top - height, layer.top} : ZRange{layer.bottom, layer.bottom + height};
+    }
 };
 
 /// What other drills have left of the plating of a hole: from copper layer to copper layer. None if nothing is left.

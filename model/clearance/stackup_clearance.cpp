@@ -48,12 +48,6 @@ Span spanIn(const Document& step, const StepCopy& copy, LayerId top, LayerId bot
     return {first, last, isMirroredInCopy(step, top, copy.isFlipped)};
 }
 
-ZRange heightsOf(const Document& board, const Span& span) {
-    const ZRange top = heightsInCopy(board, span.top, span.isMirrored);
-    const ZRange bottom = heightsInCopy(board, span.bottom, span.isMirrored);
-    return {std::min(top.bottom, bottom.bottom), std::max(top.top, bottom.top)};
-}
-
 class Collector {
 public:
     explicit Collector(const Document& board) : m_board(board) {}
@@ -74,8 +68,9 @@ public:
         Box extent;
         ZRange z{0, 0};
         for (auto& [span, open] : m_open) {
-            copper.slabs.push_back({heightsOf(m_board, span), LayerGeometry(std::move(open.figures)),
-                                    std::move(open.nets), std::move(open.copies)});
+            copper.slabs.push_back({heightsInCopy(m_board, span.top, span.bottom, span.isMirrored),
+                                    LayerGeometry(std::move(open.figures)), std::move(open.nets),
+                                    std::move(open.copies)});
             extent.include(copper.slabs.back().copper.extent());
             z = {std::min(z.bottom, copper.slabs.back().z.bottom), std::max(z.top, copper.slabs.back().z.top)};
         }

@@ -101,9 +101,7 @@ Piece pieceOf(const BoardIndex& index, BoardElement at) {
         piece.isMirrored = isMirroredInCopy(step, span.top.isValid() ? span.top : own, copy.isFlipped);
     }
     if (isPlated && span.top.isValid()) {
-        const ZRange a = heightsInCopy(step, span.top, copy.isFlipped);
-        const ZRange b = heightsInCopy(step, span.bottom, copy.isFlipped);
-        piece.z = {std::min(a.bottom, b.bottom), std::max(a.top, b.top)};
+        piece.z = heightsInCopy(step, span.top, span.bottom, copy.isFlipped);
     } else {
         piece.z = heightsInCopy(step, at.element, copy.isFlipped);
     }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <set>
 
+#include "model/board/copies.h"
 #include "model/figures/distance.h"
 #include "model/figures/overlap.h"
 #include "model/geometry/box_index.h"
@@ -300,11 +301,7 @@ std::string noteOnHeight(const Document& board, LayerId a, LayerId b) {
     if (model::heightBetween(board, a, b).value_or(0.0) <= 0) {
         return {};
     }
-    const auto heightsOf = [&](LayerId id) {
-        const Layer& layer = board.layer(id);
-        return ZRange{layer.z, layer.z + layer.thickness};
-    };
-    return noteOnHeight(board, heightsOf(a), heightsOf(b));
+    return noteOnHeight(board, heightsInCopy(board, a, false), heightsInCopy(board, b, false));
 }
 
 base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b,

@@ -265,7 +265,7 @@ private:
         const LayerId drill = placed.step.elements.layer[hole.row()];
         const Layer& layer = placed.step.layer(drill);
         return layer.spanTop.isValid() && layer.spanBottom.isValid()
-                   ? between(placed, layer.spanTop, layer.spanBottom)
+                   ? heightsInCopy(placed.step, layer.spanTop, layer.spanBottom, placed.how.isFlipped)
                    : heightsInCopy(placed.step, drill, placed.how.isFlipped);
     }
 
@@ -275,14 +275,7 @@ private:
         if (!span.top.isValid() || !span.bottom.isValid()) {
             return std::nullopt;
         }
-        return between(placed, span.top, span.bottom);
-    }
-
-    /// From the outer face of one copper layer to that of the other, in either order.
-    [[nodiscard]] static ZRange between(const Placed& placed, LayerId top, LayerId bottom) {
-        const ZRange a = heightsInCopy(placed.step, top, placed.how.isFlipped);
-        const ZRange b = heightsInCopy(placed.step, bottom, placed.how.isFlipped);
-        return {std::min(a.bottom, b.bottom), std::max(a.top, b.top)};
+        return heightsInCopy(placed.step, span.top, span.bottom, placed.how.isFlipped);
     }
 
     static void add(std::vector<SectionPiece>& to, SectionPiece piece, const std::optional<ZRange>& heights,
