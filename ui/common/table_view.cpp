@@ -232,8 +232,11 @@ void TableView::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Copy)) {
         copySelection();
     } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-        QTableView::keyPressEvent(event);  // an editable cell opens its editor
-        emit enterPressed(currentIndex());
+        const bool isOfEditor = state() == EditingState;  // which ends by it, and hands it on
+        QTableView::keyPressEvent(event);                 // an editable cell opens its editor
+        if (!isOfEditor) {
+            emit enterPressed(currentIndex());
+        }
     } else {
         QTableView::keyPressEvent(event);
     }

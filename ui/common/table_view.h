@@ -42,6 +42,7 @@ public:
     void copyAll() const;
 
 signals:
+    /// Not by the Enter that ends an edit.
     void enterPressed(const QModelIndex& current);
     /// After a click on the row, Enter, or `choose`.
     void rowChosen(int row);

@@ -1,7 +1,6 @@
 #include "ui/section/section_feature.h"
 
 #include <QComboBox>
-#include <QListView>
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
@@ -10,6 +9,7 @@
 #include "model/board/board_heights.h"
 #include "model/export/section_export.h"
 #include "model/section/net_line.h"
+#include "ui/common/table_view.h"
 #include "ui/common/texts.h"
 #include "ui/layers/layer_model.h"
 #include "ui/section/section_pdf.h"
@@ -50,11 +50,11 @@ SectionFeature::SectionFeature(FeatureContext& context)
       m_plane(context.views),
       m_handle(context.views.solid(), m_plane),
       m_saved(context.workspace, tr("The sections"), &model::session::Session::sections, model::session::saveSections,
-              [this](const auto&) {
-                  showNames();
+              [this](const auto& saved) {
+                  listSaved(saved);
                   showDimensions();
               }),
-      m_panel(new SectionPanel(m_selection, m_names, context.actions)) {
+      m_panel(new SectionPanel(m_selection, m_list, context.actions)) {
     m_line.setParent(this);
     m_handle.setParent(this);
     context.addPanel({ActionId::ShowSectionDock, "section", tr("Cross-section"), Qt::BottomDockWidgetArea}, *m_panel);
@@ -64,11 +64,11 @@ SectionFeature::SectionFeature(FeatureContext& context)
     connectLine();
     connect(&m_panel->view(), &SectionView::dimensionsChanged, this, &SectionFeature::saveDimensions);
     connect(m_panel, &SectionPanel::cleared, this, [this] { cutAlong({}); });
-    connect(m_panel, &SectionPanel::chosen, this, &SectionFeature::goTo);
-    connect(m_panel, &SectionPanel::forgotten, this,
-            [this](int row) { m_saved.remove(tr("deleting a section"), {row}); });
-    connect(&m_names, &QStringListModel::dataChanged, this,
-            [this](const QModelIndex& at) { renameSection(at.row(), at.data(Qt::EditRole).toString().trimmed()); });
+    connect(&m_panel->list(), &TableView::rowChosen, this, &SectionFeature::goTo);
+    connect(&m_panel->list(), &TableView::deleteRequested, this,
+            [this](const auto& rows) { m_saved.remove(tr("deleting a section"), rows); });
+    connect(&m_list, &SectionListModel::renamed, this,
+            [this](int row, const QString& name) { m_saved.rename(tr("the name of a section"), row, name); });
     connect(&m_workspace, &Workspace::boardLeaves, this, &SectionFeature::keep);
     connect(&m_workspace, &Workspace::boardOpened, this, &SectionFeature::setBoard);
     connect(&m_workspace, &Workspace::restacked, this, [this](const LoadedBoard& board) {
@@ -371,28 +371,16 @@ void SectionFeature::saveSection() {
     m_saved.reportAdded();
 }
 
-void SectionFeature::renameSection(int row, const QString& name) {
-    if (name.isEmpty() || name.toStdString() == m_saved.entries()[static_cast<std::size_t>(row)].name) {
-        showNames();  // the list shows what was typed
-    } else {
-        m_saved.rename(tr("the name of a section"), row, name);
+void SectionFeature::listSaved(const std::vector<model::session::SavedSection>& saved) {
+    TableView& table = m_panel->list();
+    const bool isAsMany = static_cast<int>(saved.size()) == m_list.rowCount();
+    const std::string current = table.currentIndex().data().toString().toStdString();
+    m_list.setSections(saved);
+    if (!isAsMany) {  // the list began anew, and of two sections of one line its current row tells which one is shown
+        const auto at = std::ranges::find(saved, current, &model::session::SavedSection::name);
+        const int row = at != saved.end() ? static_cast<int>(at - saved.begin()) : -1;
+        table.setCurrentIndex(m_list.index(row, SectionListModel::Name));
     }
-}
-
-void SectionFeature::showNames() {
-    QStringList names;
-    for (const model::session::SavedSection& section : m_saved.entries()) {
-        names += QString::fromStdString(section.name);
-    }
-    if (names == m_names.stringList()) {
-        return;
-    }
-    // The model begins anew, and of two sections of one line only the current row tells which one is shown.
-    const QModelIndex chosen = m_panel->list().currentIndex();
-    const bool isRenaming = names.size() == m_names.rowCount();
-    const auto row = isRenaming ? chosen.row() : static_cast<int>(names.indexOf(chosen.data().toString()));
-    m_names.setStringList(names);
-    m_panel->list().setCurrentIndex(m_names.index(row));
 }
 
 void SectionFeature::goTo(int row) {

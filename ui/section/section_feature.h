@@ -1,11 +1,11 @@
 #pragma once
 
 #include <QObject>
-#include <QStringListModel>
 #include <QTimer>
 
 #include "ui/section/section_handle.h"
 #include "ui/section/section_line.h"
+#include "ui/section/section_list_model.h"
 #include "ui/section/section_panel.h"
 #include "ui/section/section_plane_tool.h"
 #include "ui/workspace/feature.h"
@@ -64,8 +64,7 @@ private:
     /// Cuts the board of the 3D view along the straight line.
     void showIn3D();
     void saveSection();
-    void renameSection(int row, const QString& name);
-    void showNames();
+    void listSaved(const std::vector<model::session::SavedSection>& saved);
     /// Cuts along the saved line of this row, in both views.
     void goTo(int row);
     void cut();
@@ -86,7 +85,7 @@ private:
     SectionLine m_line;
     SectionPlaneTool m_plane;
     SectionHandle m_handle;
-    QStringListModel m_names;  ///< of the saved ones; they can be edited
+    SectionListModel m_list;
     SavedList<model::session::SavedSection> m_saved;
     SectionPanel* m_panel;
     std::shared_ptr<const model::BoardIndex> m_index;

@@ -1,7 +1,9 @@
 #include "ui/common/table_view.h"
 
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QLocale>
+#include <QSignalSpy>
 #include <QtTest>
 
 #include "ui/common/sorted_rows.h"
@@ -41,6 +43,23 @@ protected:
 
 private:
     std::vector<qulonglong> m_numbers;
+};
+
+/// One name, which takes whatever is typed.
+class OneName : public TableModel {
+public:
+    OneName() : TableModel({{"Name", "", ui::kEditable}}) {}
+
+protected:
+    [[nodiscard]] int rows() const override { return 1; }
+    [[nodiscard]] Cell cell(int, int) const override { return {m_name}; }
+    bool edit(int, int, const QVariant& value) override {
+        m_name = value.toString();
+        return true;
+    }
+
+private:
+    QString m_name = "before";
 };
 
 }  // namespace
@@ -123,6 +142,24 @@ private slots:
         QCOMPARE(numbers.index(0, 1).data(Qt::ToolTipRole).toString(), QStringLiteral("a name"));
         const QString tip = numbers.index(0, 2).data(Qt::ToolTipRole).toString();
         QVERIFY2(tip.contains("7") && tip.contains("mm") && tip.contains("275.59"), qPrintable(tip));
+    }
+
+    void theEnterThatEndsAnEditChoosesNoRow() {
+        OneName names;
+        TableView table(names);
+        table.show();
+        table.setCurrentIndex(names.index(0, 0));
+        const QSignalSpy chosen(&table, &TableView::rowChosen);
+        QTest::keyClick(&table, Qt::Key_F2);
+        auto* editor = table.findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->setText("after");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(names.index(0, 0).data().toString(), QString("after"));
+        QCOMPARE(chosen.count(), 0);
+        QTRY_VERIFY(table.findChild<QLineEdit*>() == nullptr);
+        QTest::keyClick(&table, Qt::Key_Return);
+        QCOMPARE(chosen.count(), 1);
     }
 };
 

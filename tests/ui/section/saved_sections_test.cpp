@@ -1,7 +1,8 @@
 // Sections that are saved with the board: their list, and what is done with them.
 #include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QLineEdit>
-#include <QListView>
 #include <QProxyStyle>
 #include <QSignalSpy>
 #include <QtTest>
@@ -10,6 +11,7 @@
 #include "tests/patience.h"
 #include "tests/ui/section/section_fixture.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/table_view.h"
 #include "ui/section/section_panel.h"
 
 using base::PointD;
@@ -37,19 +39,19 @@ private slots:
     void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
     void savedSectionsAreListedOnceThereAreSome() {
-        QListView& list = window().find<ui::SectionPanel>().list();
+        ui::TableView& list = this->list();
         drawLine();
         QVERIFY(window().find<ui::SectionPanel>().isVisible() && !list.isVisible());
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
         QVERIFY(list.isVisible());
-        emit window().find<ui::SectionPanel>().forgotten(0);
+        emit list.deleteRequested({0});
         QVERIFY(!list.isVisible());
     }
 
     void sectionsAreShownByEnterAndByTheMenuAndRenamedByF2Alone() {
         drawLine();
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
-        QListView& list = window().find<ui::SectionPanel>().list();
+        ui::TableView& list = this->list();
         list.setCurrentIndex(list.model()->index(0, 0));
         const auto isEdited = [&] { return list.findChild<QLineEdit*>() != nullptr; };
         const auto isShownBy = [&](const auto& act) {
@@ -80,17 +82,39 @@ private slots:
     void aClickShowsASectionOnceOnEveryDesktop() {
         drawLine();
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
-        auto& panel = window().find<ui::SectionPanel>();
-        QListView& list = panel.list();
+        ui::TableView& list = this->list();
         OneClickStyle style;
         list.setStyle(&style);
-        const QSignalSpy chosen(&panel, &ui::SectionPanel::chosen);
+        const QSignalSpy chosen(&list, &ui::TableView::rowChosen);
         const QPoint middle = list.visualRect(list.model()->index(0, 0)).center();
         QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, middle);
         list.setStyle(nullptr);
         QCOMPARE(chosen.count(), 1);
-        emit panel.forgotten(0);
+        emit list.deleteRequested({0});
         QVERIFY(kept().empty());
+    }
+
+    void renamingASectionKeepsItSelectedAndDoesNotShowIt() {
+        drawLine();
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
+        sections().cutAlong({});
+        list().setCurrentIndex(list().model()->index(1, 0));
+        QTest::keyClick(&list(), Qt::Key_F2);
+        auto* editor = list().findChild<QLineEdit*>();
+        QVERIFY(editor != nullptr);
+        editor->selectAll();
+        QTest::keyClicks(editor, "Second");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(kept()[1].name, std::string("Second"));
+        QVERIFY2(!view().section(), "the Enter that ends the edit is not for the list");
+        QCOMPARE(list().selectedRows(), std::vector<int>{1});
+        QTest::keyClick(&list(), Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QGuiApplication::clipboard()->text(), QString("Second\n"));
+        QTest::keyClick(&list(), Qt::Key_Delete);
+        QCOMPARE(kept().size(), std::size_t{1});
+        QCOMPARE(kept()[0].name, std::string("Section 1"));
+        emit list().deleteRequested({0});
     }
 
     void sectionsAreKeptRenamedShownForgottenAndUndone() {
@@ -100,15 +124,15 @@ private slots:
         const std::vector<PointD> line = window().find<ui::SectionLine>().line();
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier);
         QCOMPARE(kept().size(), std::size_t{1});
-        QAbstractItemModel& names = *window().find<ui::SectionPanel>().list().model();
+        QAbstractItemModel& names = *list().model();
         QVERIFY(names.setData(names.index(0, 0), "Across"));
         QCOMPARE(kept()[0].name, std::string("Across"));
-        QVERIFY(names.setData(names.index(0, 0), "  "));  // no name
+        QVERIFY(!names.setData(names.index(0, 0), "  "));  // no name: it is refused
         QCOMPARE(names.index(0, 0).data().toString(), QString("Across"));
 
         sections().cutAlong({});
-        const QRect location = window().find<ui::SectionPanel>().list().visualRect(names.index(0, 0));
-        QTest::mouseClick(window().find<ui::SectionPanel>().list().viewport(), Qt::LeftButton, {}, location.center());
+        const QRect location = list().visualRect(names.index(0, 0));
+        QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, location.center());
         QVERIFY(isAt(window().find<ui::SectionLine>().line().front(), line.front()));
         QVERIFY(same(view().section()->pieces, expected().pieces));
 
@@ -117,7 +141,7 @@ private slots:
         QVERIFY(found.ignored.empty());
         QCOMPARE(found.session.sections, kept());
 
-        emit window().find<ui::SectionPanel>().forgotten(0);
+        emit list().deleteRequested({0});
         QVERIFY(kept().empty());
         window().actions()[ActionId::Undo].trigger();
         QCOMPARE(kept().size(), std::size_t{1});
@@ -134,7 +158,7 @@ private slots:
                                              {{"Far", "other", {{0, 0}, {1e6, 0}}}}));
         QVERIFY(m_fixture->openAndWait(m_board));
         QCOMPARE(kept().size(), std::size_t{1});
-        emit window().find<ui::SectionPanel>().chosen(0);
+        emit list().rowChosen(0);
         QVERIFY(!view().section());
         QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(), {}));
     }
@@ -148,20 +172,21 @@ private slots:
         QVERIFY(m_fixture->openAndWait(m_board));
         QCOMPARE(kept().size(), std::size_t{2});
         const QSignalSpy reported(&window().workspace(), &ui::Workspace::reported);
-        emit window().find<ui::SectionPanel>().chosen(0);
+        emit list().rowChosen(0);
         QVERIFY(!view().section());
         QCOMPARE(reported.last()[0].toString(),
                  "Theirs is a section of step step of another job, which this board does not have");
-        emit window().find<ui::SectionPanel>().chosen(1);
+        emit list().rowChosen(1);
         QVERIFY(view().section() && view().section()->pieces.empty());
         QVERIFY(window().find<ui::SectionPanel>().notes().contains("meets nothing of the board"));
         QVERIFY(model::session::saveSections(m_board.toStdString(), *window().document(), {}));
     }
 
 private:
+    [[nodiscard]] ui::TableView& list() { return window().find<ui::SectionPanel>().list(); }
     /// Of the menu of the list.
     [[nodiscard]] QAction* action(const QString& text) {
-        const QList<QAction*> actions = window().find<ui::SectionPanel>().list().actions();
+        const QList<QAction*> actions = list().actions();
         const auto at = std::ranges::find_if(
             actions, [&](const QAction* each) { return each->text().remove('&').section('\t', 0, 0) == text; });
         return at != actions.end() ? *at : nullptr;

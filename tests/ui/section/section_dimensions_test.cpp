@@ -2,7 +2,6 @@
 #include "ui/section/section_dimensions.h"
 
 #include <QHelpEvent>
-#include <QListView>
 #include <QMouseEvent>
 #include <QStatusBar>
 #include <QToolTip>
@@ -11,6 +10,7 @@
 #include "tests/locations.h"
 #include "tests/patience.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/table_view.h"
 #include "ui/section/section_feature.h"
 
 using model::SectionPiece;
@@ -181,7 +181,7 @@ private slots:
         const auto save = [this] { m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::AltModifier); };
         const auto of = [this](std::size_t row) { return sections().saved()[row].dimensions.size(); };
         while (!sections().saved().empty()) {
-            emit window().find<ui::SectionPanel>().forgotten(0);
+            emit list().deleteRequested({0});
         }
         view().setDimensions({});
         save();
@@ -195,13 +195,13 @@ private slots:
         QCOMPARE(of(0), std::size_t{0});
         QCOMPARE(of(1), std::size_t{2});
         QCOMPARE(view().dimensions().all(), sections().saved()[1].dimensions);
-        QAbstractItemModel& names = *window().find<ui::SectionPanel>().list().model();
+        QAbstractItemModel& names = *list().model();
         QVERIFY(names.setData(names.index(0, 0), "Other"));
         QCOMPARE(view().dimensions().all().size(), std::size_t{2});
         window().actions()[ActionId::Undo].trigger();  // the names are others again
         QCOMPARE(view().dimensions().all().size(), std::size_t{2});
-        emit window().find<ui::SectionPanel>().forgotten(0);
-        QCOMPARE(window().find<ui::SectionPanel>().list().currentIndex().row(), 0);
+        emit list().deleteRequested({0});
+        QCOMPARE(list().currentIndex().row(), 0);
         QCOMPARE(view().dimensions().all(), sections().saved()[0].dimensions);
     }
 
@@ -268,10 +268,10 @@ private:
         QMouseEvent event(QEvent::MouseMove, at, flat.mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
         QCoreApplication::sendEvent(&flat.canvas(), &event);
     }
+    [[nodiscard]] ui::TableView& list() { return window().find<ui::SectionPanel>().list(); }
     void choose(int row) {
-        QListView& list = window().find<ui::SectionPanel>().list();
-        const QRect location = list.visualRect(list.model()->index(row, 0));
-        QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, location.center());
+        const QRect location = list().visualRect(list().model()->index(row, 0));
+        QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, location.center());
     }
     /// Large enough that edges are caught far from corners.
     void showOnePiece() {
