@@ -1,4 +1,4 @@
-// One box finds nets, parts, pins, layers, places and commands; keys alone suffice.
+// One box finds nets, parts, pins, layers and places; keys alone suffice.
 
 #include <QFile>
 #include <QFontMetricsF>
@@ -291,55 +291,6 @@ private slots:
         QVERIFY(!box().isVisible());
         QCOMPARE(window().selection().nets(),
                  (std::vector{model::BoardNet{0, window().document()->findNet("1PPS_OUT")}}));
-    }
-
-    void commandsAreFoundAndDone() {
-        m_fixture->key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(box().isVisible());
-        const int all = box().list().count();
-        QVERIFY(all > 40);
-        QTest::keyClicks(&box().line(), "ortho");
-        QCOMPARE(box().list().count(), 1);
-        take();
-        QVERIFY(window().actions()[ActionId::Orthographic].isChecked());
-    }
-
-    void commandsAreFoundByWhatTheyDoAfterThoseOfThatName() {
-        m_fixture->key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
-        QTest::keyClicks(&box().line(), "drill table");
-        QCOMPARE(box().list().count(), 1);
-        QVERIFY(box().list().item(0)->text().startsWith("Statistics "));
-        box().line().setText(">net");
-        QVERIFY(box().list().item(0)->text().contains("net", Qt::CaseInsensitive));
-        box().line().setText("drill table");
-        QVERIFY2(!box().list().item(0)->text().startsWith("Statistics "), "among all there is, names alone count");
-        QTest::keyClick(&box().line(), Qt::Key_Escape);
-    }
-
-    void commandsAreFoundByTheirMenuAndByWordsInAnyOrder() {
-        const auto rows = [&](const char* text) {
-            box().open(text);
-            QStringList all;
-            for (int row = 0; row < box().list().count(); ++row) {
-                all += box().list().item(row)->text().section("    ", 0, 0);
-            }
-            return all;
-        };
-        QCOMPARE(rows(">theme").mid(0, 3), (QStringList{"System", "Dark", "Light"}));
-        QCOMPARE(rows(">keys kicad"), QStringList{"KiCad"});
-        QCOMPARE(rows(">net highlight").front(), "Highlight net");
-        QCOMPARE(rows(">no such command"), QStringList{"Nothing is called no such command"});
-        QTest::keyClick(&box().line(), Qt::Key_Escape);
-    }
-
-    void theBillOfMaterialsIsFound() {
-        for (const char* words : {"bom", "bill of materials"}) {
-            m_fixture->key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
-            QTest::keyClicks(&box().line(), words);
-            QCOMPARE(box().list().count(), 1);
-            QVERIFY(box().list().item(0)->text().startsWith("Parts "));
-            QTest::keyClick(&box().line(), Qt::Key_Escape);
-        }
     }
 
     /// R2 lies on the bottom right below R1.

@@ -1,0 +1,78 @@
+// The search box finds commands by their name, their menu and what they do; keys alone suffice.
+#include <QLineEdit>
+#include <QListWidget>
+#include <QtTest>
+
+#include "tests/locations.h"
+#include "tests/ui/window_fixture.h"
+#include "ui/search/search_box.h"
+
+class SearchCommandsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_fixture = std::make_unique<WindowFixture>();
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+    }
+    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
+
+    void commandsAreFoundAndDone() {
+        m_fixture->key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(box().isVisible());
+        const int all = box().list().count();
+        QVERIFY(all > 40);
+        QTest::keyClicks(&box().line(), "ortho");
+        QCOMPARE(box().list().count(), 1);
+        QTest::keyClick(&box().line(), Qt::Key_Return);
+        QVERIFY(!box().isVisible());
+        QVERIFY(window().actions()[ui::ActionId::Orthographic].isChecked());
+    }
+
+    void commandsAreFoundByWhatTheyDoAfterThoseOfThatName() {
+        m_fixture->key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyClicks(&box().line(), "drill table");
+        QCOMPARE(box().list().count(), 1);
+        QVERIFY(box().list().item(0)->text().startsWith("Statistics "));
+        box().line().setText(">net");
+        QVERIFY(box().list().item(0)->text().contains("net", Qt::CaseInsensitive));
+        box().line().setText("drill table");
+        QVERIFY2(!box().list().item(0)->text().startsWith("Statistics "), "among all there is, names alone count");
+        QTest::keyClick(&box().line(), Qt::Key_Escape);
+    }
+
+    void commandsAreFoundByTheirMenuAndByWordsInAnyOrder() {
+        const auto rows = [&](const char* text) {
+            box().open(text);
+            QStringList all;
+            for (int row = 0; row < box().list().count(); ++row) {
+                all += box().list().item(row)->text().section("    ", 0, 0);
+            }
+            return all;
+        };
+        QCOMPARE(rows(">theme").mid(0, 3), (QStringList{"System", "Dark", "Light"}));
+        QCOMPARE(rows(">keys kicad"), QStringList{"KiCad"});
+        QCOMPARE(rows(">net highlight").front(), "Highlight net");
+        QCOMPARE(rows(">no such command"), QStringList{"Nothing is called no such command"});
+        QTest::keyClick(&box().line(), Qt::Key_Escape);
+    }
+
+    void theBillOfMaterialsIsFound() {
+        for (const char* words : {"bom", "bill of materials"}) {
+            m_fixture->key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+            QTest::keyClicks(&box().line(), words);
+            QCOMPARE(box().list().count(), 1);
+            QVERIFY(box().list().item(0)->text().startsWith("Parts "));
+            QTest::keyClick(&box().line(), Qt::Key_Escape);
+        }
+    }
+
+private:
+    TestWindow& window() { return m_fixture->window(); }
+    ui::SearchBox& box() { return window().searchBox(); }
+
+    std::unique_ptr<WindowFixture> m_fixture;
+};
+
+QTEST_MAIN(SearchCommandsTest)
+#include "search_commands_test.moc"
