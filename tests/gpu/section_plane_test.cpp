@@ -260,6 +260,24 @@ public:
         std::ranges::stable_sort(m_pieces, {}, &Piece::isInside);
     }
 
+    struct Compared {
+        std::size_t checked = 0;  ///< pixels of the cut, but for those near the edge of a piece
+        std::size_t wrong = 0;    ///< of those, how many have another colour
+    };
+    [[nodiscard]] Compared compare(const Image& picture) const {
+        Compared compared;
+        for (std::uint32_t y = 1; y + 1 < kHeight; ++y) {
+            for (std::uint32_t x = 1; x + 1 < kWidth; ++x) {
+                if (const std::optional<Rgb> colour = colourAt(x, y)) {
+                    ++compared.checked;
+                    compared.wrong += distance(pixel(picture, x, y), *colour) > 2 ? 1 : 0;
+                }
+            }
+        }
+        return compared;
+    }
+
+private:
     /// None: beside the cut, or near the edge of a piece.
     [[nodiscard]] std::optional<Rgb> colourAt(std::uint32_t x, std::uint32_t y) const {
         const glm::dvec2 a = onPlane(x - 1.0, y - 1.0);
@@ -277,7 +295,6 @@ public:
         return colour;
     }
 
-private:
     struct Piece {
         glm::dvec2 low;  ///< along the plane, upwards
         glm::dvec2 high;
@@ -490,17 +507,7 @@ private slots:
         camera.setPose({{0.0F, 0.0F, 2.0F}, distance, 0.0F, pitch, false});
         const Image open = board.draw(camera, settings);
         QCOMPARE(Gpu::get().presenter.stats().backend, static_cast<Backend>(backend));
-        const CutFace face(board, settings, camera);
-        std::size_t checked = 0;
-        std::size_t wrong = 0;
-        for (std::uint32_t y = 1; y + 1 < kHeight; ++y) {
-            for (std::uint32_t x = 1; x + 1 < kWidth; ++x) {
-                if (const std::optional<Rgb> colour = face.colourAt(x, y)) {
-                    ++checked;
-                    wrong += test::distance(pixel(open, x, y), *colour) > 2 ? 1 : 0;
-                }
-            }
-        }
+        const auto [checked, wrong] = CutFace(board, settings, camera).compare(open);
         QVERIFY2(checked > 30000 && wrong == 0, qPrintable(QString("%1 of %2").arg(wrong).arg(checked)));
     }
 
@@ -519,17 +526,7 @@ private slots:
         Camera camera = board.seen(NamedView::Iso, false);
         camera.setPose({{0.0F, 0.0F, 0.0F}, 30.0F, 0.0F, -0.2F, false});
         const Image open = board.draw(camera, settings);
-        const CutFace face(board, settings, camera);
-        std::size_t checked = 0;
-        std::size_t wrong = 0;
-        for (std::uint32_t y = 1; y + 1 < kHeight; ++y) {
-            for (std::uint32_t x = 1; x + 1 < kWidth; ++x) {
-                if (const std::optional<Rgb> colour = face.colourAt(x, y)) {
-                    ++checked;
-                    wrong += test::distance(pixel(open, x, y), *colour) > 2 ? 1 : 0;
-                }
-            }
-        }
+        const auto [checked, wrong] = CutFace(board, settings, camera).compare(open);
         QVERIFY2(checked > 3000 && wrong == 0, qPrintable(QString("%1 of %2").arg(wrong).arg(checked)));
     }
 
