@@ -38,6 +38,16 @@ inline model::LayerId addLayer(model::DocumentBuilder& builder, const char* name
     return builder.addLayer(layer);
 }
 
+inline model::LayerId addLayer(model::DocumentBuilder& builder, model::LayerType type, model::LayerSide side,
+                               model::Nm z, model::Nm thickness) {
+    model::Layer layer;
+    layer.type = type;
+    layer.side = side;
+    layer.z = z;
+    layer.thickness = thickness;
+    return builder.addLayer(layer);
+}
+
 inline model::LayerId addDrill(model::DocumentBuilder& builder, model::LayerId top, model::LayerId bottom) {
     model::Layer layer;
     layer.name = "drill";

@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "model/board/document_builder.h"
+#include "tests/unit/model/hand_made.h"
 
 using model::Document;
 using model::DocumentBuilder;
@@ -80,17 +81,12 @@ private slots:
     void flippedCopiesHaveTheHeightsOfTheOtherSide() {
         DocumentBuilder builder;
         addLayers(builder);
-        const auto add = [&](model::LayerType type, model::LayerSide side, model::Nm z, model::Nm thickness) {
-            model::Layer layer;
-            layer.type = type;
-            layer.side = side;
-            layer.z = z;
-            layer.thickness = thickness;
-            return builder.addLayer(layer);
-        };
-        const LayerId ink = add(model::LayerType::SilkScreen, model::LayerSide::Top, 1'600'000, 20'000);
-        const LayerId bodies = add(model::LayerType::ComponentBody, model::LayerSide::Top, 1'600'000, 9'000'000);
-        const LayerId below = add(model::LayerType::ComponentBody, model::LayerSide::Bottom, -1'000'000, 1'000'000);
+        using hand_made::addLayer;
+        using model::LayerSide;
+        using model::LayerType;
+        const LayerId ink = addLayer(builder, LayerType::SilkScreen, LayerSide::Top, 1'600'000, 20'000);
+        const LayerId bodies = addLayer(builder, LayerType::ComponentBody, LayerSide::Top, 1'600'000, 9'000'000);
+        const LayerId below = addLayer(builder, LayerType::ComponentBody, LayerSide::Bottom, -1'000'000, 1'000'000);
         builder.layer(LayerId{0}).z = 1'550'000;
         builder.layer(LayerId{0}).thickness = 50'000;
         builder.layer(LayerId{1}).thickness = 35'000;

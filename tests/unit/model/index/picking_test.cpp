@@ -7,6 +7,7 @@
 
 #include "model/board/document_builder.h"
 #include "model/figures/distance.h"
+#include "tests/unit/model/hand_made.h"
 
 using namespace model;
 
@@ -167,11 +168,7 @@ private slots:
         const model::ShapeId shape = builder.addShape(square);
         std::vector<ElementId> bodies;
         for (const model::LayerSide side : {model::LayerSide::Top, model::LayerSide::Bottom}) {
-            model::Layer layer;
-            layer.type = model::LayerType::ComponentBody;
-            layer.side = side;
-            layer.thickness = 5 * kMm;
-            builder.beginLayer(builder.addLayer(layer));
+            builder.beginLayer(hand_made::addLayer(builder, LayerType::ComponentBody, side, 0, 5 * kMm));
             bodies.push_back(builder.addArea({shape, {}}, {}));
             builder.addBody({bodies.back(), {}, 2 * kMm});
         }
@@ -203,21 +200,12 @@ private slots:
     /// print that has no counterpart.
     void whatIsFlippedIsPickedOnTheOtherSide() {
         DocumentBuilder builder;
-        const auto add = [&](model::LayerType type, model::LayerSide side, Nm z, Nm thickness) {
-            model::Layer layer;
-            layer.type = type;
-            layer.side = side;
-            layer.z = z;
-            layer.thickness = thickness;
-            return builder.addLayer(layer);
-        };
-        using model::LayerSide;
-        using model::LayerType;
-        const LayerId copper[] = {add(LayerType::Signal, LayerSide::Top, 9 * kMm, kMm),
-                                  add(LayerType::Signal, LayerSide::Bottom, 0, kMm)};
-        const LayerId bodies[] = {add(LayerType::ComponentBody, LayerSide::Top, 10 * kMm, 5 * kMm),
-                                  add(LayerType::ComponentBody, LayerSide::Bottom, -3 * kMm, 3 * kMm)};
-        const LayerId print = add(LayerType::SilkScreen, LayerSide::Top, 10 * kMm, kMm / 2);
+        using hand_made::addLayer;
+        const LayerId copper[] = {addLayer(builder, LayerType::Signal, LayerSide::Top, 9 * kMm, kMm),
+                                  addLayer(builder, LayerType::Signal, LayerSide::Bottom, 0, kMm)};
+        const LayerId bodies[] = {addLayer(builder, LayerType::ComponentBody, LayerSide::Top, 10 * kMm, 5 * kMm),
+                                  addLayer(builder, LayerType::ComponentBody, LayerSide::Bottom, -3 * kMm, 3 * kMm)};
+        const LayerId print = addLayer(builder, LayerType::SilkScreen, LayerSide::Top, 10 * kMm, kMm / 2);
         for (const auto& pair : {copper, bodies}) {
             builder.layer(pair[0]).opposite = pair[1];
             builder.layer(pair[1]).opposite = pair[0];

@@ -313,19 +313,13 @@ private slots:
         enum : std::size_t { Mask = Print + 1, BodiesTop, BodiesBottom };
         const auto add = [](DocumentBuilder& builder) {
             addLayers(builder);
-            const auto addLayer = [&](LayerType type, LayerSide side, Nm z, Nm thickness, LayerId opposite) {
-                Layer layer;
-                layer.type = type;
-                layer.side = side;
-                layer.z = z;
-                layer.thickness = thickness;
-                layer.opposite = opposite;
-                layer.isSynthetic = true;
-                builder.addLayer(layer);
-            };
-            addLayer(LayerType::SolderMask, LayerSide::Top, 2'300'000, 20'000, {});
-            addLayer(LayerType::ComponentBody, LayerSide::Top, 2'300'000, kMm, LayerId{BodiesBottom});
-            addLayer(LayerType::ComponentBody, LayerSide::Bottom, -kMm, kMm, LayerId{BodiesTop});
+            for (const LayerId id : {addLayer(builder, LayerType::SolderMask, LayerSide::Top, 2'300'000, 20'000),
+                                     addLayer(builder, LayerType::ComponentBody, LayerSide::Top, 2'300'000, kMm),
+                                     addLayer(builder, LayerType::ComponentBody, LayerSide::Bottom, -kMm, kMm)}) {
+                builder.layer(id).isSynthetic = true;
+            }
+            builder.layer(LayerId{BodiesTop}).opposite = LayerId{BodiesBottom};
+            builder.layer(LayerId{BodiesBottom}).opposite = LayerId{BodiesTop};
         };
         DocumentBuilder card;
         add(card);

@@ -40,18 +40,9 @@ model::PackageId drawnPackage(DocumentBuilder& builder) {
 /// Copper from 0 to 1.6 mm, a mask of 25 µm on the top only.
 struct Board {
     Board() {
-        add(LayerType::SolderMask, LayerSide::Top, 1'600'000, 25'000);
-        add(LayerType::Signal, LayerSide::Top, 1'565'000, 35'000);
-        add(LayerType::Signal, LayerSide::Bottom, 0, 35'000);
-    }
-
-    void add(LayerType type, LayerSide side, Nm z, Nm thickness) {
-        Layer layer;
-        layer.type = type;
-        layer.side = side;
-        layer.z = z;
-        layer.thickness = thickness;
-        builder.addLayer(layer);
+        hand_made::addLayer(builder, LayerType::SolderMask, LayerSide::Top, 1'600'000, 25'000);
+        hand_made::addLayer(builder, LayerType::Signal, LayerSide::Top, 1'565'000, 35'000);
+        hand_made::addLayer(builder, LayerType::Signal, LayerSide::Bottom, 0, 35'000);
     }
 
     /// A board of 40 by 40 mm.

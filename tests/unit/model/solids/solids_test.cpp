@@ -129,13 +129,9 @@ std::shared_ptr<const model::Document> drilledFromOutside(bool isFromBothSides) 
     DocumentBuilder builder;
     addSquare(builder);
     const auto add = [&](const char* name, LayerType type, model::LayerSide side, model::Nm z, model::Nm thickness) {
-        Layer layer;
-        layer.name = name;
-        layer.type = type;
-        layer.side = side;
-        layer.z = z;
-        layer.thickness = thickness;
-        return builder.addLayer(layer);
+        const model::LayerId id = hand_made::addLayer(builder, type, side, z, thickness);
+        builder.layer(id).name = name;
+        return id;
     };
     using model::LayerSide;
     add("mask top", LayerType::SolderMask, LayerSide::Top, 1'600'000, 20'000);
