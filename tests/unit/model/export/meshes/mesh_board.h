@@ -2,6 +2,7 @@
 
 #include <QtTest>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numbers>
 #include <vector>
@@ -15,19 +16,21 @@ namespace mesh_board {
 using hand_made::kMm;
 using hand_made::kUm;
 
-/// Copper of 35 µm on both sides of 1 mm: on top of net A three equal discs (2 mm), two tracks at a right angle (10 mm
-/// each, 1 mm wide) and of net B a square with a round hole; two plated holes of net A through two of the discs; on the
-/// bottom two equal pads.
+/// Copper of 35 µm on both sides of 1 mm.
+inline constexpr std::array<hand_made::StackLayer, 4> kStackup{
+    {{"top", model::LayerType::Signal, 1'035'000, 35'000, 2},
+     {"core", model::LayerType::Dielectric, 35'000, 1'000'000, 1},
+     {"bottom", model::LayerType::Signal, 0, 35'000, 0},
+     {"drill", model::LayerType::Drill, 0, 0, 3}}};
+
+/// On that stackup: on top of net A three equal discs (2 mm), two tracks at a right angle (10 mm each, 1 mm wide) and
+/// of net B a square with a round hole; two plated holes of net A through two of the discs; on the bottom two equal
+/// pads.
 inline std::shared_ptr<const model::Document> board() {
     model::DocumentBuilder builder;
     builder.job().name = "board";
     builder.job().step = "card";
-    using enum model::LayerType;
-    const hand_made::StackLayer layers[] = {{"top", Signal, 1'035'000, 35'000, 2},
-                                            {"core", Dielectric, 35'000, 1'000'000, 1},
-                                            {"bottom", Signal, 0, 35'000, 0},
-                                            {"drill", Drill, 0, 0, 3}};
-    hand_made::addLayers(builder, layers);
+    hand_made::addLayers(builder, kStackup);
     for (model::Layer& layer : builder.layers()) {
         layer.side = layer.name == "top" ? model::LayerSide::Top : model::LayerSide::Bottom;
     }
@@ -114,12 +117,7 @@ inline bool isNear(double value, double expected, double part) {
 /// A pad on top that is no wider than its hole.
 inline std::shared_ptr<const model::Document> drilledAway() {
     model::DocumentBuilder builder;
-    using enum model::LayerType;
-    const hand_made::StackLayer layers[] = {{"top", Signal, 1'035'000, 35'000, 2},
-                                            {"core", Dielectric, 35'000, 1'000'000, 1},
-                                            {"bottom", Signal, 0, 35'000, 0},
-                                            {"drill", Drill, 0, 0, 3}};
-    hand_made::addLayers(builder, layers);
+    hand_made::addLayers(builder, kStackup);
     const model::NetId a = builder.addNet("A");
     builder.beginLayer(model::LayerId{0});
     builder.addCircle({{5 * kMm, 5 * kMm}, 800 * kUm, 0}, hand_made::of(a, model::kPad));
