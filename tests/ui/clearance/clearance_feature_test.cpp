@@ -20,6 +20,7 @@
 #include "model/design_rules/design_rule_check.h"
 #include "tests/locations.h"
 #include "tests/patience.h"
+#include "tests/ui/clearance/clearance_fixture.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clearance/rule_dialog.h"
 #include "ui/common/table_view.h"
@@ -31,14 +32,11 @@ using ui::ClearanceModel;
 using ui::ClearancePanel;
 
 /// From the keys to the narrow place on the screen, on the sample board.
-class ClearanceFeatureTest : public QObject {
+class ClearanceFeatureTest : public QObject, protected ClearanceFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
-    }
+    void initTestCase() { open(); }
     void init() {
         while (window().selection().clearStep()) {
         }
@@ -506,12 +504,8 @@ private slots:
     }
 
 private:
-    [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
     [[nodiscard]] ui::ClearanceFeature& clearances() { return window().clearances(); }
-    [[nodiscard]] ClearancePanel& panel() { return window().find<ui::ClearancePanel>(); }
-    QComboBox& box(const char* name) { return *panel().findChild<QComboBox*>(name); }
     QSlider& lensSlider() { return *panel().findChild<QSlider*>("lensReach"); }
-    QString label(const char* name) { return panel().findChild<QLabel*>(name)->text(); }
 
     double heightOf(model::LayerId layer) { return window().document()->layer(layer).z; }
 
@@ -539,16 +533,10 @@ private:
         QFile file(path);
         return done && file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
     }
-    void measure() {
-        m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_VERIFY(!window().workspace().isWorking());
-    }
     void ask(ClearancePanel::Where where) {
         box("where").setCurrentIndex(static_cast<int>(where));
         measure();
     }
-
-    std::unique_ptr<WindowFixture> m_fixture;
 };
 
 QTEST_MAIN(ClearanceFeatureTest)

@@ -1,6 +1,5 @@
 #include "ui/clearance/rule_waivers.h"
 
-#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QDialogButtonBox>
 #include <QFile>
@@ -14,6 +13,7 @@
 
 #include "tests/locations.h"
 #include "tests/patience.h"
+#include "tests/ui/clearance/clearance_fixture.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/clearance/waive_dialog.h"
 #include "ui/common/table_view.h"
@@ -23,14 +23,13 @@ using ui::ClearanceModel;
 using ui::ClearancePanel;
 
 /// Findings are waived with the mouse and the keys, and stay so in the next run.
-class RuleWaiversTest : public QObject {
+class RuleWaiversTest : public QObject, protected ClearanceFixture {
     Q_OBJECT
 
 private slots:
     void initTestCase() {
-        m_fixture = std::make_unique<WindowFixture>();
-        m_board = m_fixture->copyOfSample();
-        openAndCheck();
+        open();
+        checkRules();
     }
     void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
@@ -62,7 +61,8 @@ private slots:
         QVERIFY(rules.index(0, ui::RuleModel::Result).data().toString().endsWith("1 waived"));
 
         m_fixture->restart();
-        openAndCheck();
+        QVERIFY(m_fixture->openAndWait(m_board));
+        checkRules();
         QCOMPARE(window().find<ui::RuleModel>().rules().rules[0].least, model::Nm{200'000});
         QCOMPARE(waivedRows(), 1);
         QCOMPARE(m_fixture->settings().author(), "Me");
@@ -132,7 +132,7 @@ private slots:
 
     void aNarrowPanelHasThemInTheMenuOfWhatHasNoRoom() {
         m_fixture->key(Qt::Key_F12, Qt::ControlModifier);  // the panel is a column beside the views
-        panel().findChild<QComboBox*>("what")->setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
         QTRY_VERIFY(panel().isVisible());
         auto* more = panel().findChild<QToolButton*>("qt_toolbar_ext_button");
         auto* waivers = panel().findChild<QToolButton*>("waivers");
@@ -164,20 +164,18 @@ private slots:
         const QString least = rules.index(0, ui::RuleModel::Least).data().toString();
         QVERIFY(rules.setData(rules.index(0, ui::RuleModel::Least), "1 um", Qt::EditRole));
         check();
-        const QString notes = panel().findChild<QLabel*>("notes")->text();
+        const QString notes = label("notes");
         QVERIFY2(notes.contains("no finding there any more"), qPrintable(notes));
         menu().actions().back()->trigger();
         QTRY_VERIFY(!window().workspace().isWorking());
         QVERIFY(window().find<ui::RuleWaivers>().list().empty());
-        QVERIFY(!panel().findChild<QLabel*>("notes")->text().contains("any more"));
+        QVERIFY(!label("notes").contains("any more"));
     }
 
 private:
-    [[nodiscard]] TestWindow& window() { return m_fixture->window(); }
-    [[nodiscard]] ClearancePanel& panel() { return window().find<ClearancePanel>(); }
     [[nodiscard]] ClearanceModel& locations() { return window().find<ClearanceModel>(); }
     [[nodiscard]] QMenu& menu() { return *panel().findChild<QToolButton*>("waivers")->defaultAction()->menu<QMenu*>(); }
-    [[nodiscard]] QString summary() { return panel().findChild<QLabel*>("summary")->text(); }
+    [[nodiscard]] QString summary() { return label("summary"); }
     [[nodiscard]] QString at(int row, int column) { return locations().index(row, column).data().toString(); }
 
     [[nodiscard]] int waivedRows() {
@@ -196,9 +194,8 @@ private:
     }
     [[nodiscard]] int failing() { return locations().rowCount() - waivedRows(); }
 
-    void openAndCheck() {
-        QVERIFY(m_fixture->openAndWait(m_board));
-        panel().findChild<QComboBox*>("what")->setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
+    void checkRules() {
+        box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
         check();
     }
     void check() {
@@ -227,9 +224,6 @@ private:
         QContextMenuEvent event(QContextMenuEvent::Mouse, cell, table.viewport()->mapToGlobal(cell));
         QApplication::sendEvent(table.viewport(), &event);
     }
-
-    std::unique_ptr<WindowFixture> m_fixture;
-    QString m_board;
 };
 
 QTEST_MAIN(RuleWaiversTest)

@@ -1,10 +1,9 @@
 // Distances through the stackup, from the search to the location on the screen, and what ends them.
-#include <QComboBox>
-#include <QLabel>
 #include <QtTest>
 
 #include "model/session/session.h"
 #include "tests/patience.h"
+#include "tests/ui/clearance/clearance_fixture.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/shell/message_bar.h"
 
@@ -12,14 +11,11 @@ using ui::ActionId;
 using ui::ClearanceModel;
 using ui::ClearancePanel;
 
-class ThroughStackupTest : public QObject {
+class ThroughStackupTest : public QObject, protected ClearanceFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        m_fixture = std::make_unique<WindowFixture>();
-        QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
-    }
+    void initTestCase() { open(); }
     void init() {
         box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::ThroughStackup));
         box("where").setCurrentIndex(static_cast<int>(ClearancePanel::Where::Board));
@@ -96,21 +92,12 @@ private slots:
     }
 
 private:
-    TestWindow& window() { return m_fixture->window(); }
-    ClearancePanel& panel() { return window().find<ClearancePanel>(); }
-    QComboBox& box(const char* name) { return *panel().findChild<QComboBox*>(name); }
-    QString notes() { return panel().findChild<QLabel*>("notes")->text(); }
-    void measure() {
-        m_fixture->key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_VERIFY(!window().workspace().isWorking());
-    }
+    QString notes() { return label("notes"); }
     void setThickness(model::Nm nm) {
         const model::SetThicknesses set{{{"L02-INNER_LAYER", nm}}, {}};
         window().workspace().restack(
             model::session::applyThicknesses(window().workspace().board()->document, set.all()), set, true);
     }
-
-    std::unique_ptr<WindowFixture> m_fixture;
 };
 
 QTEST_MAIN(ThroughStackupTest)
