@@ -17,7 +17,8 @@ inline constexpr double kCornerTolerance = 5.0;
 
 /// Which part of a board is exported as solids, and how.
 struct SolidChoice {
-    std::vector<LayerId> layers;    ///< empty: all that a finished board consists of (isSolidLayer)
+    /// What copies have there (Document::layerOfCopy); empty: all that a finished board consists of (isSolidLayer)
+    std::vector<LayerId> layers;
     std::vector<std::string> nets;  ///< only copper of these nets, and what is no copper; empty: all
     /// Only elements whose box meets this one, whole; the substrate and other synthetic layers stay whole too.
     std::optional<Box> window;

@@ -22,10 +22,18 @@ bool isNarrowHole(const Document& document, ElementId element, Nm minHole) {
            document.circles[document.elements.geometry[row]].diameter < minHole;
 }
 
-/// Which elements of a document the choice wants.
+/// How a copy of a step lies, but for where.
+struct CopyKind {
+    bool isFlipped = false;
+    bool isMirrored = false;
+    auto operator<=>(const CopyKind&) const = default;
+};
+
+/// Which elements of a document the choice wants, of layers by where its copies have them.
 class Filter {
 public:
-    Filter(const Document& document, const SolidChoice& choice) : m_document(document), m_choice(choice) {
+    Filter(const Document& document, const CopyKind& kind, const SolidChoice& choice)
+        : m_document(document), m_kind(kind), m_choice(choice) {
         for (const std::string& name : choice.nets) {
             if (const NetId net = document.findNet(name); net.isValid()) {
                 m_nets.insert(net);
@@ -35,7 +43,7 @@ public:
 
     [[nodiscard]] bool takes(LayerId id) const {
         const Layer& layer = m_document.layer(id);
-        const bool isChosen = std::ranges::count(m_choice.layers, id) > 0;
+        const bool isChosen = std::ranges::count(m_choice.layers, m_document.layerOfCopy(id, m_kind.isFlipped)) > 0;
         if (m_choice.isOuterOnly && !isOutside(layer, isChosen)) {
             return false;
         }
@@ -77,6 +85,7 @@ private:
     }
 
     const Document& m_document;
+    CopyKind m_kind;
     const SolidChoice& m_choice;
     std::set<NetId> m_nets;  ///< of SolidChoice::nets those that the document has
 };
@@ -114,19 +123,12 @@ bool isSolid(const Document& document, ElementId element, bool isFlipped) {
     return z.top > z.bottom && (!isOfHoles || isPlatedHole(document.elements.flags[element.row()]));
 }
 
-/// How a copy of a step lies, but for where.
-struct CopyKind {
-    bool isFlipped = false;
-    bool isMirrored = false;
-    auto operator<=>(const CopyKind&) const = default;
-};
-
 StepSolids solidsOf(const Document& document, const CopyKind& kind, const SolidChoice& choice) {
     StepSolids step;
     step.document = &document;
     step.isFlipped = kind.isFlipped;
     step.isMirrored = kind.isMirrored;
-    const Filter filter(document, choice);
+    const Filter filter(document, kind, choice);
     std::vector<Member> members;
     for (std::size_t row = 0; row < document.layers.size(); ++row) {
         const LayerId layer{static_cast<std::uint32_t>(row)};

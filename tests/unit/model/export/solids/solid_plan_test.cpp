@@ -398,6 +398,23 @@ private slots:
         QVERIFY(isNear(areaOf(planOf(*document, choice), copper), 22 - 2 * disc(1)));
     }
 
+    /// The layer that a job for a panel names is the panel's: the drawings have the same there.
+    void layersAreChosenByWhereCopiesHaveThem() {
+        const Board board = makeBoard();
+        model::Document panel = *board.document;
+        panel.steps = {board.document};
+        panel.instances = {model::StepInstance{0, {{20 * kMm, 0}, 0.0, true}, true}};
+        SolidChoice choice;
+        choice.layers = {board.document->findLayer("bottom")};
+        const SolidPlan below = planOf(panel, choice);
+        QVERIFY(below.steps[0].elements.empty());
+        QCOMPARE(below.steps[1].elements, (std::vector{board.track, board.pad}));
+        choice.layers = {board.document->findLayer("top")};
+        const SolidPlan above = planOf(panel, choice);
+        QCOMPARE(above.steps[0].elements, (std::vector{board.track, board.pad}));
+        QVERIFY(above.steps.size() == 1 || above.steps[1].elements.empty());
+    }
+
     /// A job may mirror copies without turning them over, and turn them over without mirroring.
     void allCopiesLieWhereTheirPlacementsSay() {
         const DrilledBoard board = makeDrilledBoard();
