@@ -366,6 +366,14 @@ private slots:
         QComboBox& box = *window().findChild<QComboBox*>("steps");
         QVERIFY(box.isVisible());
         QCOMPARE(box.currentText(), "pcb");
+        const model::Document* pcb = window().document();
+        emit box.textActivated("pcb");
+        QVERIFY(!window().loader().isLoading());  // it is the one that is shown
+        emit box.textActivated("panel");
+        QVERIFY(window().loader().isLoading());
+        emit box.textActivated("pcb");
+        QTRY_VERIFY(!window().loader().isLoading());
+        QCOMPARE(window().document(), pcb);
         emit box.textActivated("panel");
         QTRY_COMPARE(window().document()->job.step, std::string("panel"));
         QCOMPARE(box.currentText(), "panel");
