@@ -92,7 +92,7 @@ void CameraController::setPlan() {
 
 void CameraController::flip() {
     m_camera.flipOver();
-    emit moved();
+    m_isFitted ? fit() : emit moved();  // margins stay where they are
 }
 
 void CameraController::lookFrom(const glm::vec3& side) {

@@ -322,6 +322,9 @@ private slots:
         QRectF board(onScreen(*m_controller, kBoxMin), onScreen(*m_controller, kBoxMax));
         QVERIFY(room.contains(board.normalized()));
         QVERIFY(distance(board.center(), room.center()) < 0.5);
+        m_controller->flip();
+        board = QRectF(onScreen(*m_controller, kBoxMin), onScreen(*m_controller, kBoxMax));
+        QVERIFY(board.width() < 0 && distance(board.center(), room.center()) < 0.5);
         m_controller->show(kBoxMin / 2.0F, kBoxMax / 2.0F);
         board = QRectF(onScreen(*m_controller, kBoxMin / 2.0F), onScreen(*m_controller, kBoxMax / 2.0F));
         QVERIFY(room.contains(board.normalized()));
