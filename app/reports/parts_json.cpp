@@ -6,6 +6,7 @@
 
 #include "model/clearance/clearance.h"
 #include "model/index/pin_names.h"
+#include "model/nets/net_inference.h"
 #include "model/nets/net_statistics.h"
 
 namespace app {
@@ -203,6 +204,10 @@ void printConnectivity(const std::vector<StepCheck>& checks) {
             std::printf("  no net   %s on %s at %.4f, %.4f mm\n", model::textOf(*check.step, entry).c_str(),
                         check.step->layer(entry.layer).name.c_str(), base::toMm(entry.location.x),
                         base::toMm(entry.location.y));
+        }
+        if (model::areNetsOfCopper(*check.step)) {
+            std::printf("  %s: its nets follow from its copper, so that shorts and opens are not to be found\n",
+                        check.step->job.step.c_str());
         }
         std::printf("  %s: %zu islands of copper, %zu nets in several islands, %zu shorts, %zu net ties%s\n",
                     check.step->job.step.c_str(), check.islandCount, check.report.opens.size(),

@@ -8,6 +8,7 @@
 
 #include "model/design_rules/bridged.h"
 #include "model/geometry/discretise.h"
+#include "model/nets/net_inference.h"
 #include "model/solids/region_distance.h"
 
 namespace model {
@@ -245,11 +246,6 @@ private:
     NetPairs m_apart;  ///< nets with a location for each two elements
 };
 
-/// "$7", as withInferredNets calls a net without a name.
-bool isNumbered(const std::string& net) {
-    return net.size() > 1 && net.front() == '$' && net.find_first_not_of("0123456789", 1) == std::string::npos;
-}
-
 /// The distances of a layer's copper to the edge of the board. Copper beyond it, also in a cut-out, has none.
 class EdgeSpacings {
 public:
@@ -296,7 +292,7 @@ private:
         }
         const Document& document = m_context.document();
         const auto [known, isNew] = m_isOfBoard.try_emplace(net, true);
-        if (isNew && isNumbered(document.nets[net.row()].name)) {
+        if (isNew && isNumberedNet(document.nets[net.row()].name)) {
             known->second = std::ranges::any_of(document.elementsOf(net), [&](ElementId each) {
                 return m_area.contains(document.boxOf(each).middle());
             });

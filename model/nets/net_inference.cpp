@@ -206,4 +206,13 @@ base::Result<std::shared_ptr<const Document>> withInferredNets(const Document& d
     return inferred(document, progress, done);
 }
 
+bool isNumberedNet(std::string_view name) {
+    return name.size() > 1 && name.front() == '$' && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
+
+bool areNetsOfCopper(const Document& document) {
+    return !document.nets.empty() &&
+           std::ranges::all_of(document.nets, [](const Net& net) { return isNumberedNet(net.name); });
+}
+
 }  // namespace model

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "model/base/progress.h"
 #include "model/base/result.h"
@@ -17,5 +18,11 @@ namespace model {
 /// one). Errors: Cancelled.
 [[nodiscard]] base::Result<std::shared_ptr<const Document>> withInferredNets(const Document& document,
                                                                              base::Progress& progress);
+
+/// "$7", as withInferredNets calls a net without a netlist point.
+[[nodiscard]] bool isNumberedNet(std::string_view name);
+/// Are all nets of a document such ones? Then nothing but its copper says what belongs together: checkNets has no
+/// shorts or opens to find.
+[[nodiscard]] bool areNetsOfCopper(const Document& document);
 
 }  // namespace model

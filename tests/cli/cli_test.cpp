@@ -458,6 +458,8 @@ private slots:
         for (const char* list : {"opens", "shorts", "floating", "loose"}) {
             QVERIFY2(info["connectivity"].toObject()[list].toArray().isEmpty(), list);
         }
+        const Outcome text = copperscope({"info", job, "--infer-nets", "--check-nets"});
+        QVERIFY2(text.out.contains("its nets follow from its copper"), text.out.constData());
     }
 
     void netsOfWholeBoardsAreAsTheyWere_data() {

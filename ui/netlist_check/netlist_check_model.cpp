@@ -3,6 +3,7 @@
 #include <QColor>
 #include <algorithm>
 
+#include "model/nets/net_inference.h"
 #include "ui/common/net_name.h"
 
 namespace ui {
@@ -16,6 +17,18 @@ constexpr QColor kKindColours[] = {
 /// "1 short", "2 shorts", "no shorts"
 QString counted(qsizetype count, const QString& none, const QString& one, const QString& many) {
     return count == 0 ? none : count == 1 ? one : many.arg(count);
+}
+
+/// Why there is nothing that copper could differ from; empty if there is.
+QString whyNotCompared(const std::vector<model::StepCheck>& checks) {
+    const auto hasNets = [](const model::StepCheck& check) { return !check.step->nets.empty(); };
+    const auto isOfCopper = [](const model::StepCheck& check) { return model::areNetsOfCopper(*check.step); };
+    if (std::ranges::none_of(checks, hasNets)) {
+        return NetlistCheckModel::tr("nothing to compare: there are no nets");
+    }
+    return std::ranges::count_if(checks, hasNets) == std::ranges::count_if(checks, isOfCopper)
+               ? NetlistCheckModel::tr("nothing to compare: the nets follow from the copper")
+               : QString();
 }
 
 }  // namespace
@@ -111,9 +124,13 @@ QString NetlistCheckModel::summary() const {
     const qsizetype floating = std::ranges::count(m_findings, FindingKind::Floating, &Finding::kind);
     const qsizetype pins = std::ranges::count(m_findings, FindingKind::NoNet, &Finding::kind);
     const qsizetype ties = std::ranges::count(m_findings, FindingKind::Tie, &Finding::kind);
-    return tr("%1, %2, %3%4%5")
-        .arg(counted(shorts, tr("no shorts"), tr("1 short"), tr("%L1 shorts")),
-             counted(opens, tr("no open nets"), tr("1 open net"), tr("%L1 open nets")),
+    const QString why = whyNotCompared(m_checks);
+    const QString faults =
+        !why.isEmpty() ? why
+                       : tr("%1, %2").arg(counted(shorts, tr("no shorts"), tr("1 short"), tr("%L1 shorts")),
+                                          counted(opens, tr("no open nets"), tr("1 open net"), tr("%L1 open nets")));
+    return tr("%1, %2%3%4")
+        .arg(faults,
              counted(floating, tr("no floating copper"), tr("1 piece of floating copper"),
                      tr("%L1 pieces of floating copper")),
              counted(pins, QString(), tr(", 1 pin without a net that touches one"),

@@ -46,6 +46,28 @@ private slots:
         QVERIFY(findings.elementsOf(findings.finding(0)) == std::vector{bridge});
     }
 
+    /// "No shorts" would be a pass that nobody looked for.
+    void netsOfTheCopperAreNotComparedWithIt() {
+        const auto summaryOf = [](std::initializer_list<const char*> nets) {
+            model::DocumentBuilder builder;
+            std::vector<NetId> ids;
+            for (const char* net : nets) {
+                ids.push_back(builder.addNet(net));
+            }
+            builder.beginLayer(addLayer(builder, "top"));
+            builder.addCircle({{0, 0}, kMm, 0}, of(ids.empty() ? NetId{} : ids.front(), model::kPad));
+            const std::shared_ptr<const model::Document> board = builder.finish();
+            base::Progress progress;
+            NetlistCheckModel findings;
+            findings.setChecks(board, *model::checkAllNets(*board, progress));
+            return findings.summary();
+        };
+        QCOMPARE(summaryOf({"$1", "$12"}), "nothing to compare: the nets follow from the copper, no floating copper");
+        QCOMPARE(summaryOf({"$1", "VCC"}), "no shorts, no open nets, no floating copper");
+        QCOMPARE(summaryOf({"$", "$1N2"}), "no shorts, no open nets, no floating copper");
+        QCOMPARE(summaryOf({}), "nothing to compare: there are no nets, no floating copper");
+    }
+
     void aPinWithoutANetOnCopperOfOneIsListed() {
         model::DocumentBuilder builder;
         const NetId net = builder.addNet("A");
