@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/board/holes.h"
 #include "model/formats/drawing/assembly.h"
 #include "model/formats/gerber/assigned_files.h"
 #include "model/formats/gerber/board_groups.h"
@@ -55,6 +56,17 @@ void reportOthers(const std::vector<BoardFiles>& boards, std::size_t chosen, con
     }
 }
 
+/// A drill file left out is a common mistake, and nothing else tells that copper is meant to be joined.
+void reportMissingDrills(const BoardFiles& board, const MadeBoard& made, const std::string& name,
+                         Diagnostics& diagnostics) {
+    const bool hasHoles = std::ranges::any_of(made.job.layers, [](const auto& layer) { return isHoles(layer.type); });
+    if (board.copperLayers > 1 && !hasHoles) {
+        diagnostics.report(Severity::Warning, name, 0,
+                           "no file of drills is there: the board has no holes, and nothing joins its " +
+                               std::to_string(board.copperLayers) + " copper layers");
+    }
+}
+
 std::shared_ptr<const Document> withBoards(const std::shared_ptr<const Document>& document,
                                            const std::vector<BoardFiles>& boards, std::size_t chosen) {
     if (boards.size() < 2) {
@@ -86,6 +98,7 @@ Board makeDocument(std::vector<ReadFile> files, const std::filesystem::path& pat
     }
     reportOthers(boards, chosen, name, all);
     const bool hasCopper = boards[chosen].copperLayers > 0;
+    reportMissingDrills(boards[chosen], made, name, all);
     if (!made.hasNets && hasCopper && made.job.steps.front().netlists.empty()) {
         all.report(Severity::Info, name, 0, "the images name no nets; nets follow from the copper");
     }

@@ -5,6 +5,7 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "model/nets/net_inference.h"
 #include "tests/unit/model/formats/gerber/gerber_testing.h"
 
 using namespace gerber_testing;
@@ -76,6 +77,17 @@ private slots:
         QVERIFY(isReported(**board, "nets follow from the copper"));
         QCOMPARE((*board)->nets.size(), std::size_t{4});  // no holes: a joined pair and a pad on each side
         QVERIFY(isReported(**board, "by its name"));
+        QVERIFY(isReported(**board, "nothing joins its 2 copper layers"));
+        QVERIFY(model::areNetsOfCopper(**board));
+    }
+
+    void onlyBoardsOfSeveralCopperLayersMissTheirDrills() {
+        const Job single({{"b.GTL", image(kCopper)}, {"b.GKO", image(kOutline)}});
+        const Board one = single.open();
+        QVERIFY(one.ok() && !isReported(**one, "drills is there"));
+        const Job drilled({{"b.GTL", image(kCopper)}, {"b.GBL", image(kCopper)}, {"b.drl", kDrills}});
+        const Board two = drilled.open();
+        QVERIFY(two.ok() && !isReported(**two, "drills is there"));
     }
 
     void aNetlistNamesTheNetsWhereverItCountsFrom() {
