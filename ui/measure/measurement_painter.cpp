@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "model/board/board_heights.h"
 #include "ui/common/texts.h"
@@ -27,10 +28,11 @@ constexpr double kTick = 6.0;  // half the length of the line across an end, log
 constexpr double kMark = 7.0;  // half of 14 px
 constexpr double kMargin = 4.0;
 constexpr double kLine = 1.6;
-constexpr double kPathLine = 3.0;     // paths along copper
-constexpr double kUnder = 2.4;        // what lies under a line is wider by
-constexpr double kAngleArc = 46.0;    // the largest radius of the arc in an angle
-constexpr double kLeaderFrom = 20.0;  // a label farther away than this has a leader
+constexpr double kPathLine = 3.0;        // paths along copper
+constexpr double kUnder = 2.4;           // what lies under a line is wider by
+constexpr double kAngleArc = 46.0;       // the largest radius of the arc in an angle
+constexpr double kLeaderFrom = 20.0;     // a label farther away than this has a leader
+constexpr qsizetype kLabelLetters = 32;  // a line of a label has so many before it is broken
 constexpr double kArcStep = std::numbers::pi / 36.0;
 
 /// The sign of a kind of point, around the origin: people know them from CAD programs.
@@ -59,22 +61,26 @@ QPainterPath markOf(SnapKind kind) {
     return path;
 }
 
-/// In lines that leave most of a view free: between two ends, then between words.
-QStringList inLines(const QString& text) {
-    constexpr qsizetype kMostLetters = 32;
-    if (text.size() <= kMostLetters) {
-        return {text};
+/// Adds a text in lines that leave most of a view free, as wide as what is there: between two ends, then between words.
+void addInLines(const QString& text, QStringList& all) {
+    qsizetype most = kLabelLetters;
+    for (const QString& line : std::as_const(all)) {
+        most = std::max(most, line.size());
+    }
+    if (text.size() <= most) {
+        all += text;
+        return;
     }
     QStringList lines{QString()};
     for (const QString& word : text.split(' ')) {
-        const bool isFull = !lines.back().isEmpty() && lines.back().size() + 1 + word.size() > kMostLetters;
+        const bool isFull = !lines.back().isEmpty() && lines.back().size() + 1 + word.size() > most;
         if (isFull || word == QStringLiteral("–")) {
             lines.append(word);
         } else {
             lines.back() += (lines.back().isEmpty() ? QString() : QStringLiteral(" ")) + word;
         }
     }
-    return lines;
+    all += lines;
 }
 
 }  // namespace
@@ -127,9 +133,9 @@ void MeasurementPainter::paint(const Measurement& measurement, LengthUnit unit, 
         if (!measurement.path) {
             lines += layersText(measurement);
         }
-        lines += inLines(netsText(measurement));
+        addInLines(netsText(measurement), lines);
         for (const QString& note : textsOf(measurement.notes)) {
-            lines += inLines(note);
+            addInLines(note, lines);
         }
     }
     m_labels.push_back({lines, *beside});
