@@ -145,7 +145,8 @@ SavedView viewFrom(const Json& json) {
             poseFrom(json.at("solid")),
             listFrom(json.at("layers"), stringFrom),
             std::nullopt,
-            json.contains("nets") ? netNamesFrom(json.at("nets")) : std::vector<NetName>()};
+            json.contains("nets") ? netNamesFrom(json.at("nets")) : std::vector<NetName>(),
+            json.contains("current") ? std::optional(stringFrom(json.at("current"))) : std::nullopt};
 }
 
 Json toJson(const SavedView& view) {
@@ -159,6 +160,9 @@ Json toJson(const SavedView& view) {
               {"solid", toJson(view.solid)}};
     if (!view.nets.empty()) {
         json["nets"] = netNamesJson(view.nets);
+    }
+    if (view.current) {
+        json["current"] = *view.current;
     }
     return json;
 }

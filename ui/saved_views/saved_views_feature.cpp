@@ -124,7 +124,8 @@ void SavedViewsFeature::saveView() {
                  poseOf(m_views.solid().controller(), origin()),
                  m_layers.visibleNames(),
                  std::nullopt,
-                 session::saveSelection(selection.tree(), {}, selection.nets()).nets},
+                 session::saveSelection(selection.tree(), {}, selection.nets()).nets,
+                 nameOf(m_workspace.currentLayer())},
                 "View ");
     m_saved.reportAdded();
 }
@@ -157,6 +158,9 @@ void SavedViewsFeature::goTo(int row) {
         select(name, *view.selection);
     } else {
         m_layers.showOnly(view.layers);
+        if (view.current) {
+            m_workspace.setCurrentLayer(m_workspace.board()->document->findLayer(*view.current));
+        }
         setCameras(view.flat, view.solid);
         if (!view.nets.empty()) {
             select(name, {view.nets, {}});

@@ -257,6 +257,30 @@ private slots:
         QVERIFY(!window().messageBar().isVisible());
     }
 
+    void aViewHasTheCurrentLayerThatItWasSavedWith() {
+        const auto layer = [&](const char* name) { return window().document()->findLayer(name); };
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        window().workspace().setCurrentLayer(layer("TOP"));
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().showPanel("views");
+        window().workspace().setCurrentLayer(layer("BOTTOM"));
+        choose(1);
+        QCOMPARE(window().workspace().currentLayer(), layer("TOP"));
+        choose(0);
+        QVERIFY(!window().workspace().currentLayer().isValid());
+        std::vector<model::session::SavedView> views = window().savedViews().views();
+        views[0].current.reset();  // as older versions have saved it
+        QVERIFY(model::session::saveViews(m_job, *window().document(), views).ok());
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().showPanel("views");
+        window().workspace().setCurrentLayer(layer("BOTTOM"));
+        choose(0);
+        QCOMPARE(window().workspace().currentLayer(), layer("BOTTOM"));
+    }
+
     void aViewHighlightsTheNetsThatItWasSavedWith() {
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
         const std::vector<model::BoardNet> nets{{0, model::NetId{std::size_t{1}}}};
