@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "model/geometry/vectors.h"
+
 namespace ui {
 
 using model::SnapKind;
@@ -245,9 +247,7 @@ std::optional<model::BoardElement> MeasuringCursor::emptyAt(const BoardView& vie
     for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
         const model::StepCopy& how = m_index->tree.copies[copy];
         const model::Document& step = *m_index->tree.steps[how.step];
-        const base::PointD there = model::unplaced(location, how.placement);
-        const base::Point middle{static_cast<base::Nm>(there.x), static_cast<base::Nm>(there.y)};
-        const base::Box box = base::Box{middle, middle}.grownBy(static_cast<base::Nm>(reach));
+        const base::Box box = model::boxAround(model::unplaced(location, how.placement), reach);
         m_index->elements[how.step].visit(box, [&](std::uint32_t row) {
             const model::BoardElement at{copy, model::ElementId{row}};
             const model::LayerId layer = step.layerOfCopy(step.elements.layer[row], how.isFlipped);

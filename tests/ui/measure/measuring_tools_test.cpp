@@ -368,6 +368,9 @@ private slots:
         m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
         click(flat(), {9.5, 5});
         QVERIFY2(said().contains("covers nothing") && said().contains("on top "), qPrintable(said()));
+        click(flat(), {4000, 4000});  // farther than coordinates reach
+        QVERIFY2(said().contains("no element"), qPrintable(said()));
+        click(flat(), {9.5, 5});
         click(flat(), {3, -0.9});
         QVERIFY2(said().contains("no element"), qPrintable(said()));
         QVERIFY(list().empty());
