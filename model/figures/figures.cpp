@@ -1,6 +1,7 @@
 #include "model/figures/figures.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "model/figures/tracks.h"
 #include "model/geometry/curve_edges.h"
@@ -24,6 +25,22 @@ std::uint64_t mortonOf(PointD p) {
     constexpr double kOffset = 2147483648.0;  // coordinates reach ±2^31
     return spread(static_cast<std::uint64_t>(p.x + kOffset)) |
            (spread(static_cast<std::uint64_t>(p.y + kOffset)) << 1U);
+}
+
+/// Sorts edges by where they begin on the Morton curve, those that begin together as they were.
+void sortAlongCurve(std::span<Edge> edges) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    order.reserve(edges.size());
+    for (std::uint32_t row = 0; row < edges.size(); ++row) {
+        order.emplace_back(mortonOf(edges[row].a), row);
+    }
+    std::ranges::sort(order);
+    std::vector<Edge> sorted;
+    sorted.reserve(edges.size());
+    for (const auto& [location, row] : order) {
+        sorted.push_back(edges[row]);
+    }
+    std::ranges::copy(sorted, edges.begin());
 }
 
 /// Corners of what an axis-parallel square covers on its path: the hull of the square at both ends, counter-clockwise.
@@ -77,7 +94,7 @@ void FigureTable::finish() {
     lay(edges, m_placement);
     figure.anchor = edges.front().a;
     if (edges.back().isHole) {
-        std::ranges::stable_sort(edges, {}, [](const Edge& edge) { return mortonOf(edge.a); });
+        sortAlongCurve(edges);
     }
     for (std::uint32_t first = 0; first < figure.edgeCount; first += kBranch) {
         Box box;
