@@ -1,6 +1,7 @@
 #include "model/measure/snapping.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -67,6 +68,16 @@ public:
                                   [&](const SnapPoint& p) { return rankOf(p); });
         m_points.resize(static_cast<std::size_t>(tried));
         return chosen(skip);
+    }
+
+    [[nodiscard]] std::optional<BoardElement> empty() const {
+        std::optional<BoardElement> found;
+        forEachNear(m_position, m_reach, [&](const Placed& near, const Box&) {
+            if (piecesOf(m_index, std::array{near.element}).pieces.empty()) {
+                found = found ? std::min(*found, near.element) : near.element;
+            }
+        });
+        return found;
     }
 
 private:
@@ -304,6 +315,10 @@ PointD straightened(PointD from, PointD location, double stepDeg) {
 SnapPoint Snapper::at(PointD location, double reach, std::span<const PickLayer> layers, bool isFromBelow,
                       std::size_t skip) {
     return Search(*m_index, m_figures, m_outline, location, reach, layers, isFromBelow).run(skip);
+}
+
+std::optional<BoardElement> Snapper::emptyAt(PointD location, double reach, std::span<const PickLayer> layers) {
+    return Search(*m_index, m_figures, m_outline, location, reach, layers, false).empty();
 }
 
 }  // namespace model

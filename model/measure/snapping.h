@@ -47,6 +47,8 @@ public:
     /// first again. A Free point where nothing is near, or nothing that is seen with `skip` 0: the location itself.
     [[nodiscard]] SnapPoint at(PointD location, double reach, std::span<const PickLayer> layers,
                                bool isFromBelow = false, std::size_t skip = 0);
+    /// The lowest element of visible layers within `reach` nm that covers nothing, so that nothing else finds it.
+    [[nodiscard]] std::optional<BoardElement> emptyAt(PointD location, double reach, std::span<const PickLayer> layers);
 
 private:
     std::shared_ptr<const BoardIndex> m_index;

@@ -1,11 +1,8 @@
 #include "ui/measure/measuring_cursor.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
-
-#include "model/geometry/vectors.h"
 
 namespace ui {
 
@@ -236,27 +233,11 @@ Caught MeasuringCursor::elementAt(const Pointed& pointed, double reach, Catch wh
     return caught;
 }
 
-std::optional<model::BoardElement> MeasuringCursor::emptyAt(const BoardView& view, QPointF position) const {
-    if (!m_index || view.kind() != BoardView::Kind::Flat) {
+std::optional<model::BoardElement> MeasuringCursor::emptyAt(const BoardView& view, QPointF position) {
+    if (!m_snapper || view.kind() != BoardView::Kind::Flat) {
         return std::nullopt;
     }
-    const base::PointD location = view.locationAt(position);
-    const double reach = reachIn(view);
-    const std::vector<model::PickLayer> layers = m_probing.layersOf(view);
-    std::optional<model::BoardElement> found;
-    for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
-        const model::StepCopy& how = m_index->tree.copies[copy];
-        const model::Document& step = *m_index->tree.steps[how.step];
-        const base::Box box = model::boxAround(model::unplaced(location, how.placement), reach);
-        m_index->elements[how.step].visit(box, [&](std::uint32_t row) {
-            const model::BoardElement at{copy, model::ElementId{row}};
-            const model::LayerId layer = step.layerOfCopy(step.elements.layer[row], how.isFlipped);
-            if (layers[layer.row()].isVisible && model::piecesOf(*m_index, std::array{at}).pieces.empty()) {
-                found = found ? std::min(*found, at) : at;
-            }
-        });
-    }
-    return found;
+    return m_snapper->emptyAt(view.locationAt(position), reachIn(view), m_probing.layersOf(view));
 }
 
 std::optional<model::LocalSpacing> MeasuringCursor::spacingAt(const BoardView& view, QPointF position) {

@@ -49,7 +49,7 @@ public:
     /// The next point beneath the one that is caught (1), or the one before (-1); until the cursor moves.
     void step(int by);
     /// An element under the cursor that covers nothing, so that nothing above finds it.
-    [[nodiscard]] std::optional<model::BoardElement> emptyAt(const BoardView& view, QPointF position) const;
+    [[nodiscard]] std::optional<model::BoardElement> emptyAt(const BoardView& view, QPointF position);
     /// Is the cursor over the board?
     [[nodiscard]] bool isOnBoard(const BoardView& view, QPointF position) {
         return pointedAt(view, position, Catch::Points).has_value();

@@ -59,6 +59,22 @@ private slots:
         QVERIFY(!nearestOnEdge(boardEdgeOf(*index->board), {7e6, 3e6}, 2e6));
     }
 
+    void whatCoversNothingIsFoundNearIt() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        builder.beginLayer(LayerId{Top});
+        builder.addLine({{0, 0}, {10 * kMm, 0}, 200'000, 0}, of({}));
+        const ElementId hairline = builder.addLine({{0, kMm}, {10 * kMm, kMm}, 0, 0}, of({}));
+        const auto index = indexed(builder.finish());
+        Snapper snapper(index);
+        std::vector<PickLayer> layers = layersOf(*index->board);
+        QVERIFY((snapper.emptyAt({5e6, 950'000}, 100'000, layers) == BoardElement{0, hairline}));
+        QVERIFY(!snapper.emptyAt({5e6, 0}, 100'000, layers));
+        QVERIFY(!snapper.emptyAt({4e12, -4e12}, 100'000, layers));  // farther than coordinates reach
+        layers[Top].isVisible = false;
+        QVERIFY(!snapper.emptyAt({5e6, 950'000}, 100'000, layers));
+    }
+
     void everyKindIsFound_data() {
         QTest::addColumn<double>("x");
         QTest::addColumn<double>("y");
