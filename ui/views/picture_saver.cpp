@@ -3,13 +3,13 @@
 #include <QClipboard>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QIODevice>
-#include <QImageWriter>
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 #include <utility>
 
 #include "model/text/file_writer.h"
+#include "render/frame/png.h"
 #include "ui/common/paths.h"
 #include "ui/views/board_views.h"
 #include "ui/workspace/feature.h"
@@ -25,35 +25,20 @@ base::Error cancelled() {
     return {base::ErrorCode::Cancelled, "The picture is no longer wanted."};
 }
 
-/// Where an encoder writes: it fails, and ends, once the picture is no longer wanted.
-class PictureFile : public QIODevice {
-public:
-    PictureFile(model::FileWriter& writer, const base::Progress& progress) : m_writer(writer), m_progress(progress) {
-        open(QIODevice::WriteOnly);
-    }
-
-protected:
-    qint64 readData(char*, qint64) override { return -1; }
-    qint64 writeData(const char* bytes, qint64 size) override {
-        const std::string_view piece(bytes, static_cast<std::size_t>(size));
-        return !m_progress.isCancelled() && m_writer.write(piece) ? size : -1;
-    }
-
-private:
-    model::FileWriter& m_writer;
-    const base::Progress& m_progress;
-};
-
 base::Status write(const QImage& picture, model::FileWriter& writer, base::Progress& progress) {
     progress.beginPhase(PictureSaver::tr("Writing the picture").toStdString());
-    PictureFile file(writer, progress);
-    QImageWriter png(&file, "PNG");
-    const bool isPacked = png.write(picture);
+    QImage line;
+    const render::PngRows rows{
+        static_cast<std::uint32_t>(picture.width()), static_cast<std::uint32_t>(picture.height()),
+        picture.hasAlphaChannel(), [&](std::uint32_t row) {
+            line = picture.copy(0, static_cast<int>(row), picture.width(), 1)
+                       .convertToFormat(picture.hasAlphaChannel() ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+            return line.constBits();
+        }};
+    const base::Status packed =
+        render::packPng(rows, [&](std::string_view piece) { return !progress.isCancelled() && writer.write(piece); });
     RETURN_IF_ERROR(writer.status());
-    if (!isPacked) {
-        return progress.isCancelled() ? cancelled()
-                                      : base::Error{base::ErrorCode::OutputFailed, png.errorString().toStdString()};
-    }
+    RETURN_IF_ERROR(packed);
     return writer.commit();
 }
 

@@ -48,6 +48,53 @@ private slots:
         QVERIFY(bytes == image.rgba);
     }
 
+    /// Rows without alpha, and pieces as they come.
+    void piecesMakeThePicture() {
+        const Image image = gradient();
+        std::vector<std::uint8_t> line;
+        const PngRows rows{image.width, image.height, false, [&](std::uint32_t row) {
+                               line.clear();
+                               for (std::size_t i = 0; i < image.width * 4; ++i) {
+                                   if (i % 4 != 3) {
+                                       line.push_back(image.rgba[row * image.width * 4 + i]);
+                                   }
+                               }
+                               return line.data();
+                           }};
+        std::string packed;
+        QVERIFY(packPng(rows, [&](std::string_view piece) {
+            packed += piece;
+            return true;
+        }));
+        png_image png{};
+        png.version = PNG_IMAGE_VERSION;
+        QVERIFY(png_image_begin_read_from_memory(&png, packed.data(), packed.size()) != 0);
+        QCOMPARE(png.format, png_uint_32(PNG_FORMAT_RGB));
+        png.format = PNG_FORMAT_RGBA;
+        std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(png));
+        QVERIFY(png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr) != 0);
+        QVERIFY(bytes == image.rgba);
+    }
+
+    void packingEndsWhereItIsNoLongerWanted() {
+        const Image image = noise();
+        std::uint32_t asked = 0;
+        const PngRows rows{image.width, image.height, true, [&](std::uint32_t row) {
+                               ++asked;
+                               return image.rgba.data() + row * image.width * 4;
+                           }};
+        int pieces = 0;
+        const base::Status packed = packPng(rows, [&](std::string_view) { return ++pieces < 8; });
+        QVERIFY(!packed && packed.error().code == base::ErrorCode::Cancelled);
+        QCOMPARE(pieces, 8);
+        QVERIFY(asked < 200);
+        QVERIFY_EXCEPTION_THROWN(
+            static_cast<void>(packPng(rows, [](std::string_view) -> bool { throw std::bad_alloc(); })), std::bad_alloc);
+        const PngRows none{0, 0, true, rows.row};
+        const base::Status empty = packPng(none, [](std::string_view) { return true; });
+        QVERIFY(!empty && empty.error().code == base::ErrorCode::OutputFailed);
+    }
+
     void whatDoesNotCompressIsWhole() {
         const auto packed = encodePng(noise());
         QVERIFY(packed);
