@@ -232,9 +232,9 @@ void MainWindow::connectFiles() {
     m_features.on(ActionId::Quit, [this] { close(); });
     connect(&m_dropTarget, &DropTarget::dropped, this, [this](const QStringList& paths) { openDropped(paths); });
     connect(m_statusLine, &StatusLine::stepChosen, this, [this](const QString& step) {
-        if (m_workspace.board() != nullptr && step.toStdString() == m_workspace.board()->document->job.step) {
+        if (m_workspace.isOpen(step.toStdString())) {
             m_workspace.cancelLoading();  // of another one
-            return;                       // reading it again would forget what can be undone
+            return;                       // reading it again would empty the list of what can be undone
         }
         m_workspace.reload([&step](model::OpenRequest& request) { request.step = step.toStdString(); });
     });

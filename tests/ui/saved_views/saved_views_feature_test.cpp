@@ -53,9 +53,7 @@ private slots:
         views[0].solid.origin->x += 5'000'000;
         expected.target.x += 5.0F;
         QVERIFY(model::session::saveViews(m_job, *window().document(), views).ok());
-        m_fixture->restart();
-        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
-        window().showPanel("views");
+        reopen();
         choose(0);
         QVERIFY(isNear(solid().camera().pose(), expected));
     }
@@ -245,9 +243,7 @@ private slots:
         window().selection().select(chosen);
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(names(), QStringList{"Selection 1"});
-        m_fixture->restart();
-        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
-        window().showPanel("views");
+        reopen();
         QVERIFY(window().selection().selected().empty());
         const render::CameraPose before = solid().camera().pose();
         choose(0);
@@ -262,9 +258,7 @@ private slots:
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
         window().workspace().setCurrentLayer(layer("TOP"));
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
-        m_fixture->restart();
-        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
-        window().showPanel("views");
+        reopen();
         window().workspace().setCurrentLayer(layer("BOTTOM"));
         choose(1);
         QCOMPARE(window().workspace().currentLayer(), layer("TOP"));
@@ -273,9 +267,7 @@ private slots:
         std::vector<model::session::SavedView> views = window().savedViews().views();
         views[0].current.reset();  // as older versions have saved it
         QVERIFY(model::session::saveViews(m_job, *window().document(), views).ok());
-        m_fixture->restart();
-        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
-        window().showPanel("views");
+        reopen();
         window().workspace().setCurrentLayer(layer("BOTTOM"));
         choose(0);
         QCOMPARE(window().workspace().currentLayer(), layer("BOTTOM"));
@@ -286,9 +278,7 @@ private slots:
         const std::vector<model::BoardNet> nets{{0, model::NetId{std::size_t{1}}}};
         window().selection().setNets(nets);
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
-        m_fixture->restart();
-        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
-        window().showPanel("views");
+        reopen();
         QVERIFY(window().selection().nets().empty());
         choose(1);
         QCOMPARE(window().selection().nets(), nets);
@@ -306,9 +296,7 @@ private slots:
         views[0].selection->elements[0].box.max.x += 12345;  // as in another version of the board
         views[0].selection->nets.push_back({"pcb", "GONE"});
         QVERIFY(model::session::saveViews(m_job, *window().document(), views).ok());
-        m_fixture->restart();
-        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
-        window().showPanel("views");
+        reopen();
         choose(0);
         QCOMPARE(window().selection().selected().size(), std::size_t{1});
         QTRY_VERIFY(window().messageBar().isVisible());
@@ -320,6 +308,13 @@ private:
     static bool activate(TestWindow& window) {
         window.activateWindow();
         return QTest::qWaitForWindowActive(&window);
+    }
+
+    /// In another window.
+    void reopen() {
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
+        window().showPanel("views");
     }
 
     TestWindow& window() { return m_fixture->window(); }
