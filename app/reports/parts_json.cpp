@@ -205,7 +205,7 @@ void printConnectivity(const std::vector<StepCheck>& checks) {
                         check.step->layer(entry.layer).name.c_str(), base::toMm(entry.location.x),
                         base::toMm(entry.location.y));
         }
-        if (model::areNetsOfCopper(*check.step)) {
+        if (model::areNetsOfCopper(*check.step) && check.report.opens.empty() && check.report.shorts.empty()) {
             std::printf("  %s: its nets follow from its copper, so that shorts and opens are not to be found\n",
                         check.step->job.step.c_str());
         }

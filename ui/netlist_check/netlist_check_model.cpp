@@ -124,7 +124,8 @@ QString NetlistCheckModel::summary() const {
     const qsizetype floating = std::ranges::count(m_findings, FindingKind::Floating, &Finding::kind);
     const qsizetype pins = std::ranges::count(m_findings, FindingKind::NoNet, &Finding::kind);
     const qsizetype ties = std::ranges::count(m_findings, FindingKind::Tie, &Finding::kind);
-    const QString why = whyNotCompared(m_checks);
+    // A job may call its own nets as those that follow from copper: what differs is said.
+    const QString why = shorts + opens == 0 ? whyNotCompared(m_checks) : QString();
     const QString faults =
         !why.isEmpty() ? why
                        : tr("%1, %2").arg(counted(shorts, tr("no shorts"), tr("1 short"), tr("%L1 shorts")),

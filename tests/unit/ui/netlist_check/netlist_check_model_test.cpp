@@ -48,14 +48,16 @@ private slots:
 
     /// "No shorts" would be a pass that nobody looked for.
     void netsOfTheCopperAreNotComparedWithIt() {
-        const auto summaryOf = [](std::initializer_list<const char*> nets) {
+        const auto summaryOf = [](std::initializer_list<const char*> nets, int pads = 1) {
             model::DocumentBuilder builder;
             std::vector<NetId> ids;
             for (const char* net : nets) {
                 ids.push_back(builder.addNet(net));
             }
             builder.beginLayer(addLayer(builder, "top"));
-            builder.addCircle({{0, 0}, kMm, 0}, of(ids.empty() ? NetId{} : ids.front(), model::kPad));
+            for (int pad = 0; pad < pads; ++pad) {
+                builder.addCircle({{pad * 2 * kMm, 0}, kMm, 0}, of(ids.empty() ? NetId{} : ids.front(), model::kPad));
+            }
             const std::shared_ptr<const model::Document> board = builder.finish();
             base::Progress progress;
             NetlistCheckModel findings;
@@ -63,6 +65,7 @@ private slots:
             return findings.summary();
         };
         QCOMPARE(summaryOf({"$1", "$12"}), "nothing to compare: the nets follow from the copper, no floating copper");
+        QCOMPARE(summaryOf({"$1"}, 2), "no shorts, 1 open net, no floating copper");  // nets of the job, called so
         QCOMPARE(summaryOf({"$1", "VCC"}), "no shorts, no open nets, no floating copper");
         QCOMPARE(summaryOf({"$", "$1N2"}), "no shorts, no open nets, no floating copper");
         QCOMPARE(summaryOf({}), "nothing to compare: there are no nets, no floating copper");
