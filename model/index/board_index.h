@@ -7,6 +7,7 @@
 #include "model/base/result.h"
 #include "model/board/copies.h"
 #include "model/index/element_index.h"
+#include "model/index/figure_cache.h"
 #include "model/index/pin_finder.h"
 
 namespace model {
@@ -16,11 +17,16 @@ namespace model {
 struct BoardIndex {
     std::shared_ptr<const Document> board;
     StepTree tree;
-    std::vector<ElementIndex> elements;  ///< per step of the tree
-    std::vector<Box> extents;            ///< per step, of its own elements
-    std::vector<PinFinder> pins;         ///< per step
+    std::vector<ElementIndex> elements;                                      ///< per step of the tree
+    std::vector<Box> extents;                                                ///< per step, of its own elements
+    std::vector<PinFinder> pins;                                             ///< per step
+    std::shared_ptr<FigureCache> figures = std::make_shared<FigureCache>();  ///< the same for all heights
 
     [[nodiscard]] const Document& stepOf(std::uint32_t copy) const { return *tree.steps[tree.copies[copy].step]; }
+    /// In the coordinates of its step, a row of `tree.steps`.
+    [[nodiscard]] std::shared_ptr<const FigureTable> figuresOf(std::uint32_t step, ElementId element) const {
+        return figures->of(tree, step, element);
+    }
     [[nodiscard]] const PinFinder& pinsOf(std::uint32_t copy) const { return pins[tree.copies[copy].step]; }
 };
 

@@ -177,7 +177,7 @@ bool Picker::isHidden(std::uint32_t step, ElementId element) const {
     return net.isValid() && net.row() < m_hiddenNets[step].size() && m_hiddenNets[step][net.row()];
 }
 
-void Picker::collect(const Probe& probe, std::vector<Hit>& hits) {
+void Picker::collect(const Probe& probe, std::vector<Hit>& hits) const {
     for (std::uint32_t copy = 0; copy < m_index->tree.copies.size(); ++copy) {
         const StepCopy& placed = m_index->tree.copies[copy];
         const Document& step = *m_index->tree.steps[placed.step];
@@ -200,12 +200,12 @@ void Picker::collect(const Probe& probe, std::vector<Hit>& hits) {
             }
             const PointD a = unplaced(own->a, placed.placement);
             const PointD b = unplaced(own->b, placed.placement);
-            const FigureTable& figures = m_figures.of(*m_index, placed.step, element);
-            const double missedBy = spacingTo(figures, a, b, probe.reach);
+            const std::shared_ptr<const FigureTable> figures = m_index->figuresOf(placed.step, element);
+            const double missedBy = spacingTo(*figures, a, b, probe.reach);
             if (missedBy > probe.reach) {
                 return;
             }
-            const double part = missedBy > 0.0 || own->depthA == own->depthB ? 0.0 : firstContact(figures, a, b);
+            const double part = missedBy > 0.0 || own->depthA == own->depthB ? 0.0 : firstContact(*figures, a, b);
             hits.push_back({{copy, element},
                             layer,
                             own->depthA + (own->depthB - own->depthA) * part,
@@ -227,7 +227,7 @@ void sortHits(std::vector<Hit>& hits) {
 
 }  // namespace
 
-std::vector<Hit> Picker::at(PointD location, double reach, std::span<const PickLayer> layers, bool isFromBelow) {
+std::vector<Hit> Picker::at(PointD location, double reach, std::span<const PickLayer> layers, bool isFromBelow) const {
     std::vector<Hit> hits;
     collect({location, location, reach, 0.0, 0.0, layers}, hits);
     double nearest = isFromBelow ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
@@ -245,7 +245,7 @@ std::vector<Hit> Picker::at(PointD location, double reach, std::span<const PickL
     return hits;
 }
 
-std::vector<Hit> Picker::along(const SightLine& line, double reach, std::span<const PickLayer> layers) {
+std::vector<Hit> Picker::along(const SightLine& line, double reach, std::span<const PickLayer> layers) const {
     Box around = m_index->board->extent;
     around.include(m_index->extents.front());
     around = around.grownBy(1'000'000);
@@ -274,7 +274,7 @@ std::vector<Hit> Picker::along(const SightLine& line, double reach, std::span<co
     return hits;
 }
 
-std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::span<const PickLayer> layers) {
+std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::span<const PickLayer> layers) const {
     const std::array<Point, 4> corners = {box.min, Point{box.max.x, box.min.y}, box.max, Point{box.min.x, box.max.y}};
     const auto holds = [&](const Box& other) {
         return other.min.x >= box.min.x && other.min.y >= box.min.y && other.max.x <= box.max.x &&
@@ -301,7 +301,7 @@ std::vector<BoardElement> Picker::inside(const Box& box, bool isTouching, std::s
                 return;
             }
             if (holds(placed.placement.boxOf(step.boxOf(element))) ||
-                (isTouching && touches(m_figures.of(*m_index, placed.step, element)))) {
+                (isTouching && touches(*m_index->figuresOf(placed.step, element)))) {
                 found.push_back({near.copy, element});
             }
         });

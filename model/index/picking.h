@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/index/board_index.h"
-#include "model/index/figure_cache.h"
 
 namespace model {
 
@@ -63,19 +62,18 @@ struct Hit {
 /// through it: what covers the location before what only comes near, nearer layers before farther ones, in one plane
 /// pads and holes before tracks and areas, which may end within them or lie beneath, then the smaller before the larger
 /// and then what was drawn later. Equal input gives equal order.
-///
-/// Outlines of large areas are kept once they were requested; one thread at a time.
 class Picker {
 public:
     explicit Picker(std::shared_ptr<const BoardIndex> index) : m_index(std::move(index)) {}
 
     /// `layers` has one entry per layer of the board; `reach` is how far beside an element a location still counts.
     [[nodiscard]] std::vector<Hit> at(PointD location, double reach, std::span<const PickLayer> layers,
-                                      bool isFromBelow);
-    [[nodiscard]] std::vector<Hit> along(const SightLine& line, double reach, std::span<const PickLayer> layers);
+                                      bool isFromBelow) const;
+    [[nodiscard]] std::vector<Hit> along(const SightLine& line, double reach, std::span<const PickLayer> layers) const;
     /// Elements of visible layers that lie inside of the box, or with `isTouching` share a location with it, in the
     /// order of copies and ids.
-    [[nodiscard]] std::vector<BoardElement> inside(const Box& box, bool isTouching, std::span<const PickLayer> layers);
+    [[nodiscard]] std::vector<BoardElement> inside(const Box& box, bool isTouching,
+                                                   std::span<const PickLayer> layers) const;
 
     /// Elements of these nets are not there; per row of StepTree::steps one entry per net, short lists are filled up.
     void hideNets(std::vector<std::vector<bool>> nets) { m_hiddenNets = std::move(nets); }
@@ -85,11 +83,10 @@ public:
 private:
     struct Probe;
     [[nodiscard]] bool isHidden(std::uint32_t step, ElementId element) const;
-    void collect(const Probe& probe, std::vector<Hit>& hits);
+    void collect(const Probe& probe, std::vector<Hit>& hits) const;
 
     std::shared_ptr<const BoardIndex> m_index;
     std::vector<std::vector<bool>> m_hiddenNets;
-    FigureCache m_figures;
 };
 
 }  // namespace model

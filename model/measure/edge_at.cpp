@@ -17,10 +17,10 @@ PointD directionOf(const Edge& edge) {
 }
 
 /// The edge of an element whose middle is nearest to a location, if it covers the location or comes so near.
-std::optional<Edge> nearestEdge(const BoardIndex& index, FigureCache& cache, BoardElement element, PointD location,
-                                double reach) {
+std::optional<Edge> nearestEdge(const BoardIndex& index, BoardElement element, PointD location, double reach) {
     const StepCopy& copy = index.tree.copies[element.copy];
-    const FigureTable& figures = cache.of(index, copy.step, element.element);
+    const std::shared_ptr<const FigureTable> kept = index.figuresOf(copy.step, element.element);
+    const FigureTable& figures = *kept;
     const PointD there = unplaced(location, copy.placement);
     std::optional<Edge> nearest;
     double least = std::numeric_limits<double>::infinity();
@@ -62,12 +62,10 @@ std::optional<Round> endOf(const Edge& track, PointD location, bool isPad) {
 
 }  // namespace
 
-std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, BoardElement element, PointD location,
-                             double reach) {
+std::optional<Round> roundAt(const BoardIndex& index, BoardElement element, PointD location, double reach) {
     const Document& step = index.stepOf(element.copy);
     const bool isCircle = step.elements.kind[element.element.row()] == ElementKind::Circle;
-    const auto edge =
-        nearestEdge(index, figures, element, location, isCircle ? std::numeric_limits<double>::infinity() : reach);
+    const auto edge = nearestEdge(index, element, location, isCircle ? std::numeric_limits<double>::infinity() : reach);
     if (edge && !isCircle && !edge->isArc() && !edge->isOfCurve) {
         return endOf(*edge, location, (step.elements.flags[element.element.row()] & kPad) != 0);
     }
@@ -77,9 +75,8 @@ std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, Boar
     return isCircle ? rimOf(*edge, location) : Round{edge->centre, edge->radius, nearestOn(*edge, location)};
 }
 
-std::optional<Edge> straightAt(const BoardIndex& index, FigureCache& figures, BoardElement element, PointD location,
-                               double reach) {
-    const auto edge = nearestEdge(index, figures, element, location, reach);
+std::optional<Edge> straightAt(const BoardIndex& index, BoardElement element, PointD location, double reach) {
+    const auto edge = nearestEdge(index, element, location, reach);
     return edge && !edge->isArc() && !edge->isOfCurve && lengthOf(*edge) > 0 ? edge : std::nullopt;
 }
 

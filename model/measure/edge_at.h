@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "model/index/figure_cache.h"
+#include "model/index/board_index.h"
 #include "model/measure/items.h"
 
 /// What is straight or round about an element where a pointer is. Places are nm of the board. The cost follows what
-/// lies within reach, once the cache knows the element.
+/// lies within reach, once BoardIndex::figures knows the element.
 namespace model {
 
 /// A circle, or an arc of one.
@@ -20,13 +20,13 @@ struct Round {
 /// others the arc nearest to it: the middle line of a track, its round end where the location is beyond it, or a side
 /// of an area. Nothing if what is nearest is straight, a NURBS curve, which has no one radius, or farther away than
 /// `reach`.
-[[nodiscard]] std::optional<Round> roundAt(const BoardIndex& index, FigureCache& figures, BoardElement element,
-                                           PointD location, double reach);
+[[nodiscard]] std::optional<Round> roundAt(const BoardIndex& index, BoardElement element, PointD location,
+                                           double reach);
 
 /// The straight middle line of a track, or side of an area, that is nearest to the location. Nothing if what is nearest
 /// is curved, a dot, or farther away than `reach`.
-[[nodiscard]] std::optional<Edge> straightAt(const BoardIndex& index, FigureCache& figures, BoardElement element,
-                                             PointD location, double reach);
+[[nodiscard]] std::optional<Edge> straightAt(const BoardIndex& index, BoardElement element, PointD location,
+                                             double reach);
 
 /// Where the lines through two straight edges cross. Nothing if they are parallel, or cross beyond
 /// base::kMaxCoordinate.

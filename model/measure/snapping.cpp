@@ -49,10 +49,9 @@ std::optional<PointD> centreOf(const Document& step, ElementId element) {
 /// Visits everything near one location and weighs the points that it offers.
 class Search {
 public:
-    Search(const BoardIndex& index, FigureCache& figures, const FigureTable& outline, PointD location, double reach,
+    Search(const BoardIndex& index, const FigureTable& outline, PointD location, double reach,
            std::span<const PickLayer> layers, bool isFromBelow)
         : m_index(index),
-          m_figures(figures),
           m_outline(outline),
           m_position(location),
           m_reach(reach),
@@ -162,7 +161,8 @@ private:
 
     /// Does an element cover a location, and not only touch it?
     [[nodiscard]] bool isWithin(const Placed& near, PointD location) {
-        const FigureTable& figures = m_figures.of(m_index, near.copy.step, near.element.element);
+        const std::shared_ptr<const FigureTable> kept = m_index.figuresOf(near.copy.step, near.element.element);
+        const FigureTable& figures = *kept;
         const PointD at = unplaced(location, near.copy.placement);
         for (std::size_t row = 0; row < figures.size(); ++row) {
             if (figures[row].isFilled ? isInArea(figures, row, at) : isInTrack(figures, row, at)) {
@@ -206,7 +206,8 @@ private:
         if (centre) {
             offer(SnapKind::Centre, near.copy.placement.apply(*centre), near.element, near.layer);
         }
-        const FigureTable& figures = m_figures.of(m_index, near.copy.step, near.element.element);
+        const std::shared_ptr<const FigureTable> kept = m_index.figuresOf(near.copy.step, near.element.element);
+        const FigureTable& figures = *kept;
         for (std::size_t figure = 0; figure < figures.size(); ++figure) {
             visitEdges(figures, figure, box, [&](const Edge& edge) {
                 offerEdge({placed(edge, near.copy.placement), near.element, near.layer}, figures[figure].isFilled,
@@ -287,7 +288,6 @@ private:
     }
 
     const BoardIndex& m_index;
-    FigureCache& m_figures;
     const FigureTable& m_outline;
     PointD m_position;
     double m_reach;
@@ -313,12 +313,12 @@ PointD straightened(PointD from, PointD location, double stepDeg) {
 }
 
 SnapPoint Snapper::at(PointD location, double reach, std::span<const PickLayer> layers, bool isFromBelow,
-                      std::size_t skip) {
-    return Search(*m_index, m_figures, m_outline, location, reach, layers, isFromBelow).run(skip);
+                      std::size_t skip) const {
+    return Search(*m_index, m_outline, location, reach, layers, isFromBelow).run(skip);
 }
 
-std::optional<BoardElement> Snapper::emptyAt(PointD location, double reach, std::span<const PickLayer> layers) {
-    return Search(*m_index, m_figures, m_outline, location, reach, layers, false).empty();
+std::optional<BoardElement> Snapper::emptyAt(PointD location, double reach, std::span<const PickLayer> layers) const {
+    return Search(*m_index, m_outline, location, reach, layers, false).empty();
 }
 
 }  // namespace model

@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "model/index/figure_cache.h"
 #include "model/index/picking.h"
 #include "model/measure/items.h"
 
@@ -31,7 +30,7 @@ struct SnapPoint {
 /// A location moved onto the nearest line through `from` whose direction is a multiple of `stepDeg`.
 [[nodiscard]] PointD straightened(PointD from, PointD location, double stepDeg);
 
-/// Finds what is near a pointer. One thread at a time.
+/// Finds what is near a pointer.
 class Snapper {
 public:
     explicit Snapper(std::shared_ptr<const BoardIndex> index)
@@ -46,13 +45,13 @@ public:
     /// `skip`: that many points are passed over, those that are covered coming after all that are seen, and then the
     /// first again. A Free point where nothing is near, or nothing that is seen with `skip` 0: the location itself.
     [[nodiscard]] SnapPoint at(PointD location, double reach, std::span<const PickLayer> layers,
-                               bool isFromBelow = false, std::size_t skip = 0);
+                               bool isFromBelow = false, std::size_t skip = 0) const;
     /// The lowest element of visible layers within `reach` nm that covers nothing, so that nothing else finds it.
-    [[nodiscard]] std::optional<BoardElement> emptyAt(PointD location, double reach, std::span<const PickLayer> layers);
+    [[nodiscard]] std::optional<BoardElement> emptyAt(PointD location, double reach,
+                                                      std::span<const PickLayer> layers) const;
 
 private:
     std::shared_ptr<const BoardIndex> m_index;
-    FigureCache m_figures;
     FigureTable m_outline;  ///< the board's edge
 };
 

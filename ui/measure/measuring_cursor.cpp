@@ -33,7 +33,6 @@ void MeasuringCursor::setBoard(std::shared_ptr<const model::BoardIndex> index) {
     m_index = std::move(index);
     m_snapper.reset();
     m_picker.reset();
-    m_figures = {};
     m_boardEdge = m_index ? model::boardEdgeOf(*m_index->board) : model::FigureTable();
     if (m_index) {
         m_snapper.emplace(m_index);
@@ -164,8 +163,8 @@ std::optional<MeasuringCursor::Pointed> MeasuringCursor::pointedAt(const BoardVi
 bool MeasuringCursor::isWanted(const model::Hit& hit, base::PointD location, double reach, Catch what) {
     switch (what) {
         case Catch::Copper: return isNetCopper(hit.at);
-        case Catch::Straight: return model::straightAt(*m_index, m_figures, hit.at, location, reach).has_value();
-        case Catch::Round: return model::roundAt(*m_index, m_figures, hit.at, location, reach).has_value();
+        case Catch::Straight: return model::straightAt(*m_index, hit.at, location, reach).has_value();
+        case Catch::Round: return model::roundAt(*m_index, hit.at, location, reach).has_value();
         default: return true;
     }
 }
@@ -222,11 +221,11 @@ Caught MeasuringCursor::elementAt(const Pointed& pointed, double reach, Catch wh
     const model::Hit& hit = *pointed.hit;
     Caught caught{pointed.location, SnapKind::Free, hit.layer, hit.at};
     if (what == Catch::Straight) {
-        caught.line = model::straightAt(*m_index, m_figures, hit.at, pointed.location, reach);
+        caught.line = model::straightAt(*m_index, hit.at, pointed.location, reach);
         caught.at = model::nearestOn(*caught.line, pointed.location);
         caught.kind = SnapKind::Edge;
     } else if (what == Catch::Round) {
-        caught.round = model::roundAt(*m_index, m_figures, hit.at, pointed.location, reach);
+        caught.round = model::roundAt(*m_index, hit.at, pointed.location, reach);
         caught.at = caught.round->on;
         caught.kind = SnapKind::Edge;
     }

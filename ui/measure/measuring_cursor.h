@@ -92,7 +92,6 @@ private:
     std::optional<model::Picker> m_picker;
     QPointF m_last;          ///< where the cursor was
     std::size_t m_skip = 0;  ///< points better than the one wanted
-    model::FigureCache m_figures;
     model::FigureTable m_boardEdge;
 };
 

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "model/figures/distance.h"
-#include "model/index/figure_cache.h"
 #include "model/index/pin_names.h"
 #include "ui/common/net_name.h"
 #include "ui/views/label_placing.h"
@@ -177,7 +176,7 @@ private:
         const model::LayerId ownLayer = m_index.board->layerOfCopy(layer, copy.isFlipped);
         bool isIn = false;
         m_index.elements[copy.step].visit(ownLayer, boxAt(own), [&](std::uint32_t row) {
-            isIn = isIn || model::isInside(m_figures.of(m_index, copy.step, model::ElementId{row}), 0, own);
+            isIn = isIn || model::isInside(*m_index.figuresOf(copy.step, model::ElementId{row}), 0, own);
         });
         return isIn;
     }
@@ -186,7 +185,6 @@ private:
     const model::BoardIndex& m_index;
     std::vector<model::CopyInBox> m_copies;
     std::vector<model::LayerId> m_layers;
-    model::FigureCache m_figures;
 };
 
 }  // namespace

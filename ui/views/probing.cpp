@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/base/background.h"
 #include "ui/element/element_facts.h"
 
 namespace ui {
@@ -119,10 +120,25 @@ void Probing::setBoard(const LoadedBoard& board) {
     m_rest.stop();
     m_last = {};
     m_hoverView = nullptr;
-    m_picker.reset();
     m_milledAway = MilledAway(board);
+    makeOutlines(board.index);
+    m_picker.reset();
     if (board.index) {
         m_picker.emplace(board.index);
+    }
+}
+
+/// Not again where only heights have changed.
+void Probing::makeOutlines(const std::shared_ptr<const model::BoardIndex>& index) {
+    if (!index) {
+        m_outlines.cancel();
+    } else if (!m_picker || m_picker->index().figures != index->figures) {
+        m_outlines.start(
+            [index](const base::Progress& progress) {
+                base::becomeBackground();
+                index->figures->fill(index->tree, progress);
+            },
+            "Preparing outlines");
     }
 }
 

@@ -350,7 +350,6 @@ private slots:
         const ElementId own = addTo(builder, area);
         const auto index = indexed(builder.finish());
         Snapper snapper(index);
-        FigureCache figures;
         const auto pieces = area.pieces();
         for (std::size_t curve = 0; curve < 3; ++curve) {
             const PointD start = pieces[curve].front().start();
@@ -362,8 +361,8 @@ private slots:
                 const SnapPoint found = snapper.at({on.x + 150, on.y + 90}, 1e3, layersOf(*index->board));
                 QCOMPARE(found.kind, SnapKind::Edge);
                 QVERIFY(nearestTo(pieces, found.at).distance <= kMeasured + 1e-3);
-                QVERIFY(!roundAt(*index, figures, {0, own}, on, 1e3));
-                QVERIFY(!straightAt(*index, figures, {0, own}, on, 1e3));
+                QVERIFY(!roundAt(*index, {0, own}, on, 1e3));
+                QVERIFY(!straightAt(*index, {0, own}, on, 1e3));
             }
         }
     }

@@ -39,17 +39,14 @@ private slots:
         builder.beginLayer(LayerId{Drill});
         const ElementId hole = builder.addCircle({{20 * kMm, 0}, kMm, 800'000}, of({}, kHole | kPlated));
         const auto index = indexed(builder.finish());
-        FigureCache figures;
-        const auto at = [&](ElementId id, PointD location) {
-            return roundAt(*index, figures, {0, id}, location, kReach);
-        };
+        const auto at = [&](ElementId id, PointD location) { return roundAt(*index, {0, id}, location, kReach); };
         QCOMPARE(at(disc, {0, 0})->radius, 1e6);
         QVERIFY(isAt(at(disc, {0, 0})->centre, 0, 0));
         QVERIFY(isAt(at(disc, {3e5, 4e5})->on, 6e5, 8e5));
         QCOMPARE(at(ring, {9e6 + 1.1e6, 0})->radius, 1e6);  // the inner edge is nearer
         QCOMPARE(at(ring, {9e6 + 1.9e6, 0})->radius, 2e6);
         QCOMPARE(at(hole, {20e6, 1e5})->radius, 5e5);
-        QVERIFY(!straightAt(*index, figures, {0, disc}, {0, 0}, kReach));
+        QVERIFY(!straightAt(*index, {0, disc}, {0, 0}, kReach));
     }
 
     void arcsAreRoundAndLinesStraightNearby() {
@@ -63,20 +60,19 @@ private slots:
         const ElementId dot = builder.addLine({{0, 0}, {0, 0}, 200'000, 0}, {});
         const ElementId hairline = builder.addLine({{0, 0}, {kMm, 0}, 0, 0}, {});
         const auto index = indexed(builder.finish());
-        FigureCache figures;
         const double half = std::sqrt(0.5) * 1e6;
-        const auto round = roundAt(*index, figures, {0, arc}, {half * 1.04, half * 1.04}, kReach);
+        const auto round = roundAt(*index, {0, arc}, {half * 1.04, half * 1.04}, kReach);
         QVERIFY(round && isAt(round->centre, 0, 0) && isAt(round->on, half, half));
         QCOMPARE(round->radius, 1e6);
-        QVERIFY(!straightAt(*index, figures, {0, arc}, {half, half}, kReach));
-        QVERIFY(!roundAt(*index, figures, {0, line}, {1.5e6, 2e6}, kReach));
-        const auto middle = straightAt(*index, figures, {0, line}, {1.5e6, 2e6}, kReach);
+        QVERIFY(!straightAt(*index, {0, arc}, {half, half}, kReach));
+        QVERIFY(!roundAt(*index, {0, line}, {1.5e6, 2e6}, kReach));
+        const auto middle = straightAt(*index, {0, line}, {1.5e6, 2e6}, kReach);
         QVERIFY(middle && isAt(middle->a, 0, 0) && isAt(middle->b, 3e6, 4e6));
-        const auto side = straightAt(*index, figures, {0, area}, {2e6, 9.5e5}, kReach);
+        const auto side = straightAt(*index, {0, area}, {2e6, 9.5e5}, kReach);
         QVERIFY(side && side->a.y == 1e6 && side->b.y == 1e6);
-        QVERIFY(!straightAt(*index, figures, {0, area}, {2e6, 5e5}, kReach));  // in the middle of it
-        QVERIFY(!straightAt(*index, figures, {0, dot}, {0, 0}, kReach));
-        QVERIFY(!straightAt(*index, figures, {0, hairline}, {0, 0}, kReach));  // it covers nothing
+        QVERIFY(!straightAt(*index, {0, area}, {2e6, 5e5}, kReach));  // in the middle of it
+        QVERIFY(!straightAt(*index, {0, dot}, {0, 0}, kReach));
+        QVERIFY(!straightAt(*index, {0, hairline}, {0, 0}, kReach));  // it covers nothing
     }
 
     void endsOfTracksAndOvalPadsAreRound() {
@@ -86,10 +82,7 @@ private slots:
         const ElementId track = builder.addLine({{0, 0}, {4 * kMm, 0}, kMm, 0}, {});
         const ElementId oval = builder.addLine({{0, 9 * kMm}, {2 * kMm, 9 * kMm}, kMm, 0}, of({}, kPad));
         const auto index = indexed(builder.finish());
-        FigureCache figures;
-        const auto at = [&](ElementId id, PointD location) {
-            return roundAt(*index, figures, {0, id}, location, kReach);
-        };
+        const auto at = [&](ElementId id, PointD location) { return roundAt(*index, {0, id}, location, kReach); };
         const auto end = at(track, {4.3e6, 0});
         QVERIFY(end && isAt(end->centre, 4e6, 0) && isAt(end->on, 4.5e6, 0));
         QCOMPARE(end->radius, 5e5);
