@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "model/board/single_element.h"
+#include "model/index/joined_pads.h"
 #include "model/measure/separation.h"
 
 namespace ui {
@@ -89,6 +90,46 @@ model::MeasuredPath pathOf(const BoardIndex& index, const model::NetPath& path) 
     return measured;
 }
 
+model::LayerId layerOf(const BoardIndex& index, BoardElement at) {
+    const model::Document& step = index.stepOf(at.copy);
+    return step.layerOfCopy(step.elements.layer[at.element.row()], index.tree.copies[at.copy].isFlipped);
+}
+
+/// Of two pads of holes without a common layer, others of the same holes may have one: which of them was clicked, only
+/// the current layer has decided. The nearest of those on one layer.
+std::optional<model::Separation> separationOfJoinedPads(const BoardIndex& index, BoardElement a, BoardElement b) {
+    std::optional<model::Separation> nearest;
+    const std::vector<BoardElement> others = model::joinedPads(index, b);
+    for (const BoardElement& from : model::joinedPads(index, a)) {
+        for (const BoardElement& to : others) {
+            if (layerOf(index, from) != layerOf(index, to)) {
+                continue;
+            }
+            base::Progress progress;
+            auto separation = model::separationOf(index, from, to, progress);
+            const bool isNearer = separation && separation->onLayer &&
+                                  (!nearest || separation->onLayer->distance < nearest->onLayer->distance);
+            if (isNearer) {
+                nearest = std::move(*separation);
+            }
+        }
+    }
+    return nearest;
+}
+
+base::Result<model::Separation> separationOf(const BoardIndex& index, const Caught& a, const Caught& b) {
+    const auto itemOf = [](const Caught& caught) {
+        return caught.isOnEdge ? model::MeasureItem(model::BoardEdge{}) : model::MeasureItem(*caught.element);
+    };
+    base::Progress progress;
+    ASSIGN_OR_RETURN(model::Separation separation, model::separationOf(index, itemOf(a), itemOf(b), progress));
+    const bool areApart = separation.inPlane && !separation.onLayer && !a.isOnEdge && !b.isOnEdge;
+    if (auto joined = areApart ? separationOfJoinedPads(index, *a.element, *b.element) : std::nullopt) {
+        return std::move(*joined);
+    }
+    return separation;
+}
+
 }  // namespace
 
 model::MeasuredEnd endOf(const BoardIndex& index, const Caught& caught) {
@@ -115,11 +156,7 @@ Measurement pointToPoint(const BoardIndex& index, const Caught& from, const Caug
 }
 
 base::Result<Measurement> edgeToEdge(const BoardIndex& index, const Caught& a, const Caught& b) {
-    const auto itemOf = [](const Caught& caught) {
-        return caught.isOnEdge ? model::MeasureItem(model::BoardEdge{}) : model::MeasureItem(*caught.element);
-    };
-    base::Progress progress;
-    ASSIGN_OR_RETURN(const model::Separation separation, model::separationOf(index, itemOf(a), itemOf(b), progress));
+    ASSIGN_OR_RETURN(const model::Separation separation, separationOf(index, a, b));
     const model::PieceDistance* nearest = separation.main();
     if (nearest == nullptr) {
         return noNumber(separation.notes.front());

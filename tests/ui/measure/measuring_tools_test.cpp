@@ -64,11 +64,28 @@ std::shared_ptr<const model::Document> boardUnderACorner() {
     return builder.finish();
 }
 
+/// Pads around a hole, the one on the inner layer smaller; and one on top alone, beside them.
+std::shared_ptr<const model::Document> boardWithAHole() {
+    model::DocumentBuilder builder;
+    addLayers(builder);
+    const model::NetId n = builder.addNet("N");
+    builder.beginLayer(model::LayerId{Top});
+    builder.addCircle({{0, 0}, 2 * kMm, 0}, of(n, model::kPad));
+    builder.addCircle({{4 * kMm, 0}, 2 * kMm, 0}, of(builder.addNet("M"), model::kPad));
+    builder.beginLayer(model::LayerId{Inner});
+    builder.addCircle({{0, 0}, kMm, 0}, of(n, model::kPad));
+    builder.beginLayer(model::LayerId{Drill});
+    builder.addCircle({{0, 0}, 400'000, 300'000}, of(n, model::kHole | model::kPlated));
+    return builder.finish();
+}
+
 base::Result<ui::LoadedBoard> loadMade(const model::OpenRequest& request, base::Progress& progress) {
     ui::LoadedBoard board;
     board.request = request;
     board.request.noSession = true;
-    board.document = request.path == "corner" ? boardUnderACorner() : madeBoard();
+    board.document = request.path == "corner" ? boardUnderACorner()
+                     : request.path == "hole" ? boardWithAHole()
+                                              : madeBoard();
     auto shapes = render::buildBoardModel(*board.document, {}, progress);
     if (!shapes) {
         return shapes.error();
@@ -362,6 +379,23 @@ private slots:
         QCOMPARE(list().size(), std::size_t{1});
         QVERIFY2(details(0).contains("not in the stackup"), qPrintable(details(0)));
         QVERIFY(std::abs(list()[0].distance() - 1e6) < 1.0);
+    }
+
+    /// Whichever of its pads is on top while it is clicked.
+    void padsOfAHoleAreMeasuredOnTheLayerOfTheOther() {
+        QVERIFY(m_fixture->openAndWait("hole"));
+        for (const bool isHoleFirst : {false, true}) {
+            m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
+            for (const bool isHole : {isHoleFirst, !isHoleFirst}) {
+                window().layers().showOnly({isHole ? "inner" : "top"});
+                click(flat(), {isHole ? 0.3 : 4.0, 0});
+            }
+            const Measurement& measured = list().back();
+            QVERIFY2(std::abs(measured.value() - 2e6) < 1.0, qPrintable(QString::number(measured.value())));
+            QVERIFY(measured.from.layer == "top" && measured.to.layer == "top" && measured.notes.empty());
+            m_fixture->key(Qt::Key_Escape);
+        }
+        QCOMPARE(list().size(), std::size_t{2});
     }
 
     void copperThatCoversNothingIsNamed() {
