@@ -30,6 +30,7 @@
 #include "ui/shell/keyboard.h"
 #include "ui/shell/message_bar.h"
 #include "ui/shell/recent_boards.h"
+#include "ui/shell/status_bar.h"
 #include "ui/shell/status_line.h"
 #include "ui/shell/wheel_guard.h"
 #include "ui/theme/theme.h"
@@ -102,6 +103,11 @@ QWidget* startPage(const ActionSet& actions) {
     return page;
 }
 
+QStatusBar& createStatusBar(QMainWindow& window) {
+    window.setStatusBar(new StatusBar);
+    return *window.statusBar();
+}
+
 }  // namespace
 
 MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Work& work)
@@ -121,7 +127,7 @@ MainWindow::MainWindow(GpuContext& context, Settings& settings, const Loader::Wo
       m_messageBar(new MessageBar),
       m_changeBar(new ChangeBar),
       m_watch(new BoardWatch(this)),
-      m_statusLine(new StatusLine(*statusBar())) {
+      m_statusLine(new StatusLine(createStatusBar(*this))) {
     setObjectName(QStringLiteral("workbench"));
     resize(1280, 800);  // before the panels take their shares of it
     setWindowTitle(QStringLiteral("Copperscope"));
