@@ -173,7 +173,11 @@ private:
     }
 
     static bool isInArea(const FigureTable& figures, std::size_t row, PointD at) {
-        return isInside(figures, row, at) && spacingToEdges(figures, row, at).distance > kSameLocationNm;
+        bool isOnEdge = false;
+        visitEdges(figures, row, boxAround(at, kSameLocationNm), [&](const Edge& edge) {
+            isOnEdge = isOnEdge || distance(nearestOn(edge, at), at) <= kSameLocationNm;
+        });
+        return !isOnEdge && isInside(figures, row, at);
     }
 
     static bool isInTrack(const FigureTable& figures, std::size_t row, PointD at) {
