@@ -15,6 +15,10 @@ double manhattan(QPointF a, QPointF b) {
     return (a - b).manhattanLength();
 }
 
+glm::dvec2 nmOf(base::Point point) {
+    return {static_cast<double>(point.x), static_cast<double>(point.y)};
+}
+
 /// The line without points that are nearer to the one before them; its ends stay.
 QPolygonF thinned(const QPolygonF& line, double least) {
     QPolygonF kept{line.front()};
@@ -54,7 +58,7 @@ void OutlineRuns::addLoop(std::uint32_t first, std::uint32_t count, bool isOpeni
 }
 
 void OutlineStrokes::add(const OutlineRuns& outline, float z, int ink) {
-    m_z = z;
+    m_projection = projectionAt(static_cast<double>(z));
     m_ink = ink;
     for (const OutlineRuns::Loop& loop : outline.loops()) {
         const OnScreen at = screenBox(loop.box);
@@ -64,13 +68,24 @@ void OutlineStrokes::add(const OutlineRuns& outline, float z, int ink) {
     }
 }
 
+OutlineStrokes::Projection OutlineStrokes::projectionAt(double z) const {
+    const glm::dmat4 clip(m_sight.clipFromBoard);
+    const auto rowOf = [&](int row) {
+        const glm::dvec2 perNm = glm::dvec2(clip[0][row], clip[1][row]) / base::kNmPerMm;
+        const double offset = clip[2][row] * z + clip[3][row];
+        return glm::dvec3(perNm, offset - perNm.x * m_sight.position.origin.x - perNm.y * m_sight.position.origin.y);
+    };
+    const glm::dvec3 w = rowOf(3);
+    return {(rowOf(0) + w) * (m_sight.viewport.width() / 2.0), (rowOf(1) + w) * (m_sight.viewport.height() / 2.0), w};
+}
+
 OutlineStrokes::OnScreen OutlineStrokes::screenBox(const model::Box& box) {
     ++m_visited;
     OnScreen at;
     QPointF low(1e9, 1e9);
     QPointF high(-1e9, -1e9);
     for (const base::Point corner : {box.min, box.max, base::Point{box.min.x, box.max.y}, {box.max.x, box.min.y}}) {
-        const std::optional<QPointF> pixel = onScreen(onModel(corner));
+        const std::optional<QPointF> pixel = onScreen(nmOf(corner));
         at.isAhead = at.isAhead && pixel.has_value();
         const QPointF p = pixel.value_or(QPointF());
         low = {std::min(low.x(), p.x()), std::min(low.y(), p.y())};
@@ -106,29 +121,32 @@ void OutlineStrokes::addLoop(const OutlineRuns& outline, const OutlineRuns::Loop
         }
         const bool isDot = at.isAhead && at.box.width() < kPixel && at.box.height() < kPixel;
         for (std::uint32_t i = 0; i < run.count; i += isDot ? run.count : 1) {
-            addPoint(outline.point(loop, run.first + i));
+            addPoint(nmOf(outline.point(loop, run.first + i)));
         }
-        addPoint(outline.point(loop, run.first + run.count));
+        addPoint(nmOf(outline.point(loop, run.first + run.count)));
     }
 }
 
-/// With a cut, only what is on this side of it.
-void OutlineStrokes::addPoint(base::Point point) {
+void OutlineStrokes::addPoint(const glm::dvec2& nm) {
     ++m_visited;
-    const glm::dvec2 mm = onModel(point);
-    const double beyond = beyondCut(mm);
+    m_sight.cut ? addCut(nm) : lineTo(nm);
+}
+
+/// Only what is on this side of the cut.
+void OutlineStrokes::addCut(const glm::dvec2& nm) {
+    const double beyond = beyondCut(nm);
     if (m_before) {
         const double before = beyondCut(*m_before);
         if ((before > 0.0) != (beyond > 0.0)) {
-            lineTo(*m_before + (mm - *m_before) * (before / (before - beyond)));
+            lineTo(*m_before + (nm - *m_before) * (before / (before - beyond)));
         }
     }
-    m_before = mm;
-    beyond > 0.0 ? breakLine() : lineTo(mm);
+    m_before = nm;
+    beyond > 0.0 ? breakLine() : lineTo(nm);
 }
 
-void OutlineStrokes::lineTo(const glm::dvec2& mm) {
-    const std::optional<QPointF> pixel = onScreen(mm);
+void OutlineStrokes::lineTo(const glm::dvec2& nm) {
+    const std::optional<QPointF> pixel = onScreen(nm);
     if (!pixel) {
         return breakLine();
     }
@@ -142,27 +160,20 @@ void OutlineStrokes::lineTo(const glm::dvec2& mm) {
     }
 }
 
-glm::dvec2 OutlineStrokes::onModel(base::Point point) const {
-    return {(double(point.x) - m_sight.position.origin.x) / base::kNmPerMm,
-            (double(point.y) - m_sight.position.origin.y) / base::kNmPerMm};
-}
-
-std::optional<QPointF> OutlineStrokes::onScreen(const glm::dvec2& mm) const {
-    const glm::vec4 clip = m_sight.clipFromBoard * glm::vec4(glm::vec2(mm), m_z, 1.0F);
-    if (clip.w <= 0.0F) {
+std::optional<QPointF> OutlineStrokes::onScreen(const glm::dvec2& nm) const {
+    const auto& [x, y, w] = m_projection;
+    const double depth = w.x * nm.x + w.y * nm.y + w.z;
+    if (depth <= 0.0) {
         return std::nullopt;
     }
-    return QPointF((clip.x / clip.w + 1.0) / 2.0 * m_sight.viewport.width(),
-                   (clip.y / clip.w + 1.0) / 2.0 * m_sight.viewport.height());
+    return QPointF((x.x * nm.x + x.y * nm.y + x.z) / depth, (y.x * nm.x + y.y * nm.y + y.z) / depth);
 }
 
 /// Above 0 where the board is cut away.
-double OutlineStrokes::beyondCut(const glm::dvec2& mm) const {
-    if (!m_sight.cut) {
-        return 0.0;
-    }
+double OutlineStrokes::beyondCut(const glm::dvec2& nm) const {
+    const glm::dvec2 origin(m_sight.position.origin.x, m_sight.position.origin.y);
     const glm::dvec2 along = m_sight.cut->direction;
-    return glm::dot(mm - m_sight.cut->start, glm::dvec2(-along.y, along.x));
+    return glm::dot((nm - origin) / base::kNmPerMm - m_sight.cut->start, glm::dvec2(-along.y, along.x));
 }
 
 void OutlineStrokes::thin() {

@@ -106,24 +106,32 @@ private:
         QRectF box;
         bool isAhead = true;  ///< all of it; else the box says nothing
     };
+    /// Where a location in nm of the board, at the height of the outline being added, lies on the canvas: rows of a
+    /// matrix, as thousands of points go through it in every frame.
+    struct Projection {
+        glm::dvec3 x{0.0};
+        glm::dvec3 y{0.0};
+        glm::dvec3 w{0.0};
+    };
+    [[nodiscard]] Projection projectionAt(double z) const;
     [[nodiscard]] OnScreen screenBox(const model::Box& box);
     [[nodiscard]] bool isSeen(const OnScreen& at) const;
     [[nodiscard]] bool isWanted(const OutlineRuns& outline, const OnScreen& at) const;
     void addLoop(const OutlineRuns& outline, const OutlineRuns::Loop& loop);
-    void addPoint(base::Point point);
-    void lineTo(const glm::dvec2& mm);
+    void addPoint(const glm::dvec2& nm);
+    void addCut(const glm::dvec2& nm);
+    void lineTo(const glm::dvec2& nm);
     void breakLine() { m_isOpen = false; }
-    [[nodiscard]] glm::dvec2 onModel(base::Point point) const;
-    [[nodiscard]] std::optional<QPointF> onScreen(const glm::dvec2& mm) const;
-    [[nodiscard]] double beyondCut(const glm::dvec2& mm) const;
+    [[nodiscard]] std::optional<QPointF> onScreen(const glm::dvec2& nm) const;
+    [[nodiscard]] double beyondCut(const glm::dvec2& nm) const;
 
     OutlineSight m_sight;
     std::vector<Line> m_lines;
     std::size_t m_visited = 0;
-    float m_z = 0.0F;  ///< of the outline being added
+    Projection m_projection;  ///< of the outline being added
     int m_ink = 0;
     bool m_isOpen = false;               ///< the last line goes on
-    std::optional<glm::dvec2> m_before;  ///< the point before, seen or not; none at the start of a loop
+    std::optional<glm::dvec2> m_before;  ///< with a cut, the point before, seen or not; none at the start of a loop
 };
 
 }  // namespace ui
