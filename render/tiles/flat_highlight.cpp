@@ -17,9 +17,15 @@ constexpr std::size_t kMostOutlined = 2'000;
 constexpr glm::dvec2 kSides[] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}};
 constexpr std::uint8_t kSilhouetteByte = 1;
 
-std::array<glm::dvec2, std::size(kSides)> movesTo(double distance) {
-    std::array<glm::dvec2, std::size(kSides)> moves;
-    std::ranges::transform(kSides, moves.begin(), [&](const glm::dvec2& side) { return distance * side; });
+/// What is moved to so many sides at once, as nothing interrupts a step.
+constexpr std::size_t kSidesPerStep = 4;
+constexpr std::size_t kStepsPerDistance = std::size(kSides) / kSidesPerStep;
+
+std::array<glm::dvec2, kSidesPerStep> movesOf(std::span<const double> distances, std::size_t step) {
+    std::array<glm::dvec2, kSidesPerStep> moves;
+    const auto sides = std::span(kSides).subspan(step % kStepsPerDistance * kSidesPerStep, kSidesPerStep);
+    std::ranges::transform(sides, moves.begin(),
+                           [&](const glm::dvec2& side) { return distances[step / kStepsPerDistance] * side; });
     return moves;
 }
 
@@ -136,10 +142,10 @@ void FlatPicture::takeOver(Tile& tile) const {
     tile.isOutlined = tile.overRows.empty() || m_standingOut > kMostOutlined;
 }
 
-/// A step of the dark edge, or of what is widened over it: one of its layers, moved to the eight sides.
+/// A step of the dark edge, or of what is widened over it: one of its layers, moved to some of the eight sides.
 void FlatPicture::outlineOver(Tile& tile, const PlaneMap& map) const {
-    constexpr std::size_t kEdgeSteps = std::size(kOutlinePx);
-    constexpr std::size_t kWideSteps = std::size(kWidenPx);
+    constexpr std::size_t kEdgeSteps = std::size(kOutlinePx) * kStepsPerDistance;
+    constexpr std::size_t kWideSteps = std::size(kWidenPx) * kStepsPerDistance;
     OverWork& work = workOn(tile);
     work.isUsed = true;
     const auto draw = [&](const OverPaint& paint, std::span<const glm::dvec2> moves) {
@@ -149,7 +155,7 @@ void FlatPicture::outlineOver(Tile& tile, const PlaneMap& map) const {
     const std::size_t step = work.step++;
     if (step < edge) {
         if (const OverPaint& paint = m_over[tile.overRows[step / kEdgeSteps]]; !paint.isBore) {
-            draw(paint, movesTo(kOutlinePx[step % kEdgeSteps]));
+            draw(paint, movesOf(kOutlinePx, step % kEdgeSteps));
         }
         if (work.step == edge) {
             stamp(work.mask, false, kSilhouetteByte, *work.samples);
@@ -163,7 +169,7 @@ void FlatPicture::outlineOver(Tile& tile, const PlaneMap& map) const {
     if (own % kWideSteps == 0) {
         draw(paint, std::array<glm::dvec2, 1>{});
     }
-    draw(paint, movesTo(kWidenPx[own % kWideSteps]));
+    draw(paint, movesOf(kWidenPx, own % kWideSteps));
     if (own % kWideSteps == kWideSteps - 1) {
         stamp(work.mask, paint.isBore, paint.byte, *work.samples);
         work.mask.fill(0);

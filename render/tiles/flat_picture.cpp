@@ -234,7 +234,7 @@ bool FlatPicture::isEmpty(const Window& window) {
 }
 
 /// The first piece is drawn however little time there is.
-bool FlatPicture::fill(const Window& window, const Budget& budget) {
+FlatPicture::Filled FlatPicture::fill(const Window& window, const Budget& budget) {
     struct Task {
         Tile* tile;
         PlaneMap map;
@@ -258,7 +258,7 @@ bool FlatPicture::fill(const Window& window, const Budget& budget) {
     if (done > 0) {
         evict();
     }
-    return done == tasks.size();
+    return {done == tasks.size(), done > 0 && budget.isSpent()};
 }
 
 /// Draws what stands out, everywhere as it is before anywhere `isOutlined`; of both a piece in any case.
@@ -373,7 +373,7 @@ bool FlatPicture::fillOverview(const Budget& budget) {
         m_overview = {};
         m_overview.map = {all.tiling.scale, -glm::dvec2(all.origin)};
     }
-    if (!fill(all, budget) || !fillOver(all, budget, false)) {
+    if (!fill(all, budget).isWhole || !fillOver(all, budget, false)) {
         return false;
     }
     m_overview = {{all.tiling.scale, -glm::dvec2(all.origin)}, all.size, m_overview.pixels, m_look, m_overLook};
@@ -403,7 +403,8 @@ bool FlatPicture::prepare(double budgetMs) {
             return true;
         }
         const Window one{m_window->tiling, at * kTilePixels, glm::ivec2(kTilePixels)};
-        if (!fill(one, budget) || !fillOver(one, budget, true)) {
+        const Filled filled = fill(one, budget);
+        if (!filled.isWhole || filled.isEnough || !fillOver(one, budget, true)) {
             return false;
         }
         forTiles(one, [&](Tile& tile, glm::ivec2, const TilePart& part) { bringUpToDate(tile, part); });
@@ -499,7 +500,8 @@ bool FlatPicture::refine(double budgetMs) {
     if (m_isBare) {
         return fillOverview(budget);
     }
-    if (!fill(*m_window, budget) || !fillOver(*m_window, budget, false)) {
+    const Filled filled = fill(*m_window, budget);
+    if (!filled.isWhole || filled.isEnough || !fillOver(*m_window, budget, false)) {
         return false;
     }
     return !m_isOverShown || fillOver(*m_window, budget, true);
@@ -524,7 +526,7 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
     m_isBare = false;
     // Where nothing is there at all, all of the board in small comes first.
     const bool isFirst = budgetMs > 0.0 && !isLastUsable() && !isOverviewThere() && isEmpty(*m_window);
-    const bool isWhole = isPassing || isFirst ? isFilled(*m_window) : fill(*m_window, budget);
+    const bool isWhole = isPassing || isFirst ? isFilled(*m_window) : fill(*m_window, budget).isWhole;
     m_isOverShown = isWhole && fillOver(*m_window, budget, false);
     // What only now stands out is shown first, its dark edge with a later frame.
     const bool isNew = budgetMs > 0.0 && std::exchange(m_edgedLook, m_overLook) != m_overLook && !m_standing.empty();

@@ -133,7 +133,11 @@ private:
     [[nodiscard]] bool isFilled(const Window& window);
     [[nodiscard]] bool isEmpty(const Window& window);
     void makeRoomForOver();
-    bool fill(const Window& window, const Budget& budget);
+    struct Filled {
+        bool isWhole = false;   ///< nothing is missing
+        bool isEnough = false;  ///< something was drawn, and no time is left: what comes next waits
+    };
+    Filled fill(const Window& window, const Budget& budget);
     bool fillOver(const Window& window, const Budget& budget, bool isOutlined);
     [[nodiscard]] bool isOverviewThere() const;
     bool fillOverview(const Budget& budget);
