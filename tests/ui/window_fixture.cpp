@@ -78,6 +78,7 @@ void WindowFixture::restart(const ui::Loader::Work& work) {
         m_window->close();
     }
     m_window.reset();
+    QCoreApplication::processEvents();  // a program that ends, and one that starts
     m_window = std::make_unique<TestWindow>(*m_context, m_settings, work);
     m_window->resize(1000, 700);
     m_window->show();
