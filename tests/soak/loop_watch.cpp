@@ -1,16 +1,22 @@
 #include "tests/soak/loop_watch.h"
 
+#include <execinfo.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <QCoreApplication>
 #include <QEvent>
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 
 #include "tests/soak/action_log.h"
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#include <sanitizer/common_interface_defs.h>
+#endif
 
 namespace soak {
 
@@ -30,13 +36,26 @@ std::int64_t waitedForCoreNs(int thread) {
     return file >> ran >> waited ? waited : 0;
 }
 
+/// Says on stderr what the thread that takes the signal is doing.
+void printStack(int) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    __sanitizer_print_stack_trace();
+#else
+    void* frames[64];
+    ::backtrace_symbols_fd(frames, ::backtrace(frames, 64), STDERR_FILENO);
+#endif
+}
+
 std::string firstWord(std::string_view text) {
     return std::string(text.substr(0, text.find(' ')));
 }
 
 }  // namespace
 
-LoopWatch::LoopWatch() : m_thread(::gettid()), m_watcher([this](const std::stop_token& stop) { watch(stop); }) {}
+LoopWatch::LoopWatch()
+    : m_thread(::gettid()), m_loop(::pthread_self()), m_watcher([this](const std::stop_token& stop) { watch(stop); }) {
+    std::signal(SIGUSR2, printStack);
+}
 
 LoopWatch::~LoopWatch() {
     m_watcher.request_stop();
@@ -45,15 +64,20 @@ LoopWatch::~LoopWatch() {
 }
 
 void LoopWatch::watch(const std::stop_token& stop) {
+    bool isStackPrinted = false;
     for (; !stop.stop_requested(); std::this_thread::sleep_for(kEvery)) {
         const std::int64_t sent = m_sentNs;
         if (sent == 0) {
+            isStackPrinted = false;
             m_waitedNs = waitedForCoreNs(m_thread);
             m_sentNs = nowNs();
             QCoreApplication::postEvent(this, new QEvent(QEvent::User), Qt::HighEventPriority);
         } else if (nowNs() - sent > std::int64_t{kHungMs} * 1'000'000) {
             ActionLog::instance().add("hung: the window does not answer any more");
             std::abort();
+        } else if (!isStackPrinted && static_cast<double>(nowNs() - sent) / 1e6 > m_limitMs) {
+            isStackPrinted = true;
+            (void)::pthread_kill(m_loop, SIGUSR2);
         }
     }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pthread.h>
+
 #include <QObject>
 #include <atomic>
 #include <map>
@@ -25,7 +27,8 @@ public:
         double longestMs = 0.0;
         std::size_t overLimit = 0;
     };
-    /// What is more than this counts in Stalls::overLimit, and is said on stderr.
+    /// What is more than this counts in Stalls::overLimit, and is said on stderr, with what the loop's thread was doing
+    /// when it was.
     void setLimit(double ms) { m_limitMs = ms; }
     /// By what was being done (the first word of ActionLog::current).
     [[nodiscard]] const std::map<std::string, Stalls>& stalls() const { return m_stalls; }
@@ -37,8 +40,9 @@ protected:
 private:
     void watch(const std::stop_token& stop);
 
-    int m_thread;  ///< of the loop
-    double m_limitMs = 250.0;
+    int m_thread;      ///< of the loop
+    pthread_t m_loop;  ///< likewise
+    std::atomic<double> m_limitMs = 250.0;
     std::map<std::string, Stalls> m_stalls;
     std::atomic<std::int64_t> m_sentNs = 0;  ///< 0: answered
     std::atomic<std::int64_t> m_waitedNs = 0;
