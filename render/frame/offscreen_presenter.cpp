@@ -45,6 +45,15 @@ void OffscreenPresenter::makeReady(Backend backend, bool isSmoothed) {
     m_renderer.makeReady(gpu::kColourFormat, backend, isSmoothed);
 }
 
+std::function<void()> OffscreenPresenter::missingPipelines(BoardScene& scene, const Camera& camera,
+                                                           const ViewSettings& settings, std::uint32_t width,
+                                                           std::uint32_t height) {
+    if (!checkSize(*m_device, width, height) || !scene.load()) {
+        return {};
+    }
+    return m_renderer.missingPipelines({width, height}, gpu::kColourFormat, scene, camera, settings);
+}
+
 void OffscreenPresenter::copyPicture(VkCommandBuffer commands) {
     const VkExtent2D extent = m_target.extent();
     const std::uint64_t bytes = std::uint64_t{extent.width} * extent.height * kBytesPerPixel;

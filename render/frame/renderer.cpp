@@ -130,6 +130,21 @@ void Renderer::makeReady(VkFormat colour, Backend backend, bool isSmoothed) {
                 backend == Backend::Auto ? fastest : backend);
 }
 
+std::function<void()> Renderer::missingPipelines(VkExtent2D extent, VkFormat colour, BoardScene& scene,
+                                                 const Camera& camera, const ViewSettings& settings) {
+    const FramePlan plan = planFrame(scene.impl().layers, camera, settings, extent.width, extent.height);
+    const bool isStandard = scene.impl().steps.front().standard.has_value();
+    const Backend backend = isStandard ? Backend::Standard : resolve(settings, plan);
+    const TargetFormat format{colour,
+                              isToBeSmoothed(extent, backend, settings) ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT,
+                              plan.hasSection};
+    const auto made = m_scenes.find({format, backend});
+    if (made != m_scenes.end() && made->second != nullptr) {
+        return {};
+    }
+    return [this, format, backend] { sceneDrawer(format, backend); };
+}
+
 void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {
     try {
         target.cacheBoard(frame.commands());
@@ -175,18 +190,23 @@ void Renderer::drawOverlays(gpu::Frame& frame, RenderTarget& target, const Camer
     target.end(frame.commands());
 }
 
+bool Renderer::isToBeSmoothed(VkExtent2D extent, Backend backend, const ViewSettings& settings) const {
+    const gpu::Caps& caps = m_device->caps();
+    return settings.isSmoothed && !settings.isMono && backend != Backend::Raster && caps.canSmooth &&
+           !m_isShortOfMemory && fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT);
+}
+
 TargetFormat Renderer::makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, Backend backend,
                                   const ViewSettings& settings) {
-    const gpu::Caps& caps = m_device->caps();
     const TargetFormat plain{colour, VK_SAMPLE_COUNT_1_BIT};
     const TargetFormat smooth{colour, VK_SAMPLE_COUNT_4_BIT};
-    if (settings.isSmoothed && !settings.isMono && backend != Backend::Raster && caps.canSmooth && !m_isShortOfMemory &&
-        fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT)) {
+    if (isToBeSmoothed(extent, backend, settings)) {
         try {
             target.setSize(extent, smooth);
             return smooth;
         } catch (const gpu::OutOfMemory& shortage) {
-            spdlog::warn("{} has no memory for {}: drawing without smoothing from now on.", caps.name, shortage.what);
+            spdlog::warn("{} has no memory for {}: drawing without smoothing from now on.", m_device->caps().name,
+                         shortage.what);
             m_isShortOfMemory = true;
         }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <utility>
@@ -28,12 +29,17 @@ public:
     /// a frame. On any thread, while nothing else is done with this. Throws gpu::OutOfMemory; then `record` tries
     /// again.
     void makeReady(VkFormat colour, Backend backend, bool isSmoothed);
+    /// Makes the pipelines for the board that `record` would make first, which takes longer than a frame; empty where
+    /// they are there. To be called as makeReady.
+    [[nodiscard]] std::function<void()> missingPipelines(VkExtent2D extent, VkFormat colour, BoardScene& scene,
+                                                         const Camera& camera, const ViewSettings& settings);
     /// Did `record` find the board cached?
     [[nodiscard]] bool drewOverlayAlone() const { return m_isOverlayAlone; }
 
 private:
     SceneDrawer& sceneDrawer(const TargetFormat& format, Backend backend);
     [[nodiscard]] Backend resolve(const ViewSettings& settings, const FramePlan& plan);
+    [[nodiscard]] bool isToBeSmoothed(VkExtent2D extent, Backend backend, const ViewSettings& settings) const;
     /// Smoothed if requested, where there is room.
     TargetFormat makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, Backend backend,
                             const ViewSettings& settings);

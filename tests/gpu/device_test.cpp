@@ -92,6 +92,29 @@ private slots:
         QCOMPARE(countAfterAPicture(), count);
     }
 
+    /// So a window need not wait for any: whoever asks before a picture can have them made on another thread.
+    void aPictureMakesWhatIsMissingAndNoMore() {
+        test::Gpu& gpu = test::Gpu::get();
+        const BoardModel nothing;
+        BoardScene scene(gpu.device, nothing);
+        OffscreenPresenter presenter(gpu.device);
+        for (const Backend backend : {Backend::Pull, Backend::Impostor, Backend::Auto}) {
+            for (const bool isSmoothed : {true, false}) {
+                ViewSettings settings;
+                settings.backend = backend;
+                settings.isSmoothed = isSmoothed;
+                if (const auto make = presenter.missingPipelines(scene, Camera(), settings, 64, 64)) {
+                    make();
+                }
+                const std::size_t count = gpu.device.pipelines().count();
+                QVERIFY(!presenter.missingPipelines(scene, Camera(), settings, 64, 64));
+                QVERIFY(presenter.render(scene, Camera(), settings, 64, 64));
+                QCOMPARE(gpu.device.pipelines().count(), count);
+            }
+        }
+        QVERIFY(OffscreenPresenter(gpu.device).missingPipelines(scene, Camera(), {}, 64, 64));
+    }
+
     void uploadsLargerThanTheStagingMemoryArriveWhole() {
         gpu::Device& device = test::Gpu::get().device;
         gpu::FrameRing ring(device, 2, "test");

@@ -1,6 +1,7 @@
 #include "ui/canvas/device_picture.h"
 
 #include <chrono>
+#include <functional>
 #include <utility>
 
 #include "model/base/background.h"
@@ -103,6 +104,29 @@ render::ViewSettings DevicePicture::settingsOf(const Wanted& wanted) const {
     return settings;
 }
 
+/// Else they are made in the background: those of the first pictures, of a back end or smoothing just chosen, or for a
+/// section plane.
+bool DevicePicture::hasPipelines() {
+    if (m_pipelines.valid() && m_pipelines.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+        return false;
+    }
+    if (std::exchange(m_areForWanted, false)) {
+        return true;
+    }
+    const std::function<void()> make = m_presenter->missingPipelines(
+        *m_picture.scene, m_wanted->camera, settingsOf(*m_wanted), static_cast<std::uint32_t>(m_wanted->pixels.width()),
+        static_cast<std::uint32_t>(m_wanted->pixels.height()));
+    if (!make) {
+        return true;
+    }
+    m_areForWanted = true;
+    m_pipelines = std::async(std::launch::async, [make] {
+        base::becomeBackground();
+        make();
+    });
+    return false;
+}
+
 /// True: it is done already.
 bool DevicePicture::begin() {
     if (!m_wanted || m_picture.scene == nullptr) {
@@ -110,7 +134,7 @@ bool DevicePicture::begin() {
         return false;
     }
     makeReady();
-    if (m_pipelines.valid() && m_pipelines.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    if (!hasPipelines()) {
         m_look.start();
         return false;
     }

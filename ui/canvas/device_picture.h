@@ -60,6 +60,7 @@ private:
     };
 
     bool begin();
+    [[nodiscard]] bool hasPipelines();
     bool takeIfDone(std::uint64_t patienceNs);
     void keep();
     void stop();
@@ -71,6 +72,7 @@ private:
     std::optional<Wanted> m_wanted;  ///< next
     Wanted m_drawn;                  ///< by the device now
     std::future<void> m_pipelines;   ///< being made
+    bool m_areForWanted = false;     ///< those were missing for a picture: it is drawn next, whether or not they came
     bool m_isDrawing = false;
     bool m_isOfBefore = false;  ///< what the device draws is to be forgotten
     Shot m_shot;
