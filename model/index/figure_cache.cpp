@@ -5,6 +5,8 @@
 #include <new>
 #include <vector>
 
+#include "model/board/single_element.h"
+
 namespace model {
 
 namespace {
@@ -41,14 +43,8 @@ std::vector<LargeArea> largeAreasOf(const StepTree& tree) {
     for (std::uint32_t row = 0; row < tree.steps.size(); ++row) {
         const Document& step = *tree.steps[row];
         for (std::size_t element = 0; element < step.elements.size(); ++element) {
-            if (step.elements.kind[element] != ElementKind::Area) {
-                continue;
-            }
-            std::size_t nodes = 0;
-            for (const Contour& contour : step.shapes.contoursOf(step.areas[step.elements.geometry[element]].shape)) {
-                nodes += contour.nodeCount;
-            }
-            if (nodes > kLargeArea) {
+            const std::size_t nodes = nodeCountOf(step, ElementId{element});
+            if (step.elements.kind[element] == ElementKind::Area && nodes > kLargeArea) {
                 areas.push_back({row, ElementId{element}, nodes});
             }
         }

@@ -119,10 +119,8 @@ struct Namer {
     const BoardIndex& index;
 
     std::string operator()(BoardElement at) const {
-        const StepCopy& copy = index.tree.copies[at.copy];
-        const Document& step = *index.tree.steps[copy.step];
-        const LayerId layer = step.layerOfCopy(step.elements.layer[at.element.row()], copy.isFlipped);
-        return "element " + std::to_string(at.element.value) + " (" + index.board->layer(layer).name + ")";
+        const Layer& layer = index.board->layer(layerOf(index, at));
+        return "element " + std::to_string(at.element.value) + " (" + layer.name + ")";
     }
     std::string operator()(NetOfCopy at) const { return "net " + index.stepOf(at.copy).nets[at.net.row()].name; }
     std::string operator()(PartOfCopy at) const { return index.stepOf(at.copy).components[at.component.row()].refdes; }
@@ -260,6 +258,11 @@ std::optional<double> heightBetween(const Document& board, LayerId a, LayerId b)
 
 NetId netOf(const BoardIndex& index, BoardElement at) {
     return at.element.isValid() ? index.stepOf(at.copy).elements.net[at.element.row()] : NetId{};
+}
+
+LayerId layerOf(const BoardIndex& index, BoardElement at) {
+    const Document& step = index.stepOf(at.copy);
+    return step.layerOfCopy(step.elements.layer[at.element.row()], index.tree.copies[at.copy].isFlipped);
 }
 
 std::string nameOf(const BoardIndex& index, const MeasureItem& item) {

@@ -41,6 +41,8 @@ using MeasureItem = std::variant<BoardElement, NetOfCopy, PartOfCopy, PinOfCopy,
 
 /// The net of an element; none if it has none.
 [[nodiscard]] NetId netOf(const BoardIndex& index, BoardElement at);
+/// The layer of the board that an element lies on: where a flipped copy has put it.
+[[nodiscard]] LayerId layerOf(const BoardIndex& index, BoardElement at);
 /// What people call it: "net GND", "U1", "pin U1.3", "element 12 (TOP)", "the board's edge", "the location".
 [[nodiscard]] std::string nameOf(const BoardIndex& index, const MeasureItem& item);
 /// That a name stands for several components, or a pin for several pads, and where they are; empty if it does not.

@@ -54,10 +54,8 @@ public:
             if (isDot || pieces.figures[row].isFilled) {
                 continue;
             }
-            const LayerId layer =
-                step.layerOfCopy(step.elements.layer[at.element.row()], index.tree.copies[at.copy].isFlipped);
             for (const Edge& edge : pieces.figures.edges(row)) {
-                add(edge, layer);
+                add(edge, pieces.pieces[row].layer);
             }
         }
     }

@@ -356,10 +356,7 @@ void MeasureFeature::reportWhyNothing(const BoardView& view, QPointF position) {
 }
 
 QString MeasureFeature::layerNameOf(const model::BoardElement& at) const {
-    const model::Document& step = m_index->stepOf(at.copy);
-    const model::LayerId own = step.elements.layer[at.element.row()];
-    const bool isFlipped = m_index->tree.copies[at.copy].isFlipped;
-    return QString::fromStdString(m_index->board->layer(step.layerOfCopy(own, isFlipped)).name);
+    return QString::fromStdString(m_index->board->layer(model::layerOf(*m_index, at)).name);
 }
 
 QString MeasureFeature::refusalOf(const Caught& caught) const {

@@ -90,11 +90,6 @@ model::MeasuredPath pathOf(const BoardIndex& index, const model::NetPath& path) 
     return measured;
 }
 
-model::LayerId layerOf(const BoardIndex& index, BoardElement at) {
-    const model::Document& step = index.stepOf(at.copy);
-    return step.layerOfCopy(step.elements.layer[at.element.row()], index.tree.copies[at.copy].isFlipped);
-}
-
 /// Of two pads of holes without a common layer, others of the same holes may have one: which of them was clicked, only
 /// the current layer has decided. The nearest of those on one layer.
 std::optional<model::Separation> separationOfJoinedPads(const BoardIndex& index, BoardElement a, BoardElement b) {
@@ -102,7 +97,7 @@ std::optional<model::Separation> separationOfJoinedPads(const BoardIndex& index,
     const std::vector<BoardElement> others = model::joinedPads(index, b);
     for (const BoardElement& from : model::joinedPads(index, a)) {
         for (const BoardElement& to : others) {
-            if (layerOf(index, from) != layerOf(index, to)) {
+            if (model::layerOf(index, from) != model::layerOf(index, to)) {
                 continue;
             }
             base::Progress progress;
