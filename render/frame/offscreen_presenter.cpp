@@ -45,13 +45,13 @@ void OffscreenPresenter::makeReady(Backend backend, bool isSmoothed) {
     m_renderer.makeReady(gpu::kColourFormat, backend, isSmoothed);
 }
 
-std::function<void()> OffscreenPresenter::missingPipelines(BoardScene& scene, const Camera& camera,
-                                                           const ViewSettings& settings, std::uint32_t width,
-                                                           std::uint32_t height) {
+std::function<void()> OffscreenPresenter::preparation(BoardScene& scene, const Camera& camera,
+                                                      const ViewSettings& settings, std::uint32_t width,
+                                                      std::uint32_t height) {
     if (!checkSize(*m_device, width, height) || !scene.load()) {
         return {};
     }
-    return m_renderer.missingPipelines({width, height}, gpu::kColourFormat, scene, camera, settings);
+    return m_renderer.preparation(m_target, {width, height}, gpu::kColourFormat, scene, camera, settings);
 }
 
 void OffscreenPresenter::copyPicture(VkCommandBuffer commands) {

@@ -36,10 +36,10 @@ public:
     [[nodiscard]] std::span<const gpu::StageTime> stages() const { return m_ring.stages(); }
     /// As Renderer::makeReady.
     void makeReady(Backend backend, bool isSmoothed);
-    /// As Renderer::missingPipelines, for what `begin` would draw; empty where it would fail.
-    [[nodiscard]] std::function<void()> missingPipelines(BoardScene& scene, const Camera& camera,
-                                                         const ViewSettings& settings, std::uint32_t width,
-                                                         std::uint32_t height);
+    /// As Renderer::preparation, for what `begin` would draw; empty where it would fail. While no frame is drawn.
+    [[nodiscard]] std::function<void()> preparation(BoardScene& scene, const Camera& camera,
+                                                    const ViewSettings& settings, std::uint32_t width,
+                                                    std::uint32_t height);
 
 private:
     [[nodiscard]] bool submit(BoardScene& scene, const Camera& camera, const ViewSettings& settings, VkExtent2D extent);

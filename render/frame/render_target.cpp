@@ -36,8 +36,12 @@ bool fitsOn(const gpu::Caps& caps, VkExtent2D extent, VkSampleCountFlagBits samp
     return largest <= caps.maxAllocationBytes && total < caps.memoryBudgetBytes;
 }
 
+bool RenderTarget::is(VkExtent2D extent, const TargetFormat& format) const {
+    return extent.width == m_extent.width && extent.height == m_extent.height && format == m_format;
+}
+
 void RenderTarget::setSize(VkExtent2D extent, const TargetFormat& format) {
-    if (extent.width == m_extent.width && extent.height == m_extent.height && format == m_format) {
+    if (is(extent, format)) {
         return;
     }
     m_extent = {};  // nothing is whole until all of it is made

@@ -18,6 +18,7 @@ public:
 
     /// Throws gpu::OutOfMemory; there is no target then.
     void setSize(VkExtent2D extent, const TargetFormat& format);
+    [[nodiscard]] bool is(VkExtent2D extent, const TargetFormat& format) const;
     [[nodiscard]] VkExtent2D extent() const { return m_extent; }
     [[nodiscard]] const TargetFormat& format() const { return m_format; }
 

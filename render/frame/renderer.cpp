@@ -130,19 +130,38 @@ void Renderer::makeReady(VkFormat colour, Backend backend, bool isSmoothed) {
                 backend == Backend::Auto ? fastest : backend);
 }
 
-std::function<void()> Renderer::missingPipelines(VkExtent2D extent, VkFormat colour, BoardScene& scene,
-                                                 const Camera& camera, const ViewSettings& settings) {
+const SectionDrawer& Renderer::sectionDrawer(const TargetFormat& format) {
+    return m_sections.try_emplace(format, *m_device, format).first->second;
+}
+
+const OverlayDrawer& Renderer::overlayDrawer(VkFormat colour) {
+    return m_overlays.try_emplace(colour, *m_device, colour).first->second;
+}
+
+std::function<void()> Renderer::preparation(RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene& scene,
+                                            const Camera& camera, const ViewSettings& settings) {
     const FramePlan plan = planFrame(scene.impl().layers, camera, settings, extent.width, extent.height);
     const bool isStandard = scene.impl().steps.front().standard.has_value();
     const Backend backend = isStandard ? Backend::Standard : resolve(settings, plan);
-    const TargetFormat format{colour,
-                              isToBeSmoothed(extent, backend, settings) ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT,
-                              plan.hasSection};
-    const auto made = m_scenes.find({format, backend});
-    if (made != m_scenes.end() && made->second != nullptr) {
+    const bool isSmoothed = isToBeSmoothed(extent, backend, settings);
+    const bool hasOverlay = isKept(settings) || settings.overlay.rgba != nullptr;
+    const TargetFormat format{colour, isSmoothed ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT};
+    const TargetFormat ofBoard{colour, format.samples, plan.hasSection};
+    const auto made = m_scenes.find({ofBoard, backend});
+    if (target.is(extent, format) && made != m_scenes.end() && made->second != nullptr &&
+        (!plan.hasSection || m_sections.contains(format)) && (!hasOverlay || m_overlays.contains(colour))) {
         return {};
     }
-    return [this, format, backend] { sceneDrawer(format, backend); };
+    return [this, &target, extent, backend, isSmoothed, hasOverlay, ofBoard] {
+        const TargetFormat got = makeTarget(target, extent, ofBoard.colour, isSmoothed);
+        sceneDrawer({got.colour, got.samples, ofBoard.hasSection}, backend);
+        if (ofBoard.hasSection) {
+            sectionDrawer(got);
+        }
+        if (hasOverlay) {
+            overlayDrawer(got.colour);
+        }
+    };
 }
 
 void Renderer::cacheBoard(gpu::Frame& frame, RenderTarget& target) {
@@ -176,8 +195,7 @@ void Renderer::drawOverlays(gpu::Frame& frame, RenderTarget& target, const Camer
     if (!plane && !isOverAll && settings.overlay.rgba == nullptr) {
         return;
     }
-    const VkFormat colour = target.format().colour;
-    const OverlayDrawer& drawer = m_overlays.try_emplace(colour, *m_device, colour).first->second;
+    const OverlayDrawer& drawer = overlayDrawer(target.format().colour);
     target.beginOver(frame.commands());
     if (plane) {
         drawer.drawInPlane(frame, laid, *plane, target.depths());
@@ -196,11 +214,10 @@ bool Renderer::isToBeSmoothed(VkExtent2D extent, Backend backend, const ViewSett
            !m_isShortOfMemory && fitsOn(caps, extent, VK_SAMPLE_COUNT_4_BIT);
 }
 
-TargetFormat Renderer::makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, Backend backend,
-                                  const ViewSettings& settings) {
+TargetFormat Renderer::makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, bool isSmoothed) {
     const TargetFormat plain{colour, VK_SAMPLE_COUNT_1_BIT};
     const TargetFormat smooth{colour, VK_SAMPLE_COUNT_4_BIT};
-    if (isToBeSmoothed(extent, backend, settings)) {
+    if (isSmoothed) {
         try {
             target.setSize(extent, smooth);
             return smooth;
@@ -227,7 +244,7 @@ Backend Renderer::record(gpu::Frame& frame, RenderTarget& target, VkExtent2D ext
             cacheBoard(frame, target);
         }
     } else {
-        makeTarget(target, extent, colour, settings.backend, settings);
+        makeTarget(target, extent, colour, isToBeSmoothed(extent, settings.backend, settings));
         target.begin(frame.commands(), backgroundOf(settings));
         target.end(frame.commands());
         m_last = settings.backend;
@@ -242,7 +259,7 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
     FramePlan plan = planFrame(scene.impl().layers, camera, settings, extent.width, extent.height);
     const bool isStandard = scene.impl().steps.front().standard.has_value();
     const Backend backend = isStandard ? Backend::Standard : resolve(settings, plan);
-    const TargetFormat format = makeTarget(target, extent, colour, backend, settings);
+    const TargetFormat format = makeTarget(target, extent, colour, isToBeSmoothed(extent, backend, settings));
     const std::uint32_t flags = (backend == Backend::Impostor ? shader::kFrameImpostors : 0) |
                                 (format.samples != VK_SAMPLE_COUNT_1_BIT ? shader::kFrameSmoothed : 0);
     plan.data.flags |= flags;
@@ -253,8 +270,7 @@ Backend Renderer::recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2
     picture.begin(plan.data.background);
     picture.drawOpaque();
     if (plan.hasSection) {
-        const SectionDrawer& sections = m_sections.try_emplace(format, *m_device, format).first->second;
-        sections.draw(frame, plan, scene.impl().layers, *settings.section);
+        sectionDrawer(format).draw(frame, plan, scene.impl().layers, *settings.section);
     }
     if (isKept(settings)) {
         keepDepth(frame, target);

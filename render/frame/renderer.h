@@ -29,20 +29,23 @@ public:
     /// a frame. On any thread, while nothing else is done with this. Throws gpu::OutOfMemory; then `record` tries
     /// again.
     void makeReady(VkFormat colour, Backend backend, bool isSmoothed);
-    /// Makes the pipelines for the board that `record` would make first, which takes longer than a frame; empty where
-    /// they are there. To be called as makeReady.
-    [[nodiscard]] std::function<void()> missingPipelines(VkExtent2D extent, VkFormat colour, BoardScene& scene,
-                                                         const Camera& camera, const ViewSettings& settings);
+    /// Makes the images and pipelines that `record` would make first; empty where they are there. Pipelines take longer
+    /// than a frame, and software devices make no image while they do anything else. To be called as makeReady; nor may
+    /// `target` be used meanwhile.
+    [[nodiscard]] std::function<void()> preparation(RenderTarget& target, VkExtent2D extent, VkFormat colour,
+                                                    BoardScene& scene, const Camera& camera,
+                                                    const ViewSettings& settings);
     /// Did `record` find the board cached?
     [[nodiscard]] bool drewOverlayAlone() const { return m_isOverlayAlone; }
 
 private:
     SceneDrawer& sceneDrawer(const TargetFormat& format, Backend backend);
+    const SectionDrawer& sectionDrawer(const TargetFormat& format);
+    const OverlayDrawer& overlayDrawer(VkFormat colour);
     [[nodiscard]] Backend resolve(const ViewSettings& settings, const FramePlan& plan);
     [[nodiscard]] bool isToBeSmoothed(VkExtent2D extent, Backend backend, const ViewSettings& settings) const;
-    /// Smoothed if requested, where there is room.
-    TargetFormat makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, Backend backend,
-                            const ViewSettings& settings);
+    /// Smoothed if it is to be, where there is room.
+    TargetFormat makeTarget(RenderTarget& target, VkExtent2D extent, VkFormat colour, bool isSmoothed);
     Backend recordBoard(gpu::Frame& frame, RenderTarget& target, VkExtent2D extent, VkFormat colour, BoardScene& scene,
                         const Camera& camera, const ViewSettings& settings);
     void cacheBoard(gpu::Frame& frame, RenderTarget& target);

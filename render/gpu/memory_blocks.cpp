@@ -50,7 +50,13 @@ std::vector<std::uint32_t> MemoryBlocks::typesFor(const MemoryOptions& options) 
     return types;
 }
 
+MemoryReport MemoryBlocks::report() const {
+    const std::lock_guard lock(m_mutex);
+    return m_report;
+}
+
 MemoryPart MemoryBlocks::take(Device& device, const MemoryOptions& options) {
+    const std::lock_guard lock(m_mutex);
     if (!device.mayAllocate(options.requirements.size)) {
         throw OutOfMemory{describe(options)};
     }
@@ -141,6 +147,7 @@ void MemoryBlocks::release(VkDeviceMemory memory, std::uint64_t bytes) {
 }
 
 void MemoryBlocks::give(const MemoryPart& part) {
+    const std::lock_guard lock(m_mutex);
     m_report.bytes[static_cast<std::size_t>(part.use)] -= part.bytes;
     for (auto& [key, pool] : m_pools) {
         const auto block = std::ranges::find(pool, part.memory, [](const Block& b) { return b.allocation.memory; });

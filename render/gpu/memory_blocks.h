@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -38,7 +39,7 @@ struct MemoryPart {
 /// nothing needs to be kept between neighbours. The first block of a kind is small, each next one as large as those
 /// before it together, up to a limit. Of the blocks of a kind that are empty, one is kept for what comes next.
 ///
-/// What a resource finds in its memory may be what another one left there.
+/// What a resource finds in its memory may be what another one left there. On any thread.
 class MemoryBlocks {
 public:
     static constexpr std::uint64_t kSmallestBlock = std::uint64_t{1} << 20;
@@ -53,7 +54,7 @@ public:
     [[nodiscard]] MemoryPart take(Device& device, const MemoryOptions& options);
     /// Once no submission uses the part any more (memory.h).
     void give(const MemoryPart& part);
-    [[nodiscard]] const MemoryReport& report() const { return m_report; }
+    [[nodiscard]] MemoryReport report() const;
 
 private:
     /// An allocation of the device.
@@ -79,6 +80,7 @@ private:
 
     VkDevice m_device;
     VkPhysicalDeviceMemoryProperties m_properties{};
+    mutable std::mutex m_mutex;  ///< of the next two
     std::map<PoolKey, Pool> m_pools;
     MemoryReport m_report;
 };

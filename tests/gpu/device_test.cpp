@@ -1,5 +1,6 @@
 #include <QtTest>
 #include <numeric>
+#include <thread>
 
 #include "render/gpu/barrier.h"
 #include "render/gpu/frame_ring.h"
@@ -103,16 +104,32 @@ private slots:
                 ViewSettings settings;
                 settings.backend = backend;
                 settings.isSmoothed = isSmoothed;
-                if (const auto make = presenter.missingPipelines(scene, Camera(), settings, 64, 64)) {
-                    make();
+                if (const auto prepare = presenter.preparation(scene, Camera(), settings, 64, 64)) {
+                    prepare();
                 }
                 const std::size_t count = gpu.device.pipelines().count();
-                QVERIFY(!presenter.missingPipelines(scene, Camera(), settings, 64, 64));
+                QVERIFY(!presenter.preparation(scene, Camera(), settings, 64, 64));
                 QVERIFY(presenter.render(scene, Camera(), settings, 64, 64));
                 QCOMPARE(gpu.device.pipelines().count(), count);
             }
         }
-        QVERIFY(OffscreenPresenter(gpu.device).missingPipelines(scene, Camera(), {}, 64, 64));
+        QVERIFY(OffscreenPresenter(gpu.device).preparation(scene, Camera(), {}, 64, 64));
+    }
+
+    /// A device that draws may let whoever makes an image wait until it has drawn.
+    void picturesOfAnotherSizeArePreparedToo() {
+        test::Gpu& gpu = test::Gpu::get();
+        const BoardModel nothing;
+        BoardScene scene(gpu.device, nothing);
+        OffscreenPresenter presenter(gpu.device);
+        QVERIFY(presenter.render(scene, Camera(), {}, 64, 64));
+        QVERIFY(!presenter.preparation(scene, Camera(), {}, 64, 64));
+        const auto prepare = presenter.preparation(scene, Camera(), {}, 96, 48);
+        QVERIFY(prepare);
+        std::thread(prepare).join();
+        QVERIFY(!presenter.preparation(scene, Camera(), {}, 96, 48));
+        const auto image = presenter.render(scene, Camera(), {}, 96, 48);
+        QVERIFY(image && image->width == 96 && image->height == 48);
     }
 
     void uploadsLargerThanTheStagingMemoryArriveWhole() {

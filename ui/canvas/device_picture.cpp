@@ -42,7 +42,7 @@ void DevicePicture::makeReady() {
         return;
     }
     m_presenter.emplace(m_context.device());
-    m_pipelines = std::async(std::launch::async, [this] {
+    m_preparing = std::async(std::launch::async, [this] {
         base::becomeBackground();
         m_presenter->makeReady(render::Backend::Auto, true);
         m_presenter->makeReady(render::Backend::Auto, false);
@@ -61,8 +61,8 @@ void DevicePicture::clear() {
 
 void DevicePicture::release() {
     clear();
-    if (m_pipelines.valid()) {
-        m_pipelines.wait();
+    if (m_preparing.valid()) {
+        m_preparing.wait();
     }
     m_presenter.reset();
     stop();
@@ -104,25 +104,25 @@ render::ViewSettings DevicePicture::settingsOf(const Wanted& wanted) const {
     return settings;
 }
 
-/// Else they are made in the background: those of the first pictures, of a back end or smoothing just chosen, or for a
-/// section plane.
-bool DevicePicture::hasPipelines() {
-    if (m_pipelines.valid() && m_pipelines.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+/// Else what it lacks is made in the background: pipelines of the first pictures, of a back end or smoothing just
+/// chosen or for a section plane, and images of another size.
+bool DevicePicture::isPrepared() {
+    if (m_preparing.valid() && m_preparing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
         return false;
     }
-    if (std::exchange(m_areForWanted, false)) {
+    if (std::exchange(m_prepared, std::nullopt) == m_wanted->pixels) {
         return true;
     }
-    const std::function<void()> make = m_presenter->missingPipelines(
+    const std::function<void()> prepare = m_presenter->preparation(
         *m_picture.scene, m_wanted->camera, settingsOf(*m_wanted), static_cast<std::uint32_t>(m_wanted->pixels.width()),
         static_cast<std::uint32_t>(m_wanted->pixels.height()));
-    if (!make) {
+    if (!prepare) {
         return true;
     }
-    m_areForWanted = true;
-    m_pipelines = std::async(std::launch::async, [make] {
+    m_prepared = m_wanted->pixels;
+    m_preparing = std::async(std::launch::async, [prepare] {
         base::becomeBackground();
-        make();
+        prepare();
     });
     return false;
 }
@@ -134,7 +134,7 @@ bool DevicePicture::begin() {
         return false;
     }
     makeReady();
-    if (!hasPipelines()) {
+    if (!isPrepared()) {
         m_look.start();
         return false;
     }

@@ -60,7 +60,7 @@ private:
     };
 
     bool begin();
-    [[nodiscard]] bool hasPipelines();
+    [[nodiscard]] bool isPrepared();
     bool takeIfDone(std::uint64_t patienceNs);
     void keep();
     void stop();
@@ -69,15 +69,15 @@ private:
     GpuContext& m_context;
     const Picture& m_picture;
     std::optional<render::OffscreenPresenter> m_presenter;
-    std::optional<Wanted> m_wanted;  ///< next
-    Wanted m_drawn;                  ///< by the device now
-    std::future<void> m_pipelines;   ///< being made
-    bool m_areForWanted = false;     ///< those were missing for a picture: it is drawn next, whether or not they came
+    std::optional<Wanted> m_wanted;   ///< next
+    Wanted m_drawn;                   ///< by the device now
+    std::future<void> m_preparing;    ///< what a picture needs of the device
+    std::optional<QSize> m_prepared;  ///< a picture of this size is drawn next, whether or not all of that was made
     bool m_isDrawing = false;
     bool m_isOfBefore = false;  ///< what the device draws is to be forgotten
     Shot m_shot;
     Shot m_whole;
-    QTimer m_look;  ///< runs while pipelines are made or the device draws: is that done?
+    QTimer m_look;  ///< runs while a picture is prepared or the device draws: is that done?
 };
 
 }  // namespace ui
