@@ -26,7 +26,7 @@ struct Task {
 base::Result<Connectivity> Connectivity::of(const Document& document, base::Progress& progress) {
     progress.beginPhase("Following the copper");
     Connectivity connectivity;
-    connectivity.makeLayers(document);
+    connectivity.makeLayers(document, progress);
     if (progress.isCancelled() || !connectivity.findContacts(document, progress)) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
@@ -34,7 +34,7 @@ base::Result<Connectivity> Connectivity::of(const Document& document, base::Prog
     return connectivity;
 }
 
-void Connectivity::makeLayers(const Document& document) {
+void Connectivity::makeLayers(const Document& document, const base::Progress& progress) {
     for (std::size_t row = 0; row < document.layers.size(); ++row) {
         if (document.layers[row].isCopper()) {
             m_layers.emplace_back().layer = LayerId{row};
@@ -46,7 +46,7 @@ void Connectivity::makeLayers(const Document& document) {
         LayerGeometry& plane = m_layers[row];
         const auto add = [&](const Layer& layer, auto isWanted) {
             for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
-                if (isWanted(document.elements.flags[i])) {
+                if (!progress.isCancelled() && isWanted(document.elements.flags[i])) {
                     holes.addTo(plane.figures, ElementId{i});
                 }
             }

@@ -52,7 +52,7 @@ private:
         std::vector<BoxIndex> index;  ///< one, or none before it is made
     };
 
-    void makeLayers(const Document& document);
+    void makeLayers(const Document& document, const base::Progress& progress);
     [[nodiscard]] bool findContacts(const Document& document, base::Progress& progress);
     void touchWithin(std::size_t plane, std::size_t first, std::size_t end, std::vector<Contact>& found) const;
     void touchHoles(const Document& document, std::size_t first, std::size_t end, std::vector<Contact>& found) const;
