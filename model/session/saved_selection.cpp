@@ -1,6 +1,7 @@
 #include "model/session/saved_selection.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -33,6 +34,13 @@ std::map<Key, std::size_t> wantedOf(const Document& board, const SavedSelection&
     return wanted;
 }
 
+/// Of others the box need not be found.
+bool isAnyWanted(const std::map<Key, std::size_t>& wanted, std::size_t layer, ElementKind kind) {
+    constexpr Nm kLeast = std::numeric_limits<Nm>::min();
+    const auto first = wanted.lower_bound({layer, kind, kLeast, kLeast, kLeast, kLeast});
+    return first != wanted.end() && std::get<0>(first->first) == layer && std::get<1>(first->first) == kind;
+}
+
 void addElements(const StepTree& board, const SavedSelection& saved, FoundSelection& found) {
     std::map<Key, std::size_t> wanted = wantedOf(*board.steps.front(), saved, found.missingElements);
     if (wanted.empty()) {
@@ -43,8 +51,11 @@ void addElements(const StepTree& board, const SavedSelection& saved, FoundSelect
         const Document& step = *board.steps[copy.step];
         for (std::uint32_t i = 0; i < step.elements.size(); ++i) {
             const ElementId element{i};
-            const auto at = wanted.find(keyOf(layerOf(step, copy, element).row(), step.elements.kind[i],
-                                              copy.placement.boxOf(step.boxOf(element))));
+            const std::size_t layer = layerOf(step, copy, element).row();
+            const ElementKind kind = step.elements.kind[i];
+            const auto at = isAnyWanted(wanted, layer, kind)
+                                ? wanted.find(keyOf(layer, kind, copy.placement.boxOf(step.boxOf(element))))
+                                : wanted.end();
             if (at != wanted.end() && at->second > 0) {
                 --at->second;
                 found.elements.push_back({row, element});

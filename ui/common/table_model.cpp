@@ -95,6 +95,9 @@ void TableModel::multiData(const QModelIndex& index, QModelRoleDataSpan roles) c
             role.setData(traits);
         } else if (role.role() == Qt::ToolTipRole) {
             role.setData(tipOf(index));
+        } else if (const QVariant own = role.role() == kSortRole ? order(index.row(), index.column()) : QVariant();
+                   own.isValid()) {
+            role.setData(own);
         } else if (isOfCell(role.role())) {
             at = at ? std::move(at) : cell(index.row(), index.column());
             role.setData(partOf(*at, role.role()));

@@ -73,6 +73,9 @@ public:
 protected:
     [[nodiscard]] virtual int rows() const = 0;
     [[nodiscard]] virtual Cell cell(int row, int column) const = 0;
+    /// As it is sorted, where that takes long to find and is of no use to cells that are only shown; invalid: as the
+    /// cell says.
+    [[nodiscard]] virtual QVariant order(int /*row*/, int /*column*/) const { return {}; }
     [[nodiscard]] virtual QString tip(int /*row*/, int /*column*/) const { return {}; }
     /// Of cells with the trait; false if it cannot be.
     virtual bool edit(int /*row*/, int /*column*/, const QVariant& /*value*/) { return false; }

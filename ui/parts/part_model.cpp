@@ -1,7 +1,9 @@
 #include "ui/parts/part_model.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <utility>
 
 #include "model/index/attributes.h"
 #include "model/index/pin_names.h"
@@ -92,18 +94,21 @@ void PartModel::sortRows() {
 void PartModel::listAttributeNames() {
     std::set<std::string, decltype(&model::isNamedBefore)> names(&model::isNamedBefore);
     for (const model::Document* step : m_steps) {
+        std::set<model::StringId> ids;
         for (const model::Component& component : step->components) {
             for (const model::Property& property : step->propertiesOf(component.properties)) {
                 if (!step->text(property.value).empty()) {
-                    names.insert(step->text(property.name));
+                    ids.insert(property.name);
                 }
             }
         }
+        std::ranges::transform(ids, std::inserter(names, names.end()), [&](auto id) { return step->text(id); });
     }
     m_attributeNames.clear();
     for (const std::string& name : names) {
         m_attributeNames += QString::fromStdString(name);
     }
+    m_attribute = m_attributeNames.contains(m_attribute) ? m_attribute : QString();
 }
 
 QString PartModel::rankedText(int row, int column) const {
@@ -126,9 +131,11 @@ const std::vector<std::uint32_t>& PartModel::ranks(int column) const {
 }
 
 void PartModel::setAttribute(const QString& name) {
-    m_attribute = m_attributeNames.contains(name) ? name : QString();
-    m_ranks[Attributes].clear();
-    announceChange();
+    const QString before = std::exchange(m_attribute, m_attributeNames.contains(name) ? name : QString());
+    if (m_attribute != before) {
+        m_ranks[Attributes].clear();
+        announceChange();
+    }
 }
 
 std::optional<int> PartModel::rowOf(const BoardPart& part) const {
@@ -191,7 +198,7 @@ Cell PartModel::cell(int row, int column) const {
         case Designator: return {.text = QString::fromStdString(component.refdes), .order = row};
         case Part:
         case Attributes:
-        case Package: return {.text = rankedText(row, column), .order = ranks(column)[static_cast<std::size_t>(row)]};
+        case Package: return {rankedText(row, column)};
         case Side: return {sideText(component.side)};
         case X: return inPlace(length(component.placement.origin.x), component);
         case Y: return inPlace(length(component.placement.origin.y), component);
@@ -204,6 +211,11 @@ Cell PartModel::cell(int row, int column) const {
         case Fitted: return {component.isPopulated ? tr("yes") : tr("no")};
         default: return {stepNameOf(row)};
     }
+}
+
+QVariant PartModel::order(int row, int column) const {
+    const bool isRanked = column == Part || column == Attributes || column == Package;
+    return isRanked ? QVariant(ranks(column)[static_cast<std::size_t>(row)]) : QVariant();
 }
 
 QString PartModel::searchText(int row) const {

@@ -49,6 +49,7 @@ public:
 private:
     [[nodiscard]] int rows() const override { return static_cast<int>(m_rows.size()); }
     [[nodiscard]] Cell cell(int row, int column) const override;
+    [[nodiscard]] QVariant order(int row, int column) const override;
     [[nodiscard]] QString tip(int row, int column) const override;
     [[nodiscard]] const model::Document& stepOf(const BoardPart& part) const { return *m_steps[part.step]; }
     void sortRows();
@@ -59,7 +60,7 @@ private:
     std::shared_ptr<const model::Document> m_board;
     std::vector<const model::Document*> m_steps;  ///< as model::StepTree::steps
     std::vector<BoardPart> m_rows;                ///< by designator
-    /// Per column of names: places of the rows' texts. Made when the table first shows or sorts that column.
+    /// Per column of names: places of the rows' texts. Made when the table is first sorted by that column.
     mutable std::array<std::vector<std::uint32_t>, Step + 1> m_ranks;
     QStringList m_attributeNames;
     QString m_attribute;

@@ -241,10 +241,14 @@ std::optional<base::PointD> parsePlace(const QString& text, LengthUnit unit) {
 void BoardSearch::setBoard(std::shared_ptr<const model::Document> board) {
     m_board = std::move(board);
     m_steps = m_board ? model::distinctSteps(*m_board) : std::vector<const model::Document*>();
-    m_attributes.clear();
-    for (const model::Document* step : m_steps) {
-        leaveOutNames(*step, m_attributes.emplace_back(model::listAttributes(*step)));
-    }
+    const auto list = [board = m_board, steps = m_steps] {
+        AttributesOfSteps attributes;
+        for (const model::Document* step : steps) {
+            leaveOutNames(*step, attributes.emplace_back(model::listAttributes(*step)));
+        }
+        return attributes;
+    };
+    m_attributes = m_board ? std::async(list).share() : std::shared_future<AttributesOfSteps>();
 }
 
 std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::size_t most) const {
@@ -261,7 +265,7 @@ std::vector<Found> BoardSearch::find(const QString& text, LengthUnit unit, std::
                       [](const model::Component& component) -> const std::string& { return component.refdes; });
         matcher.lookForNets(step.nets);
         matcher.lookForPins(step);
-        matcher.lookForAttributes(m_attributes[row]);
+        matcher.lookForAttributes(m_attributes.get()[row]);
     }
     std::vector<Found> found = matcher.best(most);
     if (const std::optional<base::PointD> location = parsePlace(text, unit)) {

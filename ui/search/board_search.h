@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -27,7 +28,8 @@ struct Found {
 /// Finds nets, components, pins, attributes, layers and locations by what people type: part of a name in any case,
 /// "U1.5" or "U1-5" for a pin, a value or a name for an attribute, "12.5, 30 mm" for a location; in the board and in
 /// all the steps placed on it. Names are looked through as they lie in the document; of attributes each value is listed
-/// once when the board is set. With * for any letters and ? for one, the text is to fit all of a name.
+/// once, in the background when the board is set. With * for any letters and ? for one, the text is to fit all of a
+/// name.
 class BoardSearch {
     Q_DECLARE_TR_FUNCTIONS(ui::BoardSearch)
 public:
@@ -39,7 +41,7 @@ public:
     /// downwards, which is offered first where it is on the board.
     [[nodiscard]] std::vector<Found> find(const QString& text, LengthUnit unit, std::size_t most) const;
     [[nodiscard]] const model::AttributeValue& attribute(const Found& found) const {
-        return m_attributes[found.step][found.row];
+        return m_attributes.get()[found.step][found.row];
     }
     /// Its name; a location in `unit`.
     [[nodiscard]] QString titleOf(const Found& found, LengthUnit unit) const;
@@ -50,9 +52,11 @@ private:
     [[nodiscard]] const model::Document& stepOf(const Found& found) const { return *m_steps[found.step]; }
     [[nodiscard]] QString whatIs(const Found& found) const;
 
+    using AttributesOfSteps = std::vector<std::vector<model::AttributeValue>>;
+
     std::shared_ptr<const model::Document> m_board;
-    std::vector<const model::Document*> m_steps;                   ///< rows of model::StepTree::steps
-    std::vector<std::vector<model::AttributeValue>> m_attributes;  ///< of each step
+    std::vector<const model::Document*> m_steps;         ///< rows of model::StepTree::steps
+    std::shared_future<AttributesOfSteps> m_attributes;  ///< of each step; of no board none
 };
 
 /// Two numbers, with or without a comma and a unit behind each or the last one (mm, mil, in, um); in nm.

@@ -147,7 +147,7 @@ void Workspace::take(const LoadedBoard& board) {
     if (m_board) {
         emit boardLeaves(board);
     }
-    m_board = board;
+    std::optional<LoadedBoard> before = std::exchange(m_board, board);
     m_history.clear();
     m_currentLayer = {};
     emit boardRead(*m_board);
@@ -163,6 +163,9 @@ void Workspace::take(const LoadedBoard& board) {
         reportError(troubles.join('\n'));
     }
     report(summaryOf(*m_board, m_selection.tree()));
+    if (before) {
+        m_freeing.start([before = std::move(before)](base::Progress&) mutable { before.reset(); }, "");
+    }
 }
 
 void Workspace::restack(std::shared_ptr<const model::Document> document, model::SetThicknesses thicknesses,

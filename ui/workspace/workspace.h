@@ -143,6 +143,7 @@ private:
     [[nodiscard]] const Work* firstRunning() const;
 
     std::optional<LoadedBoard> m_board;
+    Background m_freeing;  ///< of the board before: its indexes take longer than a frame
     LengthUnit m_unit = LengthUnit::Millimetre;
     model::LayerId m_currentLayer;
     SelectionModel m_selection;

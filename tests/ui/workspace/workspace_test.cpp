@@ -3,6 +3,7 @@
 #include <QSignalSpy>
 #include <QUndoCommand>
 #include <QtTest>
+#include <future>
 #include <thread>
 
 #include "model/board/document_builder.h"
@@ -125,6 +126,26 @@ private slots:
         });
         open(workspace, "another");
         QCOMPARE(workspace.board()->request.path.string(), std::string("another"));
+    }
+
+    /// What belongs to a large board takes longer to free than a frame.
+    void theBoardBeforeIsFreedOnAnotherThread() {
+        std::promise<std::thread::id> freed;
+        std::future<std::thread::id> by = freed.get_future();
+        Workspace workspace([&freed](const OpenRequest& request, base::Progress& progress) {
+            base::Result<LoadedBoard> board = work(request, progress);
+            if (request.path == "board") {
+                board->model = {new render::BoardModel, [&freed](const render::BoardModel* model) {
+                                    delete model;
+                                    freed.set_value(std::this_thread::get_id());
+                                }};
+            }
+            return board;
+        });
+        open(workspace, "board");
+        open(workspace, "another");
+        QTRY_VERIFY(by.wait_for(std::chrono::seconds(0)) == std::future_status::ready);
+        QVERIFY(by.get() != std::this_thread::get_id());
     }
 
     void failedBoardsLeaveTheOneThatIsOpen() {
