@@ -148,6 +148,7 @@ void Workspace::take(const LoadedBoard& board) {
         emit boardLeaves(board);
     }
     std::optional<LoadedBoard> before = std::exchange(m_board, board);
+    const bool wasUndoable = before && before->request.path == board.request.path && m_history.canUndo();
     m_history.clear();
     m_currentLayer = {};
     emit boardRead(*m_board);
@@ -162,7 +163,7 @@ void Workspace::take(const LoadedBoard& board) {
     if (const QStringList troubles = lossesOf(board) + textsOf(board.notes); !troubles.isEmpty()) {
         reportError(troubles.join('\n'));
     }
-    report(summaryOf(*m_board, m_selection.tree()));
+    report((wasUndoable ? tr("Undo begins anew. ") : QString()) + summaryOf(*m_board, m_selection.tree()));
     if (before) {
         m_freeing.start([before = std::move(before)](base::Progress&) mutable { before.reset(); }, "");
     }

@@ -128,6 +128,22 @@ private slots:
         QCOMPARE(workspace.board()->request.path.string(), std::string("another"));
     }
 
+    /// Nobody expects to undo on one board what was done on another, but on the same one that is read again.
+    void readingABoardAgainSaysThatUndoBeginsAnew() {
+        Workspace workspace(work);
+        const QSignalSpy reports(&workspace, &Workspace::reported);
+        const auto says = [&](const char* path) {
+            open(workspace, path);
+            return reports.last()[0].toString().startsWith("Undo begins anew. Opened ");
+        };
+        QVERIFY(!says("board"));
+        QVERIFY(!says("board"));  // nothing was done
+        workspace.history().push(new QUndoCommand);
+        QVERIFY(says("board"));
+        workspace.history().push(new QUndoCommand);
+        QVERIFY(!says("another"));
+    }
+
     /// What belongs to a large board takes longer to free than a frame.
     void theBoardBeforeIsFreedOnAnotherThread() {
         std::promise<std::thread::id> freed;
