@@ -4,8 +4,9 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include <QCoreApplication>
 #include <QEvent>
+#include <QGuiApplication>
+#include <QWindow>
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -44,6 +45,10 @@ void printStack(int) {
     void* frames[64];
     ::backtrace_symbols_fd(frames, ::backtrace(frames, 64), STDERR_FILENO);
 #endif
+}
+
+bool isAnyWindowSeen() {
+    return std::ranges::any_of(QGuiApplication::topLevelWindows(), &QWindow::isVisible);
 }
 
 std::string firstWord(std::string_view text) {
@@ -88,6 +93,11 @@ bool LoopWatch::event(QEvent* event) {
     }
     const std::int64_t withoutCore = waitedForCoreNs(m_thread) - m_waitedNs;
     const double ms = static_cast<double>(std::max<std::int64_t>(0, nowNs() - m_sentNs - withoutCore)) / 1e6;
+    m_sentNs = 0;
+    if (!isAnyWindowSeen()) {
+        m_longestEndMs = std::max(m_longestEndMs, ms);
+        return true;
+    }
     const std::string doing(ActionLog::instance().current());
     Stalls& stalls = m_stalls[firstWord(doing)];
     stalls.longestMs = std::max(stalls.longestMs, ms);
@@ -95,7 +105,6 @@ bool LoopWatch::event(QEvent* event) {
         ++stalls.overLimit;
         std::fprintf(stderr, "soak: %.0f ms without an answer: %s\n", ms, doing.c_str());
     }
-    m_sentNs = 0;
     return true;
 }
 

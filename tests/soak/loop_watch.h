@@ -12,8 +12,8 @@ namespace soak {
 
 /// How long the event loop of this thread needs to answer. A thread of its own sends it an event, again and again, and
 /// takes the time until it comes; the time in which the loop's thread wanted to run and the machine had no core for it
-/// is left out, where the kernel tells. A loop that does not answer for `kHungMs` is hung: the last actions are written
-/// and the program aborts.
+/// is left out, where the kernel tells. Once its window is closed nobody waits for what is freed then: that is taken
+/// apart. A loop that does not answer for `kHungMs` is hung: the last actions are written and the program aborts.
 class LoopWatch : public QObject {
     Q_OBJECT
 
@@ -33,6 +33,8 @@ public:
     /// By what was being done (the first word of ActionLog::current).
     [[nodiscard]] const std::map<std::string, Stalls>& stalls() const { return m_stalls; }
     [[nodiscard]] Stalls all() const;
+    /// The longest that a window took to end once it was gone from the screen.
+    [[nodiscard]] double longestEndMs() const { return m_longestEndMs; }
 
 protected:
     bool event(QEvent* event) override;
@@ -44,6 +46,7 @@ private:
     pthread_t m_loop;  ///< likewise
     std::atomic<double> m_limitMs = 250.0;
     std::map<std::string, Stalls> m_stalls;
+    double m_longestEndMs = 0.0;
     std::atomic<std::int64_t> m_sentNs = 0;  ///< 0: answered
     std::atomic<std::int64_t> m_waitedNs = 0;
     std::jthread m_watcher;

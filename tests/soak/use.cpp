@@ -103,6 +103,7 @@ private:
         m_errors.print();
         std::printf("longest without an answer: %.1f ms, %zu over the limit\n", m_watch.all().longestMs,
                     m_watch.all().overLimit);
+        std::printf("longest end of a window that was closed: %.1f ms\n", m_watch.longestEndMs());
     }
 
     static bool check(bool isWell, const char* otherwise) {
