@@ -44,6 +44,8 @@ TableView::TableView(TableModel& model, QWidget* parent) : QTableView(parent) {
     horizontalHeader()->setHighlightSections(false);
     connect(this, &QTableView::clicked, this, &TableView::choose);
     connect(this, &TableView::enterPressed, this, &TableView::choose);
+    m_measuring.setSingleShot(true);
+    connect(&m_measuring, &QTimer::timeout, this, &TableView::measure);
 }
 
 SortedRows& TableView::makeSortable() {
@@ -56,23 +58,36 @@ SortedRows& TableView::makeSortable() {
 
 void TableView::fitColumns(int stretched) {
     m_stretched = stretched;
-    connect(model(), &QAbstractItemModel::modelReset, this, [this] { measure(m_isFitDue, [this] { fit(); }); });
+    connect(model(), &QAbstractItemModel::modelReset, this, [this] {
+        m_isFitDue = true;
+        measureSoon();
+    });
     fit();
 }
 
 void TableView::keepNumbersWhole() {
-    const auto widenSeen = [this] { measure(m_isWidenDue, [this] { widen(); }); };
-    connect(model(), &QAbstractItemModel::modelReset, this, widenSeen);
-    connect(model(), &QAbstractItemModel::dataChanged, this, widenSeen);
-    widenSeen();
+    const auto widenSoon = [this] {
+        m_isWidenDue = true;
+        measureSoon();
+    };
+    connect(model(), &QAbstractItemModel::modelReset, this, widenSoon);
+    connect(model(), &QAbstractItemModel::dataChanged, this, widenSoon);
+    widenSoon();
 }
 
-/// Measuring cells takes a while: of a table that is hidden not before it is seen.
-template <class Measure>
-void TableView::measure(bool& isDue, Measure measure) {
-    isDue = !isVisible();
-    if (!isDue) {
-        measure();
+void TableView::measureSoon() {
+    if (isVisible()) {
+        m_measuring.start(0);
+    }
+}
+
+void TableView::measure() {
+    m_measuring.stop();
+    if (std::exchange(m_isFitDue, false)) {
+        fit();
+    }
+    if (std::exchange(m_isWidenDue, false)) {
+        widen();
     }
 }
 
@@ -135,12 +150,7 @@ void TableView::widen() {
 
 void TableView::showEvent(QShowEvent* event) {
     QTableView::showEvent(event);
-    if (std::exchange(m_isFitDue, false)) {
-        fit();
-    }
-    if (std::exchange(m_isWidenDue, false)) {
-        widen();
-    }
+    measure();
 }
 
 void TableView::goToRow(const QModelIndex& index) {

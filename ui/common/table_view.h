@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QTableView>
+#include <QTimer>
 #include <vector>
 
 class QMenu;
@@ -54,6 +55,11 @@ protected:
     /// Reading a cell takes little, measuring it much: of long tables those with the longest texts are measured, and
     /// some of the others. Numbers are as wide as they are long.
     [[nodiscard]] int sizeHintForColumn(int column) const override;
+    /// Has `measure` called once cells are seen and what changes them is over: that takes a while, and a board that is
+    /// opened changes them several times.
+    void measureSoon();
+    /// Gives columns the widths that their cells need.
+    virtual void measure();
     /// A text that the model has refused stays to be mended: Enter and Tab do not take it away, Esc and a click
     /// elsewhere do.
     void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
@@ -71,12 +77,11 @@ private:
     void fit();
     void leaveRoom();
     void widen();
-    template <class Measure>
-    void measure(bool& isDue, Measure measure);
 
     int m_stretched = -1;
-    bool m_isFitDue = false;    ///< once it is seen
+    bool m_isFitDue = false;    ///< by the next `measure`
     bool m_isWidenDue = false;  ///< likewise
+    QTimer m_measuring;
     std::vector<int> m_buttonColumns;
 };
 

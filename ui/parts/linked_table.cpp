@@ -25,7 +25,7 @@ void LinkedTable::giveRoom(const std::vector<int>& columns) {
             return;
         }
         if (before == 0 || now == 0) {  // shown or hidden
-            spread();
+            measureSoon();
         } else if (std::ranges::find(m_spread, column) != m_spread.end()) {
             m_spread.clear();  // by hand
         }
@@ -33,7 +33,7 @@ void LinkedTable::giveRoom(const std::vector<int>& columns) {
     connect(model(), &QAbstractItemModel::dataChanged, this, [this] { m_neededWidths.clear(); });
     connect(model(), &QAbstractItemModel::modelReset, this, [this] {
         m_neededWidths.clear();
-        spread();
+        measureSoon();
     });
 }
 
@@ -42,8 +42,8 @@ void LinkedTable::resizeEvent(QResizeEvent* event) {
     spread();
 }
 
-void LinkedTable::showEvent(QShowEvent* event) {
-    TableView::showEvent(event);
+void LinkedTable::measure() {
+    TableView::measure();
     spread();
 }
 

@@ -38,7 +38,7 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
-    void showEvent(QShowEvent* event) override;
+    void measure() override;
 
 private:
     void spread();

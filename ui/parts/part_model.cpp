@@ -14,11 +14,16 @@ namespace ui {
 
 namespace {
 
-const QLatin1String kHeight(".comp_height");  // has a column of its own
+constexpr std::string_view kHeight = ".comp_height";  // has a column of its own
 const QLatin1String kValue("value");
 
 QString sideText(model::LayerSide side) {
     return side == model::LayerSide::Bottom ? PartModel::tr("Bottom") : PartModel::tr("Top");
+}
+
+/// Of an attribute of forEachAttribute.
+QString valueText(const std::string& value) {
+    return value.empty() ? PartModel::tr("yes") : QString::fromStdString(value);
 }
 
 QString shortened(const QStringList& names) {
@@ -108,7 +113,7 @@ void PartModel::listAttributeNames() {
     for (const std::string& name : names) {
         m_attributeNames += QString::fromStdString(name);
     }
-    m_attribute = m_attributeNames.contains(m_attribute) ? m_attribute : QString();
+    m_attribute = names.contains(m_attribute) ? m_attribute : std::string();
 }
 
 QString PartModel::rankedText(int row, int column) const {
@@ -131,8 +136,8 @@ const std::vector<std::uint32_t>& PartModel::ranks(int column) const {
 }
 
 void PartModel::setAttribute(const QString& name) {
-    const QString before = std::exchange(m_attribute, m_attributeNames.contains(name) ? name : QString());
-    if (m_attribute != before) {
+    const std::string chosen = m_attributeNames.contains(name) ? name.toStdString() : std::string();
+    if (std::exchange(m_attribute, chosen) != chosen) {
         m_ranks[Attributes].clear();
         announceChange();
     }
@@ -158,12 +163,11 @@ std::string PartModel::packageOf(int row) const {
 }
 
 std::vector<std::pair<QString, QString>> PartModel::attributesOf(int row) const {
-    const model::Document& step = stepOf(partAt(row));
     std::vector<std::pair<QString, QString>> attributes;
-    model::forEachAttribute(step, componentAt(row), [&](const std::string& name, const std::string& value) {
-        attributes.emplace_back(QString::fromStdString(name),
-                                value.empty() ? tr("yes") : QString::fromStdString(value));
-    });
+    model::forEachAttribute(stepOf(partAt(row)), componentAt(row),
+                            [&](const std::string& name, const std::string& value) {
+                                attributes.emplace_back(QString::fromStdString(name), valueText(value));
+                            });
     return attributes;
 }
 
@@ -178,13 +182,14 @@ QString PartModel::valueOf(int row) const {
 
 QStringList PartModel::attributeTextsOf(int row) const {
     QStringList texts;
-    for (const auto& [name, value] : attributesOf(row)) {
-        if (m_attribute.isEmpty() && name != kHeight) {
-            texts += QStringLiteral("%1: %2").arg(name, value);
-        } else if (name == m_attribute) {
-            texts += value;
-        }
-    }
+    model::forEachAttribute(
+        stepOf(partAt(row)), componentAt(row), [&](const std::string& name, const std::string& value) {
+            if (!isOneAttribute() && name != kHeight) {
+                texts += QStringLiteral("%1: %2").arg(QString::fromStdString(name), valueText(value));
+            } else if (isOneAttribute() && name == m_attribute) {
+                texts += valueText(value);
+            }
+        });
     return texts;
 }
 

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] QString valueOf(int row) const;
     /// What the column shows: the value of the chosen attribute, or "name: value" of all but the height.
     [[nodiscard]] QStringList attributeTextsOf(int row) const;
-    [[nodiscard]] bool isOneAttribute() const { return !m_attribute.isEmpty(); }
+    [[nodiscard]] bool isOneAttribute() const { return !m_attribute.empty(); }
     [[nodiscard]] QString searchText(int row) const override;
 
 private:
@@ -63,7 +63,7 @@ private:
     /// Per column of names: places of the rows' texts. Made when the table is first sorted by that column.
     mutable std::array<std::vector<std::uint32_t>, Step + 1> m_ranks;
     QStringList m_attributeNames;
-    QString m_attribute;
+    std::string m_attribute;  ///< the chosen one; empty: all
 };
 
 }  // namespace ui

@@ -45,7 +45,7 @@ PartsPanel::PartsPanel(PartModel& model, PartPicking& parts, QWidget* parent)
     connect(m_table, &LinkedTable::rowsSelected, this, &PartsPanel::takeParts);
     connect(m_groupTable, &LinkedTable::rowsSelected, this, &PartsPanel::takeGroups);
     connect(m_attribute, &QComboBox::currentIndexChanged, this, [this] {
-        m_model.setAttribute(m_attribute->currentData().toString());
+        m_model.setAttribute(chosenAttribute());
         showColumns();
     });
     connect(&parts, &PartPicking::changed, this, &PartsPanel::markChosen);
@@ -131,17 +131,20 @@ void PartsPanel::showColumns() {
 }
 
 void PartsPanel::listAttributes() {
-    const QString before = m_attribute->currentData().toString();
+    const QString before = chosenAttribute();
     const QSignalBlocker blocker(m_attribute);
     m_attribute->clear();
     m_attribute->addItem(tr("All attributes"));
-    for (const QString& name : m_model.attributeNames()) {
-        m_attribute->addItem(name, name);
-    }
-    const int same = before.isEmpty() ? -1 : m_attribute->findData(before);
-    const int first = m_attribute->findData(QLatin1String(kFirstAttribute), Qt::UserRole, Qt::MatchFixedString);
+    m_attribute->addItems(m_model.attributeNames());
+    const int same = before.isEmpty() ? -1 : m_attribute->findText(before);
+    const int first = m_attribute->findText(QLatin1String(kFirstAttribute), Qt::MatchFixedString);
     m_attribute->setCurrentIndex(same >= 0 ? same : std::max(first, 0));
-    m_model.setAttribute(m_attribute->currentData().toString());
+    m_model.setAttribute(chosenAttribute());
+}
+
+/// Empty: all.
+QString PartsPanel::chosenAttribute() const {
+    return m_attribute->currentIndex() > 0 ? m_attribute->currentText() : QString();
 }
 
 /// Rows of the PartModel that the filter leaves, or whose groups it leaves.

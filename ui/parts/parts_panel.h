@@ -45,6 +45,7 @@ private:
     void markChosen();
     [[nodiscard]] std::vector<int> shownParts() const;
     void listAttributes();
+    [[nodiscard]] QString chosenAttribute() const;
     void showCount();
 
     PartModel& m_model;

@@ -211,11 +211,11 @@ private slots:
                     continue;
                 }
                 const QString heading = table->model()->headerData(column, Qt::Horizontal).toString();
-                const int width = table->columnWidth(column);
-                QVERIFY2(width >= table->horizontalHeader()->sectionSizeHint(column), qPrintable(heading));
+                const auto isWide = [&](int needed) { return table->columnWidth(column) >= needed; };
+                QTRY_VERIFY2(isWide(table->horizontalHeader()->sectionSizeHint(column)), qPrintable(heading));
                 const QModelIndex first = table->model()->index(0, column);
                 if ((first.data(ui::TableModel::kTraitsRole).toInt() & ui::kNumber) != 0) {
-                    QVERIFY2(width >= table->sizeHintForIndex(first).width(), qPrintable(heading));
+                    QTRY_VERIFY2(isWide(table->sizeHintForIndex(first).width()), qPrintable(heading));
                 }
             }
         }
