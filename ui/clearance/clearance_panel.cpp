@@ -63,11 +63,11 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
       m_table(new TableView(locations)),
       m_ruleTable(new TableView(rules)),
       m_lens(sliderTo(1, kLensSteps, "lensReach", tr("How near copper must come for the lens to highlight it"))),
-      m_lensText(new QLabel),
+      m_lensText(new ElidedLabel),
       m_map(sliderTo(0, static_cast<int>(std::size(kMapReachesUm)) - 1, "mapReach",
                      tr("The map is coloured up to this distance; what is farther is darkened a little"))),
       m_mapReach(new QLabel),
-      m_mapText(new QLabel),
+      m_mapText(new ElidedLabel),
       m_notes(new QLabel),
       m_searchRow(searchRow(actions)),
       m_sliderRow(sliderRow(actions)),
@@ -240,21 +240,18 @@ QBoxLayout* ClearancePanel::sliderRow(const ActionSet& actions) {
     m_map->setPageStep(3);
     m_map->setValue(static_cast<int>(std::ranges::find(kMapReachesUm, kFirstMapReachUm) - std::begin(kMapReachesUm)));
     m_mapText->setObjectName(QStringLiteral("map"));
-    for (QLabel* text : {m_lensText, m_mapText}) {
-        text->setMinimumWidth(1);  // the panel is not made wider for it
-    }
     auto* map = new QHBoxLayout;
     map->addWidget(toolButton(actions[ActionId::ClearanceMap]));
     map->addWidget(m_map, 1);
     map->addWidget(m_mapReach);
-    map->addWidget(m_mapText, 1);
+    map->addWidget(m_mapText, 2);
     auto* lens = new QHBoxLayout;
     lens->addWidget(toolButton(actions[ActionId::Lens]));
     lens->addWidget(m_lens, 1);
     lens->addWidget(m_lensText, 1);
     auto* row = new QBoxLayout(QBoxLayout::LeftToRight);
-    row->addLayout(lens, 2);
-    row->addLayout(map, 3);
+    row->addLayout(lens, 1);
+    row->addLayout(map, 2);
     connect(m_lens, &QSlider::valueChanged, this, [this] { emit lensMoved(lensReach()); });
     connect(m_map, &QSlider::valueChanged, this, &ClearancePanel::onMapReach);
     return row;
