@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QContextMenuEvent>
+#include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -24,6 +25,9 @@ namespace {
 /// many is measured whatever it says.
 constexpr int kReadRows = 1'000;
 constexpr int kMeasuredOneIn = 5;
+
+/// Then other events have their turn.
+constexpr int kMeasureMs = 8;
 
 }  // namespace
 
@@ -66,8 +70,9 @@ void TableView::fitColumns(int stretched) {
 }
 
 void TableView::keepNumbersWhole() {
+    m_keepsNumbersWhole = true;
     const auto widenSoon = [this] {
-        m_isWidenDue = true;
+        m_toWiden = 0;
         measureSoon();
     };
     connect(model(), &QAbstractItemModel::modelReset, this, widenSoon);
@@ -82,13 +87,26 @@ void TableView::measureSoon() {
 }
 
 void TableView::measure() {
-    m_measuring.stop();
+    QElapsedTimer clock;
+    clock.start();
+    while (isVisible() && measureNext()) {
+        if (clock.elapsed() >= kMeasureMs) {
+            m_measuring.start(0);
+            return;
+        }
+    }
+}
+
+bool TableView::measureNext() {
     if (std::exchange(m_isFitDue, false)) {
         fit();
+        return true;
     }
-    if (std::exchange(m_isWidenDue, false)) {
-        widen();
+    if (m_keepsNumbersWhole && m_toWiden < model()->columnCount()) {
+        widen(m_toWiden++);
+        return true;
     }
+    return false;
 }
 
 void TableView::fit() {
@@ -136,15 +154,12 @@ void TableView::leaveRoom() {
     }
 }
 
-void TableView::widen() {
-    for (int column = 0; column < model()->columnCount(); ++column) {
-        const QVariant traits =
-            model()->index(0, column).data(TableModel::kTraitsRole);  // none while there are no rows
-        const int heading = horizontalHeader()->sectionSizeHint(column);
-        const int needed = (traits.toInt() & kNumber) != 0 ? std::max(heading, sizeHintForColumn(column) + 1) : heading;
-        if (!isColumnHidden(column) && columnWidth(column) < needed) {
-            setColumnWidth(column, needed);
-        }
+void TableView::widen(int column) {
+    const QVariant traits = model()->index(0, column).data(TableModel::kTraitsRole);  // none while there are no rows
+    const int heading = horizontalHeader()->sectionSizeHint(column);
+    const int needed = (traits.toInt() & kNumber) != 0 ? std::max(heading, sizeHintForColumn(column) + 1) : heading;
+    if (!isColumnHidden(column) && columnWidth(column) < needed) {
+        setColumnWidth(column, needed);
     }
 }
 

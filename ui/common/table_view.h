@@ -55,11 +55,11 @@ protected:
     /// Reading a cell takes little, measuring it much: of long tables those with the longest texts are measured, and
     /// some of the others. Numbers are as wide as they are long.
     [[nodiscard]] int sizeHintForColumn(int column) const override;
-    /// Has `measure` called once cells are seen and what changes them is over: that takes a while, and a board that is
-    /// opened changes them several times.
+    /// Gives columns the widths that their cells need once these are seen and what changes them is over: a board that
+    /// is opened changes them several times. What takes longer than a part of a frame goes on after other events.
     void measureSoon();
-    /// Gives columns the widths that their cells need.
-    virtual void measure();
+    /// Does a piece of that. False: there is no more to do.
+    [[nodiscard]] virtual bool measureNext();
     /// A text that the model has refused stays to be mended: Enter and Tab do not take it away, Esc and a click
     /// elsewhere do.
     void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
@@ -76,11 +76,13 @@ private:
     [[nodiscard]] int rowOf(const QModelIndex& index) const;
     void fit();
     void leaveRoom();
-    void widen();
+    void measure();
+    void widen(int column);
 
     int m_stretched = -1;
-    bool m_isFitDue = false;    ///< by the next `measure`
-    bool m_isWidenDue = false;  ///< likewise
+    bool m_isFitDue = false;
+    bool m_keepsNumbersWhole = false;
+    int m_toWiden = 0;  ///< the first column that may be too narrow
     QTimer m_measuring;
     std::vector<int> m_buttonColumns;
 };

@@ -42,22 +42,28 @@ void LinkedTable::resizeEvent(QResizeEvent* event) {
     spread();
 }
 
-void LinkedTable::measure() {
-    TableView::measure();
-    spread();
-}
-
-/// Measuring cells takes a while: of a table that is hidden not before it is seen, and once for all its widths.
-int LinkedTable::neededWidth(int column) {
-    const auto [found, isNew] = m_neededWidths.try_emplace(column);
-    if (isNew) {
-        found->second = sizeHintForColumn(column);
+bool LinkedTable::measureNext() {
+    if (TableView::measureNext()) {
+        return true;
     }
-    return found->second;
+    for (const int column : m_spread) {
+        if (!isColumnHidden(column) && !m_neededWidths.contains(column)) {
+            m_neededWidths[column] = sizeHintForColumn(column);
+            return true;
+        }
+    }
+    spread();
+    return false;
 }
 
+/// Once it is seen and all that matter were measured.
 void LinkedTable::spread() {
     if (!isVisible() || m_spread.empty()) {
+        return;
+    }
+    const auto isMeasured = [&](int column) { return isColumnHidden(column) || m_neededWidths.contains(column); };
+    if (!std::ranges::all_of(m_spread, isMeasured)) {
+        measureSoon();
         return;
     }
     const QScopedValueRollback guard(m_isSpreading, true);
@@ -65,7 +71,7 @@ void LinkedTable::spread() {
     for (const int column : m_spread) {
         if (!isColumnHidden(column)) {
             const int least = m_leastWidths[static_cast<std::size_t>(column)];
-            const int more = std::clamp(neededWidth(column) - least, 0, std::max(room, 0));
+            const int more = std::clamp(m_neededWidths[column] - least, 0, std::max(room, 0));
             setColumnWidth(column, least + more);
             room -= more;
         }

@@ -38,11 +38,10 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
-    void measure() override;
+    [[nodiscard]] bool measureNext() override;
 
 private:
     void spread();
-    [[nodiscard]] int neededWidth(int column);
     [[nodiscard]] int roomBehind() const;
     void watch(const QLineEdit& filter);
     void showMarked();
@@ -53,7 +52,7 @@ private:
     std::vector<int> m_marked;
     std::vector<int> m_spread;          ///< columns that take what room there is
     std::vector<int> m_leastWidths;     ///< of all columns
-    std::map<int, int> m_neededWidths;  ///< of columns that were measured, for their cells
+    std::map<int, int> m_neededWidths;  ///< of those of m_spread that were measured, for their cells
     bool m_isSpreading = false;
     bool m_follows = true;
     bool m_isMarking = false;
