@@ -244,6 +244,7 @@ QBoxLayout* ClearancePanel::sliderRow(const ActionSet& actions) {
     map->addWidget(toolButton(actions[ActionId::ClearanceMap]));
     map->addWidget(m_map, 1);
     map->addWidget(m_mapReach);
+    map->addSpacing(fontMetrics().averageCharWidth());
     map->addWidget(m_mapText, 2);
     auto* lens = new QHBoxLayout;
     lens->addWidget(toolButton(actions[ActionId::Lens]));
