@@ -39,7 +39,7 @@ struct MemoryPart {
 /// nothing needs to be kept between neighbours. The first block of a kind is small, each next one as large as those
 /// before it together, up to a limit. Of the blocks of a kind that are empty, one is kept for what comes next.
 ///
-/// What a resource finds in its memory may be what another one left there. On any thread.
+/// What a resource finds in its memory may be what another one left there. Any thread may take and give.
 class MemoryBlocks {
 public:
     static constexpr std::uint64_t kSmallestBlock = std::uint64_t{1} << 20;
