@@ -133,15 +133,17 @@ void descend(const Levels& levels, std::size_t level, std::size_t index, const B
     }
 }
 
-/// The shortest line from a point to the edges below a box, or `best` if that is shorter.
-Spacing nearest(const Levels& levels, std::size_t level, std::size_t index, const Edge& dot, Spacing best) {
-    if (apart(levels.box(level, index), boxOf(dot)) >= best.distance) {
+/// The shortest line from a point to the edges below a box, or `best` if that is shorter. Looks no further than one
+/// that is no longer than `enough`.
+Spacing nearest(const Levels& levels, std::size_t level, std::size_t index, const Edge& dot, Spacing best,
+                double enough) {
+    if (best.distance <= enough || apart(levels.box(level, index), boxOf(dot)) >= best.distance) {
         return best;
     }
     const auto [first, end] = levels.children(level, index);
     for (std::size_t i = first; i < end; ++i) {
         if (level > 0) {
-            best = nearest(levels, level - 1, i, dot, best);
+            best = nearest(levels, level - 1, i, dot, best, enough);
         } else {
             Edge edge = levels.edges[i];
             edge.pen = 0;
@@ -158,12 +160,12 @@ bool isInside(const FigureTable& table, std::size_t row, PointD p) {
     return table[row].isFilled && RayToTheRight(Levels(table, row), p).isInside();
 }
 
-Spacing spacingToEdges(const FigureTable& table, std::size_t row, PointD p) {
+Spacing spacingToEdges(const FigureTable& table, std::size_t row, PointD p, double enough) {
     Edge dot;
     dot.a = dot.b = p;
     const Levels levels(table, row);
     // Boxes hold pens and are rounded outwards, so they never cut a nearer edge off.
-    return nearest(levels, levels.top, 0, dot, {std::numeric_limits<double>::infinity(), p, p});
+    return nearest(levels, levels.top, 0, dot, {std::numeric_limits<double>::infinity(), p, p}, enough);
 }
 
 void visitEdges(const FigureTable& table, std::size_t row, const Box& box,

@@ -25,8 +25,9 @@ inline constexpr double kTouchNm = 0.5;
 /// Is the point inside of a filled figure? Never for tracks.
 [[nodiscard]] bool isInside(const FigureTable& table, std::size_t row, PointD p);
 
-/// The shortest line from a point to an edge of a figure, pen and inside left out of account.
-[[nodiscard]] Spacing spacingToEdges(const FigureTable& table, std::size_t row, PointD p);
+/// The shortest line from a point to an edge of a figure, pen and inside left out of account; or any that is no longer
+/// than `enough`.
+[[nodiscard]] Spacing spacingToEdges(const FigureTable& table, std::size_t row, PointD p, double enough = 0.0);
 
 /// Calls `visit` for the edges of a figure that may come into the box, and for some that lie beside it.
 void visitEdges(const FigureTable& table, std::size_t row, const Box& box,

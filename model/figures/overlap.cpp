@@ -147,17 +147,18 @@ double depthBetween(const Convex& a, const Convex& b) {
     return std::max(0.0, a.pen + b.pen + depthOfOrigin(hull));
 }
 
-/// The largest disc around a point that the figure covers.
-double discAt(const FigureTable& table, std::size_t row, PointD p) {
+/// The largest disc around a point that the figure covers; 0 where that is no larger than `enough`.
+double discAt(const FigureTable& table, std::size_t row, PointD p, double enough = 0.0) {
     if (table[row].isFilled) {
-        return isInside(table, row, p) ? spacingToEdges(table, row, p).distance : 0.0;
+        const double toEdges = spacingToEdges(table, row, p, enough).distance;
+        return toEdges > enough && isInside(table, row, p) ? toEdges : 0.0;
     }
     double largest = 0.0;
     Edge location;
     location.a = location.b = p;
     visitEdges(table, row, boxOf(location),
                [&](const Edge& edge) { largest = std::max(largest, edge.pen - length(minus(nearestOn(edge, p), p))); });
-    return largest;
+    return largest > enough ? largest : 0.0;
 }
 
 /// Of a point on a boundary, the unit vector to the filled side.
@@ -186,7 +187,7 @@ public:
 private:
     void tryAt(PointD p) {
         const double inA = discAt(m_a, m_rowA, p);
-        const double inB = inA > 0 ? discAt(m_b, m_rowB, p) : 0.0;
+        const double inB = inA > 0 ? discAt(m_b, m_rowB, p, std::max(0.0, m_deepest - inA)) : 0.0;
         m_deepest = std::max(m_deepest, inA > 0 && inB > 0 ? inA + inB : 0.0);
     }
 
@@ -197,8 +198,8 @@ private:
         const std::size_t step = edges.size() / kMostTried + 1;
         for (std::size_t i = 0; i < edges.size(); i += step) {
             for (const PointD p : {edges[i].a, pointAt(edges[i], lengthOf(edges[i]) / 2)}) {
-                const double beyond = discAt(other, otherRow, p);
-                const double own = beyond > 0 && !table[row].isFilled ? edges[i].pen : 0.0;
+                const double own = table[row].isFilled ? 0.0 : edges[i].pen;
+                const double beyond = discAt(other, otherRow, p, std::max(0.0, m_deepest - own));
                 m_deepest = std::max(m_deepest, beyond > 0 ? own + beyond : 0.0);
             }
         }
