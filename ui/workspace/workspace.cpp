@@ -29,6 +29,11 @@ std::size_t layersOfJob(const model::Document& board) {
     return static_cast<std::size_t>(std::ranges::count(board.layers, false, &model::Layer::isSynthetic));
 }
 
+/// The same board of the same file, whatever that held each time.
+bool isSameFile(const LoadedBoard& a, const LoadedBoard& b) {
+    return a.request.path == b.request.path && a.request.member == b.request.member && a.format == b.format;
+}
+
 std::size_t elementsOfJob(const model::Document& board) {
     const auto counts = board.elementCounts();
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
@@ -135,9 +140,8 @@ void Workspace::reload(const std::function<void(model::OpenRequest&)>& change) {
 
 /// The file was read before they were set, or could not be written.
 std::optional<Workspace::Restack> Workspace::laterThicknesses(const LoadedBoard& next) const {
-    const bool isSameFile = m_board && m_board->request.path == next.request.path &&
-                            m_board->request.member == next.request.member && m_board->format == next.format;
-    const bool isLater = isSameFile && (!m_board->areThicknessesSaved || m_board->thicknesses != m_asOpeningBegan);
+    const bool isLater = m_board && isSameFile(*m_board, next) &&
+                         (!m_board->areThicknessesSaved || m_board->thicknesses != m_asOpeningBegan);
     return isLater ? std::optional(Restack{m_board->thicknesses, m_board->areThicknessesSaved}) : std::nullopt;
 }
 
@@ -148,7 +152,7 @@ void Workspace::take(const LoadedBoard& board) {
         emit boardLeaves(board);
     }
     std::optional<LoadedBoard> before = std::exchange(m_board, board);
-    const bool wasUndoable = before && before->request.path == board.request.path && m_history.canUndo();
+    const bool wasUndoable = before && isSameFile(*before, board) && m_history.canUndo();
     m_history.clear();
     m_currentLayer = {};
     emit boardRead(*m_board);
