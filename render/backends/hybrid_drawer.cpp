@@ -19,6 +19,9 @@ public:
     HybridDrawer(gpu::Device& device, const TargetFormat& target, Backend lets)
         : m_areas(device, target), m_lets(makeLetBackend(device, target, lets)) {}
 
+    [[nodiscard]] bool isReadyFor(bool isFlat) const override { return m_lets->isReadyFor(isFlat); }
+    void makeReadyFor(bool isFlat) override { m_lets->makeReadyFor(isFlat); }
+
     void cull(std::span<const Recording> group) override {
         VkCommandBuffer commands = group.front().commands();
         group.front().frame.beginStage("cull areas");

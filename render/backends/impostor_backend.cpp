@@ -9,6 +9,21 @@ public:
     ImpostorBackend(gpu::Device& device, const TargetFormat& target)
         : PullBackend(device), m_device(&device), m_target(target) {}
 
+    [[nodiscard]] bool isReadyFor(bool isFlat) const override { return bool((isFlat ? m_faces : m_boxes).front()); }
+
+    void makeReadyFor(bool isFlat) override {
+        if (isReadyFor(isFlat)) {
+            return;
+        }
+        if (isFlat) {
+            m_faces = make("lets (impostor)", shader::spirv::kLetImpostorVert, shader::spirv::kLetImpostorFrag,
+                           gpu::Cover::Fragments);
+        } else {
+            m_boxes = make("lets (impostor boxes)", shader::spirv::kLetBoxVert, shader::spirv::kLetBoxFrag,
+                           gpu::Cover::Samples);
+        }
+    }
+
 private:
     [[nodiscard]] IndexRun runOf(const Recording& recording, std::uint32_t draw) const override {
         return isFlatView(recording.plan) ? PullBackend::runOf(recording, draw)
@@ -16,14 +31,8 @@ private:
     }
 
     [[nodiscard]] const PassPipelines& pipelinesFor(const FramePlan& plan) override {
-        PassPipelines& pipelines = isFlatView(plan) ? m_faces : m_boxes;
-        if (!pipelines.front()) {
-            pipelines = isFlatView(plan) ? make("lets (impostor)", shader::spirv::kLetImpostorVert,
-                                                shader::spirv::kLetImpostorFrag, gpu::Cover::Fragments)
-                                         : make("lets (impostor boxes)", shader::spirv::kLetBoxVert,
-                                                shader::spirv::kLetBoxFrag, gpu::Cover::Samples);
-        }
-        return pipelines;
+        makeReadyFor(isFlatView(plan));
+        return isFlatView(plan) ? m_faces : m_boxes;
     }
 
     [[nodiscard]] PassPipelines make(std::string_view label, gpu::Spirv vertexShader, gpu::Spirv fragmentShader,
@@ -34,7 +43,7 @@ private:
 
     gpu::Device* m_device;
     TargetFormat m_target;
-    PassPipelines m_faces;  ///< made when first drawn with, these too
+    PassPipelines m_faces;  ///< for flat views; made when first needed, these too
     PassPipelines m_boxes;
 };
 

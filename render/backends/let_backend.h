@@ -62,6 +62,9 @@ void dispatchCull(VkCommandBuffer commands, std::uint32_t count);
 class LetBackend {
 public:
     virtual ~LetBackend() = default;
+    /// Are the pipelines there that `draw` takes for flat views (isFlatView), or for others? It makes what it lacks.
+    [[nodiscard]] virtual bool isReadyFor([[maybe_unused]] bool isFlat) const { return true; }
+    virtual void makeReadyFor([[maybe_unused]] bool isFlat) {}
     /// Copies that must be done before `cull`.
     virtual void reset(const Recording& recording) = 0;
     /// Compute work before drawing begins.

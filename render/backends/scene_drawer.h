@@ -9,6 +9,9 @@ namespace render {
 class SceneDrawer {
 public:
     virtual ~SceneDrawer() = default;
+    /// As those of LetBackend.
+    [[nodiscard]] virtual bool isReadyFor([[maybe_unused]] bool isFlat) const { return true; }
+    virtual void makeReadyFor([[maybe_unused]] bool isFlat) {}
     /// Work before drawing begins, for copies whose draw lists lie side by side.
     virtual void cull(std::span<const Recording> group) = 0;
     virtual void draw(const Recording& recording, std::uint32_t batch, gpu::Pass pass) = 0;

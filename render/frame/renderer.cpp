@@ -147,14 +147,16 @@ std::function<void()> Renderer::preparation(RenderTarget& target, VkExtent2D ext
     const bool hasOverlay = isKept(settings) || settings.overlay.rgba != nullptr;
     const TargetFormat format{colour, isSmoothed ? VK_SAMPLE_COUNT_4_BIT : VK_SAMPLE_COUNT_1_BIT};
     const TargetFormat ofBoard{colour, format.samples, plan.hasSection};
+    const bool isFlat = isFlatView(plan);
     const auto made = m_scenes.find({ofBoard, backend});
-    if (target.is(extent, format) && made != m_scenes.end() && made->second != nullptr &&
-        (!plan.hasSection || m_sections.contains(format)) && (!hasOverlay || m_overlays.contains(colour))) {
+    const bool isDrawerReady = made != m_scenes.end() && made->second != nullptr && made->second->isReadyFor(isFlat);
+    if (target.is(extent, format) && isDrawerReady && (!plan.hasSection || m_sections.contains(format)) &&
+        (!hasOverlay || m_overlays.contains(colour))) {
         return {};
     }
-    return [this, &target, extent, backend, isSmoothed, hasOverlay, ofBoard] {
+    return [this, &target, extent, backend, isSmoothed, isFlat, hasOverlay, ofBoard] {
         const TargetFormat got = makeTarget(target, extent, ofBoard.colour, isSmoothed);
-        sceneDrawer({got.colour, got.samples, ofBoard.hasSection}, backend);
+        sceneDrawer({got.colour, got.samples, ofBoard.hasSection}, backend).makeReadyFor(isFlat);
         if (ofBoard.hasSection) {
             sectionDrawer(got);
         }

@@ -6,6 +6,7 @@
 #include "render/gpu/frame_ring.h"
 #include "render/gpu/pipeline_store.h"
 #include "tests/gpu/gpu_fixture.h"
+#include "tests/gpu/synthetic_board.h"
 
 using namespace render;
 
@@ -96,21 +97,25 @@ private slots:
     /// So a window need not wait for any: whoever asks before a picture can have them made on another thread.
     void aPictureMakesWhatIsMissingAndNoMore() {
         test::Gpu& gpu = test::Gpu::get();
-        const BoardModel nothing;
-        BoardScene scene(gpu.device, nothing);
+        BoardScene scene(gpu.device, test::everything().build());
         OffscreenPresenter presenter(gpu.device);
         for (const Backend backend : {Backend::Pull, Backend::Impostor, Backend::Auto}) {
             for (const bool isSmoothed : {true, false}) {
-                ViewSettings settings;
-                settings.backend = backend;
-                settings.isSmoothed = isSmoothed;
-                if (const auto prepare = presenter.preparation(scene, Camera(), settings, 64, 64)) {
-                    prepare();
+                for (const NamedView view : {NamedView::Top, NamedView::Iso}) {
+                    ViewSettings settings;
+                    settings.backend = backend;
+                    settings.isSmoothed = isSmoothed;
+                    Camera camera;
+                    camera.setOrthographic(true);
+                    camera.fit({-20.0F, -20.0F, 0.0F}, {20.0F, 20.0F, 2.0F}, view, 1.0F);
+                    if (const auto prepare = presenter.preparation(scene, camera, settings, 64, 64)) {
+                        prepare();
+                    }
+                    const std::size_t count = gpu.device.pipelines().count();
+                    QVERIFY(!presenter.preparation(scene, camera, settings, 64, 64));
+                    QVERIFY(presenter.render(scene, camera, settings, 64, 64));
+                    QCOMPARE(gpu.device.pipelines().count(), count);
                 }
-                const std::size_t count = gpu.device.pipelines().count();
-                QVERIFY(!presenter.preparation(scene, Camera(), settings, 64, 64));
-                QVERIFY(presenter.render(scene, Camera(), settings, 64, 64));
-                QCOMPARE(gpu.device.pipelines().count(), count);
             }
         }
         QVERIFY(OffscreenPresenter(gpu.device).preparation(scene, Camera(), {}, 64, 64));

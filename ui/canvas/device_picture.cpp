@@ -13,6 +13,8 @@ namespace {
 constexpr int kLookMs = 2;
 /// A picture that is done within this time is shown at once.
 constexpr std::uint64_t kPatienceNs = 6'000'000;
+/// Another picture may be wanted once what one needs is made; but what cannot be made is not tried for ever.
+constexpr int kMostPreparations = 4;
 
 }  // namespace
 
@@ -110,16 +112,15 @@ bool DevicePicture::isPrepared() {
     if (m_preparing.valid() && m_preparing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
         return false;
     }
-    if (std::exchange(m_prepared, std::nullopt) == m_wanted->pixels) {
-        return true;
-    }
     const std::function<void()> prepare = m_presenter->preparation(
         *m_picture.scene, m_wanted->camera, settingsOf(*m_wanted), static_cast<std::uint32_t>(m_wanted->pixels.width()),
         static_cast<std::uint32_t>(m_wanted->pixels.height()));
-    if (!prepare) {
+    const int times = m_prepared.pixels == m_wanted->pixels ? m_prepared.times : 0;
+    if (!prepare || times == kMostPreparations) {
+        m_prepared = {};
         return true;
     }
-    m_prepared = m_wanted->pixels;
+    m_prepared = {m_wanted->pixels, times + 1};
     m_preparing = std::async(std::launch::async, [prepare] {
         base::becomeBackground();
         prepare();

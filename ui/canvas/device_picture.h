@@ -58,6 +58,11 @@ private:
         bool isBoardSame = false;
         bool isWhole = false;
     };
+    /// What was made for pictures of this size since the last was drawn.
+    struct Prepared {
+        QSize pixels;
+        int times = 0;
+    };
 
     bool begin();
     [[nodiscard]] bool isPrepared();
@@ -69,10 +74,10 @@ private:
     GpuContext& m_context;
     const Picture& m_picture;
     std::optional<render::OffscreenPresenter> m_presenter;
-    std::optional<Wanted> m_wanted;   ///< next
-    Wanted m_drawn;                   ///< by the device now
-    std::future<void> m_preparing;    ///< what a picture needs of the device
-    std::optional<QSize> m_prepared;  ///< a picture of this size is drawn next, whether or not all of that was made
+    std::optional<Wanted> m_wanted;  ///< next
+    Wanted m_drawn;                  ///< by the device now
+    std::future<void> m_preparing;   ///< what a picture needs of the device
+    Prepared m_prepared;
     bool m_isDrawing = false;
     bool m_isOfBefore = false;  ///< what the device draws is to be forgotten
     Shot m_shot;
