@@ -169,7 +169,9 @@ bool Device::canPresentTo(VkSurfaceKHR surface) const {
 }
 
 bool Device::noteLoss(VkResult result) {
-    m_state->isLost = m_state->isLost || result == VK_ERROR_DEVICE_LOST;
+    if (result == VK_ERROR_DEVICE_LOST) {
+        markLost();
+    }
     return result == VK_ERROR_DEVICE_LOST;
 }
 

@@ -3,6 +3,7 @@
 #include <vulkan/vulkan.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -148,7 +149,7 @@ private:
         std::unique_ptr<PipelineCacheFile> cacheFile;
         VkSemaphore timeline = VK_NULL_HANDLE;
         std::uint64_t submitted = 0;
-        bool isLost = false;
+        std::atomic<bool> isLost = false;
         Faults faults;
         PFN_vkSetDebugUtilsObjectNameEXT setName = nullptr;  ///< null, as the next two: nobody listens
         PFN_vkCmdBeginDebugUtilsLabelEXT beginLabel = nullptr;

@@ -103,7 +103,7 @@ GeometryBuffers loadGeometry(gpu::Device& device, const BoardModel& model, const
     b.instances = loader.load("instances", model.instances);
     b.drawOfInstance = loader.load("drawOfInstance", drawOfInstance(model));
     b.bounds = loader.load("bounds", bounds);
-    b.elementStates = loader.load("element states", step.states);
+    b.elementStates = loader.load("element states", plainStates(model.elementCount));
     b.areaDraws = loader.load("areaDraws", areaDraws(model));
     b.areaRuns = loader.load("areaRuns", step.areaRuns);
     b.patchDraws = loader.load("patchDraws", patchDraws(model, step.layers.size()));
@@ -244,6 +244,7 @@ SceneStep::SceneStep(const BoardModel& model, std::size_t layerCount)
       instanceCount(static_cast<std::uint32_t>(model.instances.size())),
       areaDrawCount(static_cast<std::uint32_t>(model.areaBatches.size())),
       states(plainStates(model.elementCount)),
+      unsent{0, states.size()},
       topShadows(model.shadows.top),
       bottomShadows(model.shadows.bottom) {
     ASSERT(model.layers.size() <= layerCount);
@@ -256,7 +257,6 @@ void SceneStep::load(gpu::Device& device, const BoardModel& model) {
     const std::vector<shader::ShapeBound> bounds = boundsOf(model);
     reach = reachOf(model, bounds);
     geometry = loadGeometry(device, model, *this, bounds);
-    unsent = {};
 }
 
 SceneStep::SceneStep(gpu::Device& device, const StandardModel& model, std::size_t layerCount)
@@ -324,7 +324,8 @@ BoardScene::Impl::Impl(gpu::Device& owner, const StandardModel& model)
       layers(model),
       steps(loadSteps(owner, model)),
       copies(model.copies),
-      lists(makeLists(owner, steps, copies, 0)) {}
+      lists(makeLists(owner, steps, copies, 0)),
+      isLoaded(true) {}
 
 void BoardScene::Impl::load(const BoardModel& model, std::uint64_t mostListBytes) {
     try {
@@ -335,6 +336,7 @@ void BoardScene::Impl::load(const BoardModel& model, std::uint64_t mostListBytes
         lists = makeLists(*device, steps, copies, mostListBytes);
         letTables = makeLetTables();
         letIndices = SceneLoader(*device).load("letIndices", letTables.indices);
+        isLoaded = true;
     } catch (const gpu::OutOfMemory&) {
         for (SceneStep& step : steps) {
             step.geometry = {};
@@ -408,7 +410,7 @@ BoardScene BoardScene::makeUnloaded(gpu::Device& device, std::shared_ptr<const B
 }
 
 base::Status BoardScene::load() {
-    if (m_impl->unloaded != nullptr) {
+    if (!m_impl->isLoaded) {
         RETURN_IF_ERROR(render::load(*m_impl, *m_impl->unloaded));
         m_impl->unloaded.reset();
     }
@@ -474,6 +476,9 @@ void BoardScene::setPalette(std::span<const glm::vec3> colours) {
 }
 
 std::uint64_t BoardScene::geometryBytes() const {
+    if (!m_impl->isLoaded) {
+        return 0;
+    }
     std::uint64_t bytes = m_impl->letIndices.size();
     for (const SceneStep& step : m_impl->steps) {
         bytes += step.geometry.bytes + (step.standard ? step.standard->bytes : 0);
@@ -482,7 +487,7 @@ std::uint64_t BoardScene::geometryBytes() const {
 }
 
 std::uint64_t BoardScene::gpuBytes() const {
-    return geometryBytes() + m_impl->lists.size();
+    return m_impl->isLoaded ? geometryBytes() + m_impl->lists.size() : 0;
 }
 
 }  // namespace render

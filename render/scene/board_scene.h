@@ -29,7 +29,8 @@ public:
     /// One that says how the board looks, and is on the device once it is loaded: by presenters before they draw it, if
     /// nobody did before.
     [[nodiscard]] static BoardScene makeUnloaded(gpu::Device& device, std::shared_ptr<const BoardModel> model);
-    /// Does nothing where that was done. Errors: those of `make`; the scene stays as it is.
+    /// Does nothing where that was done. On a software device, where it is no work for the queue, any thread may do it,
+    /// and whoever does not draw may use the scene meanwhile. Errors: those of `make`; the scene stays as it is.
     [[nodiscard]] base::Status load();
 
     /// Both throw gpu::OutOfMemory (render/gpu/check.h).
@@ -57,7 +58,7 @@ public:
     void setStates(std::span<const ElementState> states, std::uint32_t step = 0);
     /// The colours that states name, sRGB; shader::kHighlightRow at most.
     void setPalette(std::span<const glm::vec3> colours);
-    /// Grows with what is different on the board, not with the number of copies.
+    /// Grows with what is different on the board, not with the number of copies. 0 until it is loaded.
     [[nodiscard]] std::uint64_t geometryBytes() const;
     /// With the lists of what is seen, which grow with the copies up to their limit.
     [[nodiscard]] std::uint64_t gpuBytes() const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <optional>
 
 #include "render/gpu/frame_ring.h"
@@ -114,13 +115,13 @@ struct BoardScene::Impl {
     /// Draw lists of as many copies as fit. One buffer serves all views: they draw one after the other on one queue.
     gpu::Buffer lists;
 
-    /// What is not on the device yet; null: all is there.
-    std::shared_ptr<const BoardModel> unloaded;
+    std::shared_ptr<const BoardModel> unloaded;  ///< what is to be brought to the device, until it is there
+    std::atomic<bool> isLoaded = false;          ///< all is there; while it is not, another thread may bring it
 
     /// Nothing is on the device before `load`.
     Impl(gpu::Device& owner, const BoardModel& model);
     Impl(gpu::Device& owner, const StandardModel& model);
-    /// All or nothing. Throws gpu::OutOfMemory.
+    /// All or nothing; states of elements come with the next frame. Throws gpu::OutOfMemory.
     void load(const BoardModel& model, std::uint64_t mostListBytes);
     /// States of elements that have changed, before what `frame` draws.
     void sendStates(gpu::Frame& frame);

@@ -185,7 +185,24 @@ void BoardViews::loadScene() {
 }
 
 void BoardViews::loadInTurn() {
-    if (const base::Status loaded = m_scene->load(); !loaded) {
+    if (!m_context.device().caps().isCpu) {
+        takeLoaded(m_scene->load());
+        return;
+    }
+    const auto take = [this] {
+        if (m_loading.valid()) {
+            takeLoaded(m_loading.get());
+        }
+    };
+    m_loading = std::async(std::launch::async, [this, take, scene = m_scene.get()] {
+        base::Status loaded = scene->load();
+        QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
+        return loaded;
+    });
+}
+
+void BoardViews::takeLoaded(const base::Status& loaded) {
+    if (!loaded) {
         dropScene();
         emit troubled(QString::fromStdString(loaded.error().text));
         return;
@@ -205,6 +222,10 @@ void BoardViews::showScene(BoardView& view) {
 
 void BoardViews::dropScene() {
     m_load.stop();
+    if (m_loading.valid()) {
+        m_loading.wait();
+        m_loading = {};
+    }
     m_context.turns().end(*this);
     for (BoardView* view : m_views) {
         view->setScene(nullptr, m_board ? stylesOf(*view) : std::vector<render::LayerStyle>());

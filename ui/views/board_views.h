@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -113,6 +114,7 @@ private:
     void makeScene();
     void loadScene();
     void loadInTurn();
+    void takeLoaded(const base::Status& loaded);
     void dropScene();
     void showScene(BoardView& view);
     void applyHeights();
@@ -127,7 +129,8 @@ private:
 
     GpuContext& m_context;
     std::unique_ptr<render::BoardScene> m_scene;
-    QTimer m_load;  ///< runs while the scene is still to be brought to the device
+    QTimer m_load;                        ///< runs while the scene is still to be brought to the device
+    std::future<base::Status> m_loading;  ///< the scene, which stays until that is done
     std::optional<LoadedBoard> m_board;
     std::vector<LayerAppearance> m_styles;
     ElementStateLists m_states;
