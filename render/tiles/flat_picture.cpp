@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -130,6 +131,11 @@ bool FlatPicture::setOver(const FlatRequest& request, std::vector<glm::vec3>& co
     const bool isOther = !std::ranges::equal(over, m_over, isSame);
     m_over = std::move(over);
     return isOther;
+}
+
+bool FlatPicture::isReadyWithin(double budgetMs) const {
+    const std::chrono::duration<double, std::milli> patience(budgetMs);
+    return budgetMs <= 0.0 || m_board.wait_for(patience) == std::future_status::ready;
 }
 
 bool FlatPicture::setLook(const FlatRequest& request, const FramePlan& plan) {
@@ -458,6 +464,15 @@ void FlatPicture::paintRough(const Budget& budget) {
     m_isLastShown = false;
 }
 
+/// Nothing is there yet.
+void FlatPicture::paintBackground(const FlatRequest& request, const glm::vec3& background) {
+    m_window.reset();
+    m_isBare = true;
+    m_isLastShown = false;
+    makeRoom({request.width, request.height}, m_rough);
+    std::ranges::fill(*m_rough, SampleColours::make(background, {}, {})->pixel(SampleColours::kBackground));
+}
+
 void FlatPicture::evict() {
     std::uint64_t all = bytes();
     while (all > m_maxBytes) {
@@ -512,6 +527,10 @@ FlatPicture::Quality FlatPicture::draw(const FlatRequest& request, double budget
         planFrame(*request.layers, request.camera, request.settings, static_cast<std::uint32_t>(request.width),
                   static_cast<std::uint32_t>(request.height));
     const bool hasOutlines = (plan.data.flags & (shader::kFrameOutlines | shader::kFrameMono)) != 0;
+    if (!isReadyWithin(budgetMs)) {
+        paintBackground(request, plan.data.background);
+        return Quality::Rough;
+    }
     if (!board().isDrawable() || hasOutlines || !isLevel(plan) || std::ranges::any_of(plan.upright.states, isUneven) ||
         !setLook(request, plan)) {
         m_window.reset();

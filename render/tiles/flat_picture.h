@@ -38,7 +38,7 @@ struct FlatRequest {
 /// constructor begins nothing goes on after a call.
 class FlatPicture {
 public:
-    /// Comes back at once: what of the model it needs is made in the background, and the first frame waits for it.
+    /// Comes back at once: what of the model it needs is made in the background.
     /// `maxBytes` for tiles; those used longest ago go first. A frame that needs more alone is not drawn.
     explicit FlatPicture(std::shared_ptr<const BoardModel> model, std::uint64_t maxBytes = kMaxBytes);
 
@@ -48,7 +48,8 @@ public:
         Exact
     };
     /// Draws `pixels`. Takes `budgetMs` or a little longer for tiles that are missing (0: as long as it takes), and no
-    /// time for those of a scale that may be gone with the next frame.
+    /// time for those of a scale that may be gone with the next frame. Until what the constructor began is there, that
+    /// is background.
     [[nodiscard]] Quality draw(const FlatRequest& request, double budgetMs);
     using Pixels = std::vector<std::uint32_t>;
     /// The last frame, width * height of 0xffRRGGBB, rows from the top. The next `draw` may paint over it, but who
@@ -121,6 +122,7 @@ private:
     };
 
     [[nodiscard]] const FlatBoard& board() const { return m_board.get(); }
+    [[nodiscard]] bool isReadyWithin(double budgetMs) const;
     [[nodiscard]] bool setLook(const FlatRequest& request, const FramePlan& plan);
     void setStates(std::span<const std::vector<ElementState>> states);
     void dropEmptyBores(std::vector<Paint>& paints) const;
@@ -152,6 +154,7 @@ private:
     [[nodiscard]] bool isLastUsable() const;
     void paintWhole();
     void paintRough(const Budget& budget);
+    void paintBackground(const FlatRequest& request, const glm::vec3& background);
     void evict();
     [[nodiscard]] static std::uint64_t bytesOf(const Tile& tile);
     void clearTiles();

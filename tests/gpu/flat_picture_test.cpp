@@ -173,6 +173,20 @@ private slots:
         both.compare();
     }
 
+    /// Its board may not be made yet: no frame waits for that, and none is left to the device.
+    void isBackgroundUntilTheBoardIsThere() {
+        Both both(randomTraces(20'000, 5));
+        Image image;
+        QCOMPARE(both.drawFlat(image, 1e-6), FlatPicture::Quality::Rough);
+        QVERIFY(both.flat.isPartial());
+        QCOMPARE(image.rgba.size(), std::size_t{kWidth} * kHeight * 4);
+        while (both.flat.isPartial()) {
+            QCOMPARE(both.drawFlat(image, 1e-6), FlatPicture::Quality::Rough);
+            (void)both.flat.refine(1e-6);
+        }
+        both.compare();
+    }
+
     void drawsAheadWhatIsAround() {
         Both both(randomTraces(400, 5));
         both.scene.camera.zoom(4.0F, {0.0F, 0.0F}, kAspect);
