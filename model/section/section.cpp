@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "model/base/parallel.h"
 #include "model/board/holes.h"
 #include "model/board/laser_via.h"
 #include "model/section/leg_shape.h"
@@ -79,9 +80,7 @@ public:
             const Document& step = *m_index.tree.steps[how.step];
             const Placed placed{copy, step, how, CutLine::through(leg.a, leg.b).seenFrom(how.placement)};
             meetMilling(placed);
-            for (const std::uint32_t row : near(leg, placed)) {
-                cutElementOf(placed, ElementId{row}, leg);
-            }
+            cutElements(placed, leg);
             cutParts(placed, leg);
         }
         for (auto [layer, locations] : m_outlines.between(leg.a, leg.b)) {
@@ -136,17 +135,34 @@ private:
         return piece;
     }
 
-    void cutElementOf(const Placed& placed, ElementId element, const Leg& leg) {
+    [[nodiscard]] bool isCut(const Placed& placed, ElementId element) const {
+        const Document& step = placed.step;
+        const LayerId layer = step.layerOfCopy(step.elements.layer[element.row()], placed.how.isFlipped);
+        const bool isHole = (step.elements.flags[element.row()] & kHole) != 0;
+        const bool isPart = board().layer(layer).type == LayerType::ComponentBody && !m_isAsSolid;
+        const bool isLeftCopper = !isHole && !m_layers[layer.row()] && board().layer(layer).isCopper() && !m_isAsSolid;
+        return !isPart && (isHole || isLeftCopper || m_layers[layer.row()]) && placed.line.meets(step.boxOf(element));
+    }
+
+    /// Most of the time goes into edges of large areas: all cores take part.
+    void cutElements(const Placed& placed, const Leg& leg) {
+        std::vector<std::uint32_t> rows = near(leg, placed);
+        std::erase_if(rows, [&](std::uint32_t row) { return !isCut(placed, ElementId{row}); });
+        std::vector<ElementCut> found(rows.size());
+        base::parallelFor(rows.size(),
+                          [&](std::size_t i) { found[i] = cutElement(placed.step, ElementId{rows[i]}, placed.line); });
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            take(placed, ElementId{rows[i]}, std::move(found[i]), leg);
+        }
+    }
+
+    /// What the line meets of an element.
+    void take(const Placed& placed, ElementId element, ElementCut found, const Leg& leg) {
         const Document& step = placed.step;
         const LayerId layer = step.layerOfCopy(step.elements.layer[element.row()], placed.how.isFlipped);
         const std::uint8_t flags = step.elements.flags[element.row()];
         const bool isHole = (flags & kHole) != 0;
-        const bool isPart = board().layer(layer).type == LayerType::ComponentBody && !m_isAsSolid;
         const bool isLeftCopper = !isHole && !m_layers[layer.row()] && board().layer(layer).isCopper() && !m_isAsSolid;
-        if (isPart || !(isHole || isLeftCopper || m_layers[layer.row()]) || !placed.line.meets(step.boxOf(element))) {
-            return;
-        }
-        ElementCut found = cutElement(step, element, placed.line);
         // A short leg may lie within the bore altogether: walls are looked for all along its line.
         const bool hasWalls = !subtracted(found.covered, found.opening).empty();
         found.covered = clipped(found.covered, 0.0, leg.length);
