@@ -56,15 +56,28 @@ void reportOthers(const std::vector<BoardFiles>& boards, std::size_t chosen, con
     }
 }
 
+/// A hole that may join copper layers.
+bool hasPlatedHole(const formats::DrawnJob& job) {
+    const auto isPlated = [](const formats::DrawnFeature& feature) { return feature.plating != Plating::NonPlated; };
+    for (std::size_t row = 0; row < job.layers.size(); ++row) {
+        if (isHoles(job.layers[row].type) && std::ranges::any_of(job.steps.front().features[row], isPlated)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// A drill file left out is a common mistake, and nothing else tells that copper is meant to be joined.
 void reportMissingDrills(const BoardFiles& board, const MadeBoard& made, const std::string& name,
                          Diagnostics& diagnostics) {
-    const bool hasHoles = std::ranges::any_of(made.job.layers, [](const auto& layer) { return isHoles(layer.type); });
-    if (board.copperLayers > 1 && !hasHoles) {
-        diagnostics.report(Severity::Warning, name, 0,
-                           "no file of drills is there: the board has no holes, and nothing joins its " +
-                               std::to_string(board.copperLayers) + " copper layers");
+    if (board.copperLayers < 2 || hasPlatedHole(made.job)) {
+        return;
     }
+    const bool isAny = std::ranges::any_of(made.job.layers, [](const auto& layer) { return isHoles(layer.type); });
+    diagnostics.report(Severity::Warning, name, 0,
+                       std::string(isAny ? "no file of drills has a hole that may be plated"
+                                         : "no file of drills is there: the board has no holes") +
+                           ", and nothing joins its " + std::to_string(board.copperLayers) + " copper layers");
 }
 
 std::shared_ptr<const Document> withBoards(const std::shared_ptr<const Document>& document,

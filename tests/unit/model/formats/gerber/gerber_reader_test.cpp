@@ -81,6 +81,21 @@ private slots:
         QVERIFY(model::areNetsOfCopper(**board));
     }
 
+    void holesWithoutPlatingJoinNothing() {
+        const auto reports = [](const std::string& drillFile, const std::string& drills) {
+            const Job job({{"b-F_Cu.gtl", image(kNamedCopper, "Copper,L1,Top")},
+                           {"b-B_Cu.gbl", image(kNamedCopper, "Copper,L2,Bot")},
+                           {"b-Edge_Cuts.gm1", image(kOutline, "Profile,NP")},
+                           {drillFile, drills}});
+            const Board board = job.open();
+            return board.ok() &&
+                   isReported(**board, "a hole that may be plated, and nothing joins its 2 copper layers");
+        };
+        QVERIFY(reports("b-NPTH.drl", kDrills));
+        QVERIFY(reports("b-PTH.drl", "M48\nMETRIC\nT1C0.8\n%\nM30\n"));
+        QVERIFY(!reports("b-PTH.drl", kDrills));
+    }
+
     void onlyBoardsOfSeveralCopperLayersMissTheirDrills() {
         const Job single({{"b.GTL", image(kCopper)}, {"b.GKO", image(kOutline)}});
         const Board one = single.open();
