@@ -22,6 +22,9 @@ constexpr double kWidth = 1.6;
 constexpr std::size_t kMostToUnite = 4000;
 /// Of an element that is outlined finely (kMostFine).
 constexpr std::size_t kMostFineNodes = 500;
+/// The outline of an element under the pointer that has more comes with an event of its own: to make it takes as long
+/// as finding the element.
+constexpr std::size_t kMostNodesAtOnce = 2000;
 constexpr int kRestMs = 150;
 constexpr int kSmall = 256 * 256;  // pixels of the box of strokes that are painted every time
 
@@ -50,6 +53,8 @@ ElementOutlines::ElementOutlines(BoardViews& views, Workspace& workspace, const 
         ++m_change;
         m_views.requestOverlay();
     });
+    m_hoveredDue.setSingleShot(true);
+    connect(&m_hoveredDue, &QTimer::timeout, this, &ElementOutlines::showHovered);
     m_afterFrame.setSingleShot(true);
     connect(&m_afterFrame, &QTimer::timeout, this, &ElementOutlines::showSelected);
     m_rest.setSingleShot(true);
@@ -87,6 +92,19 @@ ElementOutlines::Outline ElementOutlines::outlineOf(const model::BoardElement& a
 }
 
 void ElementOutlines::updateHovered() {
+    const auto at = m_selection.hovered();
+    if (!at || model::nodeCountOf(m_selection.stepOf(*at), at->element) <= kMostNodesAtOnce) {
+        showHovered();
+        return;
+    }
+    m_hovered = {};
+    m_hoveredDue.start(0);
+    ++m_change;
+    m_views.requestOverlay();
+}
+
+void ElementOutlines::showHovered() {
+    m_hoveredDue.stop();
     const auto at = m_selection.hovered();
     std::size_t pointsToUnite = kMostToUnite;
     m_hovered = at ? outlineOf(*at, pointsToUnite, true) : Outline();

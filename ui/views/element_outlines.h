@@ -46,7 +46,7 @@ public:
 
     ElementOutlines(BoardViews& views, Workspace& workspace, const NetStyles& nets, QObject* parent = nullptr);
 
-    /// No loops while nothing is hovered.
+    /// No loops while nothing is hovered, and until the next event where it is large.
     [[nodiscard]] const Outline& hovered() const { return m_hovered; }
     /// Of the elements selected, those near them, and those marked.
     [[nodiscard]] const std::vector<Outline>& selected() const { return m_selected; }
@@ -67,6 +67,7 @@ private:
 
     void watch(BoardView& view, std::optional<QPointF>& pointer);
     void updateHovered();
+    void showHovered();
     void updateSelected();
     void showSelected();
     [[nodiscard]] Outline outlineOf(const model::BoardElement& at, std::size_t& pointsToUnite, bool isFine) const;
@@ -80,6 +81,7 @@ private:
     SelectionModel& m_selection;
     const NetStyles& m_nets;
     Outline m_hovered;
+    QTimer m_hoveredDue;  ///< runs while the outline of what is hovered is still to be made
     std::vector<Outline> m_selected;
     bool m_isSelectedLate = false;                     ///< its outlines wait for a frame without them
     QTimer m_afterFrame;                               ///< runs once there was one
