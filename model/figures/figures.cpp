@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/board/single_element.h"
 #include "model/figures/tracks.h"
 #include "model/geometry/curve_edges.h"
 
@@ -69,6 +70,13 @@ void lay(std::span<Edge> edges, const Placement& placement) {
     for (Edge& edge : edges) {
         edge = placed(edge, placement);
         edge.winding = static_cast<std::int8_t>(placement.isMirrored ? -edge.winding : edge.winding);
+    }
+}
+
+/// For so many more at once; else they grow as ever, lest adding many small areas copies all edges each time.
+void makeRoom(std::vector<Edge>& edges, std::size_t more) {
+    if (edges.capacity() - edges.size() < more) {
+        edges.reserve(std::max(2 * edges.capacity(), edges.size() + more));
     }
 }
 
@@ -224,6 +232,7 @@ void FigureTable::addRing(const CircleGeometry& circle) {
 
 void FigureTable::addArea(const Document& document, ElementId element) {
     const AreaGeometry& area = document.areas[document.elements.geometry[element.row()]];
+    makeRoom(m_edges, nodeCountOf(document, element));  // curves need more
     bool isOpen = false;
     for (const Contour& contour : document.shapes.contoursOf(area.shape)) {
         if (!contour.isHole) {

@@ -78,6 +78,9 @@ void PolygonSet::append(const PolygonSet& other) {
 }
 
 PolygonSet placed(const PolygonSet& polygons, const Placement& placement) {
+    if (isIdentity(placement)) {
+        return polygons;
+    }
     PolygonSet result;
     std::vector<Point> points;
     for (const PolygonSet::Polygon& polygon : polygons.polygons) {
@@ -195,6 +198,11 @@ PolygonSet discretise(const ShapeTable& shapes, ShapeId shape, const Discretisat
     PolygonSet set;
     std::vector<Point> loop;
     bool hasOutline = false;
+    std::size_t nodes = 0;
+    for (const Contour& contour : shapes.contoursOf(shape)) {
+        nodes += contour.nodeCount;
+    }
+    set.points.reserve(nodes);  // arcs need more
     for (const Contour& contour : shapes.contoursOf(shape)) {
         discretiseLoop(shapes.nodesOf(contour), how, loop);
         if (placement != nullptr) {
