@@ -135,7 +135,7 @@ bool FlatPicture::setOver(const FlatRequest& request, std::vector<glm::vec3>& co
 
 bool FlatPicture::isReadyWithin(double budgetMs) const {
     const std::chrono::duration<double, std::milli> patience(budgetMs);
-    return budgetMs <= 0.0 || m_board.wait_for(patience) == std::future_status::ready;
+    return budgetMs <= 0.0 || m_board.wait_for(patience) != std::future_status::timeout;
 }
 
 bool FlatPicture::setLook(const FlatRequest& request, const FramePlan& plan) {
