@@ -198,11 +198,6 @@ PolygonSet discretise(const ShapeTable& shapes, ShapeId shape, const Discretisat
     PolygonSet set;
     std::vector<Point> loop;
     bool hasOutline = false;
-    std::size_t nodes = 0;
-    for (const Contour& contour : shapes.contoursOf(shape)) {
-        nodes += contour.nodeCount;
-    }
-    set.points.reserve(nodes);  // arcs need more
     for (const Contour& contour : shapes.contoursOf(shape)) {
         discretiseLoop(shapes.nodesOf(contour), how, loop);
         if (placement != nullptr) {

@@ -156,13 +156,13 @@ private:
         }
     }
 
-    /// What the line meets of an element.
+    /// What the line meets of an element that is cut.
     void take(const Placed& placed, ElementId element, ElementCut found, const Leg& leg) {
         const Document& step = placed.step;
         const LayerId layer = step.layerOfCopy(step.elements.layer[element.row()], placed.how.isFlipped);
         const std::uint8_t flags = step.elements.flags[element.row()];
         const bool isHole = (flags & kHole) != 0;
-        const bool isLeftCopper = !isHole && !m_layers[layer.row()] && board().layer(layer).isCopper() && !m_isAsSolid;
+        const bool isLeftCopper = !isHole && !m_layers[layer.row()];  // no other layer that is left out is cut
         // A short leg may lie within the bore altogether: walls are looked for all along its line.
         const bool hasWalls = !subtracted(found.covered, found.opening).empty();
         found.covered = clipped(found.covered, 0.0, leg.length);

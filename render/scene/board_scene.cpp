@@ -244,7 +244,6 @@ SceneStep::SceneStep(const BoardModel& model, std::size_t layerCount)
       instanceCount(static_cast<std::uint32_t>(model.instances.size())),
       areaDrawCount(static_cast<std::uint32_t>(model.areaBatches.size())),
       states(plainStates(model.elementCount)),
-      unsent{0, states.size()},
       topShadows(model.shadows.top),
       bottomShadows(model.shadows.bottom) {
     ASSERT(model.layers.size() <= layerCount);

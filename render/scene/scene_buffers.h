@@ -121,7 +121,7 @@ struct BoardScene::Impl {
     /// Nothing is on the device before `load`.
     Impl(gpu::Device& owner, const BoardModel& model);
     Impl(gpu::Device& owner, const StandardModel& model);
-    /// All or nothing; states of elements come with the next frame. Throws gpu::OutOfMemory.
+    /// All or nothing, with plain elements: `unsent` has all that has changed since. Throws gpu::OutOfMemory.
     void load(const BoardModel& model, std::uint64_t mostListBytes);
     /// States of elements that have changed, before what `frame` draws.
     void sendStates(gpu::Frame& frame);

@@ -79,10 +79,13 @@ void StatusLine::beginWork(const QString& name) {
 
 void StatusLine::showProgress(const QString& phase, double fraction) {
     m_workText->setText(QStringLiteral("%1: %2").arg(m_workName, phase));
-    // A progress bar paints at once what changed anywhere in the window: that is left to the next event.
-    m_progress->setUpdatesEnabled(false);
-    m_progress->setValue(static_cast<int>(fraction * 100.0));
-    m_progress->setUpdatesEnabled(true);
+    const int percent = static_cast<int>(fraction * 100.0);
+    if (percent != m_progress->value()) {
+        // A progress bar paints at once what changed anywhere in the window: that is left to the next event.
+        m_progress->setUpdatesEnabled(false);
+        m_progress->setValue(percent);
+        m_progress->setUpdatesEnabled(true);
+    }
 }
 
 void StatusLine::showSteps(const model::JobInfo& job) {

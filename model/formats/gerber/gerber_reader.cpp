@@ -58,9 +58,9 @@ void reportOthers(const std::vector<BoardFiles>& boards, std::size_t chosen, con
 
 /// A hole that may join copper layers.
 bool hasPlatedHole(const formats::DrawnJob& job) {
-    const auto isPlated = [](const formats::DrawnFeature& feature) { return feature.plating != Plating::NonPlated; };
+    const auto mayBePlated = [](const formats::DrawnFeature& feature) { return feature.plating != Plating::NonPlated; };
     for (std::size_t row = 0; row < job.layers.size(); ++row) {
-        if (isHoles(job.layers[row].type) && std::ranges::any_of(job.steps.front().features[row], isPlated)) {
+        if (isHoles(job.layers[row].type) && std::ranges::any_of(job.steps.front().features[row], mayBePlated)) {
             return true;
         }
     }
