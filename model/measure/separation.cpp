@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <set>
 
 #include "model/board/copies.h"
@@ -57,6 +58,15 @@ public:
     ClosestPieces(const Pieces& a, const Pieces& b, const BoxIndex& indexOfB, base::Progress& progress)
         : m_a(a), m_b(b), m_indexOfB(indexOfB), m_progress(progress) {}
 
+    /// With the relation of all pairs that meet.
+    std::optional<PieceDistance> findRelated(const Heights& heights) {
+        m_best = find(heights);
+        if (m_best) {
+            findRelation();
+        }
+        return m_best;
+    }
+
     std::optional<PieceDistance> find(const Heights& heights) {
         m_best.reset();
         m_limit = kInfinity;
@@ -72,9 +82,6 @@ public:
             for (const std::uint32_t j : near) {
                 compare(i, j, heights);
             }
-        }
-        if (m_best) {
-            findRelation();
         }
         return m_best;
     }
@@ -139,7 +146,7 @@ private:
     /// Touching, or overlapping and by how much: the deepest of all pairs that meet.
     void findRelation() {
         for (const Meeting& pair : m_meeting) {
-            const Overlap overlap = overlapBetween(m_a.figures, pair.a, m_b.figures, pair.b, pair.location);
+            const Overlap& overlap = overlapOf(pair);
             if (m_best->relation == Relation::Apart || overlap.depth > m_best->overlap) {
                 m_best->relation = overlap.depth > kTouchNm ? Relation::Overlapping : Relation::Touching;
                 m_best->overlap = overlap.depth;
@@ -160,6 +167,15 @@ private:
         PointD location;
     };
 
+    /// Pairs that meet in the plane meet on their layer and through the stackup as well.
+    const Overlap& overlapOf(const Meeting& pair) {
+        const auto [known, isNew] = m_overlaps.try_emplace({pair.a, pair.b});
+        if (isNew) {
+            known->second = overlapBetween(m_a.figures, pair.a, m_b.figures, pair.b, pair.location);
+        }
+        return known->second;
+    }
+
     const Pieces& m_a;
     const Pieces& m_b;
     const BoxIndex& m_indexOfB;
@@ -167,6 +183,7 @@ private:
     std::optional<PieceDistance> m_best;
     double m_limit = kInfinity;
     std::vector<Meeting> m_meeting;
+    std::map<std::pair<std::size_t, std::size_t>, Overlap> m_overlaps;
 };
 
 /// Says why there is nothing to measure; empty if there is.
@@ -322,9 +339,9 @@ base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem
     }
     const BoxIndex indexOfB(piecesB.figures.outerBoxes());
     ClosestPieces closest(piecesA, piecesB, indexOfB, progress);
-    separation.inPlane = closest.find(inPlane);
-    separation.onLayer = closest.find(onLayer);
-    separation.throughStackup = closest.find(throughStackup);
+    separation.inPlane = closest.findRelated(inPlane);
+    separation.onLayer = closest.findRelated(onLayer);
+    separation.throughStackup = closest.findRelated(throughStackup);
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }
@@ -333,6 +350,15 @@ base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem
     noteOnEdge(index, b, *separation.inPlane, false, separation.notes);
     noteOnNames(index, a, b, separation);
     return separation;
+}
+
+std::optional<PieceDistance> closestOnLayer(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b,
+                                            base::Progress& progress) {
+    progress.beginPhase("Measuring");
+    const Pieces piecesA = piecesOf(index, a);
+    const Pieces piecesB = piecesOf(index, b);
+    const BoxIndex indexOfB(piecesB.figures.outerBoxes());
+    return ClosestPieces(piecesA, piecesB, indexOfB, progress).find(onLayer);
 }
 
 }  // namespace model

@@ -50,6 +50,11 @@ struct Separation {
 [[nodiscard]] base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b,
                                                     base::Progress& progress);
 
+/// The closest two pieces of both that lie on one layer, and whether they overlap is not asked: `relation` says Apart.
+/// None if no layer is common to both, one covers nothing, or it was cancelled before two were found.
+[[nodiscard]] std::optional<PieceDistance> closestOnLayer(const BoardIndex& index, const MeasureItem& a,
+                                                          const MeasureItem& b, base::Progress& progress);
+
 /// The stackup rows between two heights whose thickness the job does not state, for notes; empty if all are known. Of
 /// layers beside each other, as solder mask and paste on the same copper, those lie between that lead from one height
 /// to the other.

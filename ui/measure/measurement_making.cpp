@@ -173,16 +173,16 @@ std::optional<CloserNets> netsCloserThan(const BoardIndex& index, double distanc
     const model::NetOfCopy netA{a.copy, model::netOf(index, a)};
     const model::NetOfCopy netB{b.copy, model::netOf(index, b)};
     const bool isOneNet = netA.copy == netB.copy && netA.net == netB.net;
-    if (!netA.net.isValid() || !netB.net.isValid() || isOneNet ||
+    if (distance < kLeastNm || !netA.net.isValid() || !netB.net.isValid() || isOneNet ||
         nodesOf(index, netA) + nodesOf(index, netB) > kMostNodes) {
         return std::nullopt;
     }
     base::Progress progress;
-    const auto separation = model::separationOf(index, netA, netB, progress);
-    if (!separation || !separation->onLayer || separation->onLayer->distance > distance - kLeastNm) {
+    const auto nearest = model::closestOnLayer(index, netA, netB, progress);
+    if (!nearest || nearest->distance > distance - kLeastNm) {
         return std::nullopt;
     }
-    return CloserNets{copperNameOf(index, *separation->onLayer), separation->onLayer->distance};
+    return CloserNets{copperNameOf(index, *nearest), nearest->distance};
 }
 
 Measurement spacingOn(const BoardIndex& index, const ShownSpacing& spacing) {
