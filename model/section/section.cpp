@@ -26,9 +26,6 @@ constexpr Nm kLeads = 10 * kMm;
 /// A slanting line is looked up in this many boxes, which hug it; elements in several are met once.
 constexpr double kQueries = 64.0;
 
-/// Bores by the heights they pass.
-using Bores = std::map<std::pair<Nm, Nm>, std::vector<Interval>>;
-
 /// A straight part of the line.
 struct Leg {
     PointD a;
@@ -346,15 +343,8 @@ private:
 
     /// Takes what a leg has drilled out of what it has found.
     void finishLeg(const Leg& leg) {
-        Bores byHeight;
-        for (const SectionPiece& bore : m_leg.bores) {
-            byHeight[{bore.bottom, bore.top}].push_back({bore.from, bore.to});
-        }
-        for (auto& [heights, locations] : byHeight) {
-            locations = united(std::move(locations));
-        }
-        drill(byHeight, m_leg.pieces);
-        drill(byHeight, m_leg.leftCopper);
+        drill(m_leg.pieces);
+        drill(m_leg.leftCopper);
         bores.insert(bores.end(), m_leg.bores.begin(), m_leg.bores.end());
         m_leg.from = leg.start;
         m_leg.to = leg.start + leg.length;
@@ -363,10 +353,20 @@ private:
         m_leg = {};
     }
 
-    void drill(const Bores& byHeight, std::vector<SectionPiece>& found) const {
+    void drill(std::vector<SectionPiece>& found) const {
+        std::map<std::pair<Nm, Nm>, Intervals> drilled;  // pieces have few heights
         std::vector<SectionPiece> left;
         for (const SectionPiece& piece : found) {
-            for (const Interval& interval : outsideOf(byHeight, piece)) {
+            const Layer& layer = board().layer(piece.layer);
+            if (!layer.isCopper() && layer.type != LayerType::Dielectric) {
+                left.push_back(piece);
+                continue;
+            }
+            const auto [taken, isNew] = drilled.try_emplace({piece.bottom, piece.top});
+            if (isNew) {
+                taken->second = drilledThrough(piece.bottom, piece.top);
+            }
+            for (const Interval& interval : subtracted({{piece.from, piece.to}}, taken->second)) {
                 left.push_back(piece);
                 left.back().from = interval.from;
                 left.back().to = interval.to;
@@ -375,18 +375,15 @@ private:
         found = std::move(left);
     }
 
-    [[nodiscard]] Intervals outsideOf(const Bores& byHeight, const SectionPiece& piece) const {
-        Intervals rest = {{piece.from, piece.to}};
-        const Layer& layer = board().layer(piece.layer);
-        if (!layer.isCopper() && layer.type != LayerType::Dielectric) {
-            return rest;
-        }
-        for (const auto& [heights, locations] : byHeight) {
-            if (heights.first <= piece.bottom && heights.second >= piece.top) {
-                rest = subtracted(rest, locations);
+    /// Where bores of the leg go all the way from one height to another.
+    [[nodiscard]] Intervals drilledThrough(Nm bottom, Nm top) const {
+        std::vector<Interval> through;
+        for (const SectionPiece& bore : m_leg.bores) {
+            if (bore.bottom <= bottom && bore.top >= top) {
+                through.push_back({bore.from, bore.to});
             }
         }
-        return rest;
+        return united(std::move(through));
     }
 
     const BoardIndex& m_index;

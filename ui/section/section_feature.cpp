@@ -61,6 +61,9 @@ SectionFeature::SectionFeature(FeatureContext& context)
     m_due.setSingleShot(true);
     m_due.setInterval(0);
     connect(&m_due, &QTimer::timeout, this, &SectionFeature::cut);
+    m_planeDue.setSingleShot(true);
+    m_planeDue.setInterval(0);
+    connect(&m_planeDue, &QTimer::timeout, this, &SectionFeature::followIn3D);
     connectLine();
     connect(&m_panel->view(), &SectionView::dimensionsChanged, this, &SectionFeature::saveDimensions);
     connect(m_panel, &SectionPanel::cleared, this, [this] { cutAlong({}); });
@@ -282,6 +285,10 @@ std::vector<model::LayerRun> SectionFeature::runsAlong(const std::string& net) c
 void SectionFeature::onPlaced() {
     m_hint.end();
     m_actions[ActionId::DrawSection].setChecked(false);
+    m_planeDue.start();
+}
+
+void SectionFeature::followIn3D() {
     if (m_plane.isAlongLine() && straightLine()) {
         showIn3D();
     }

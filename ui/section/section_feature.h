@@ -63,6 +63,8 @@ private:
     void onPlaced();
     /// Cuts the board of the 3D view along the straight line.
     void showIn3D();
+    /// The same, if the plane follows the line already.
+    void followIn3D();
     void saveSection();
     void listSaved(const std::vector<model::session::SavedSection>& saved);
     /// Cuts along the saved line of this row, in both views.
@@ -93,7 +95,8 @@ private:
     std::optional<Kept> m_kept;
     std::optional<Kept> m_beforeMove;  ///< of a corner of the line, which takes away what belongs to it
     std::vector<QColor> m_colours;
-    QTimer m_due;  ///< runs out once all moves of the line that are under way have come
+    QTimer m_due;       ///< runs out once all moves of the line that are under way have come
+    QTimer m_planeDue;  ///< runs out after a line was placed: the plane cuts the board a second time
 };
 
 }  // namespace ui

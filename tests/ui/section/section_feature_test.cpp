@@ -135,7 +135,7 @@ private slots:
         mouse(QEvent::MouseButtonPress, to);
         mouse(QEvent::MouseMove, from + QPointF(1, -60));
         mouse(QEvent::MouseButtonRelease, from + QPointF(1, -60));
-        QVERIFY(std::abs(along().y + 1.0) < 0.01);
+        QTRY_VERIFY(std::abs(along().y + 1.0) < 0.01);
         window().actions()[ActionId::SectionPlane].trigger();
         QVERIFY(window().views().solid().cut() == nullptr);
     }
