@@ -231,13 +231,20 @@ QPolygonF MeasurementPainter::arcAround(base::PointD centre, const std::string& 
 }
 
 void MeasurementPainter::drawLine(const QPolygonF& line, double width, Qt::PenStyle style) {
+    const double beyond = width + kUnder;  // where ends are round
+    const QList<QPolygonF> parts = partsWithin(line, canvas().adjusted(-beyond, -beyond, beyond, beyond));
     m_painter.setBrush(Qt::NoBrush);
-    m_painter.setPen(QPen(kUnderColour, width + kUnder, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    m_painter.drawPolyline(line);
-    m_painter.setPen(QPen(kLineColour, width, style, Qt::RoundCap, Qt::RoundJoin));
-    m_painter.drawPolyline(line);
-    for (qsizetype i = 0; i + 1 < line.size(); ++i) {
-        m_placing.avoid({line[i], line[i + 1]});
+    for (const QPen& pen : {QPen(kUnderColour, width + kUnder, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin),
+                            QPen(kLineColour, width, style, Qt::RoundCap, Qt::RoundJoin)}) {
+        m_painter.setPen(pen);
+        for (const QPolygonF& part : parts) {
+            m_painter.drawPolyline(part);
+        }
+    }
+    for (const QPolygonF& part : parts) {
+        for (qsizetype i = 0; i + 1 < part.size(); ++i) {
+            m_placing.avoid({part[i], part[i + 1]});
+        }
     }
 }
 

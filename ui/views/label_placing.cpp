@@ -41,6 +41,21 @@ std::optional<QLineF> partWithin(const QLineF& line, const QRectF& box) {
     return begin <= end ? std::optional(QLineF(line.pointAt(begin), line.pointAt(end))) : std::nullopt;
 }
 
+QList<QPolygonF> partsWithin(const QPolygonF& line, const QRectF& box) {
+    QList<QPolygonF> chains;
+    for (qsizetype i = 0; i + 1 < line.size(); ++i) {
+        const auto part = partWithin({line[i], line[i + 1]}, box);
+        if (!part) {
+            continue;
+        }
+        if (chains.isEmpty() || chains.back().back() != part->p1()) {
+            chains += QPolygonF({part->p1()});
+        }
+        chains.back() += part->p2();
+    }
+    return chains;
+}
+
 std::optional<QPointF> middleWithin(const QPolygonF& line, const QRectF& box) {
     std::vector<QLineF> parts;
     double length = 0.0;

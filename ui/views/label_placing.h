@@ -2,6 +2,7 @@
 
 #include <QHash>
 #include <QLineF>
+#include <QList>
 #include <QPair>
 #include <QPointF>
 #include <QPolygonF>
@@ -18,6 +19,8 @@ namespace ui {
 
 /// The part of a line that lies in a box; nothing if none does.
 [[nodiscard]] std::optional<QLineF> partWithin(const QLineF& line, const QRectF& box);
+/// What of a chain of lines lies in a box, as chains: no painter has to follow what leads far out of a view.
+[[nodiscard]] QList<QPolygonF> partsWithin(const QPolygonF& line, const QRectF& box);
 /// The middle of what of a chain of lines lies in a box; nothing if nothing does.
 [[nodiscard]] std::optional<QPointF> middleWithin(const QPolygonF& line, const QRectF& box);
 

@@ -111,6 +111,9 @@ private slots:
         QCOMPARE(*ui::partWithin({-50, 50, 150, 50}, box), QLineF(0, 50, 100, 50));
         QVERIFY(!ui::partWithin({-50, 120, 150, 120}, box));
         QVERIFY(!ui::partWithin({-50, 80, 20, 180}, box));
+        QCOMPARE(ui::partsWithin({{-300, 50}, {40, 50}, {40, 300}, {60, 300}, {60, 90}, {70, 90}}, box),
+                 QList<QPolygonF>({{{0, 50}, {40, 50}, {40, 100}}, {{60, 100}, {60, 90}, {70, 90}}}));
+        QCOMPARE(ui::partsWithin({{5, 5}, {5, 5}}, box), QList<QPolygonF>({{{5, 5}, {5, 5}}}));
         QCOMPARE(*ui::middleWithin({{-300, 50}, {40, 50}, {40, 100}}, box), QPointF(40, 55));
         QVERIFY(!ui::middleWithin({{-300, 50}, {-40, 50}}, box));
         QCOMPARE(*ui::middleWithin({{5, 5}, {5, 5}}, box), QPointF(5, 5));
