@@ -242,7 +242,7 @@ void noteOnStackup(const BoardIndex& index, Separation& separation) {
 void noteOnEdge(const BoardIndex& index, const MeasureItem& edge, const PieceDistance& shortest, bool isFromEdge,
                 std::vector<std::string>& notes) {
     const Document& board = *index.board;
-    if (!std::holds_alternative<BoardEdge>(edge) || shortest.relation != Relation::Apart) {
+    if (!std::holds_alternative<BoardEdge>(edge) || shortest.distance <= kTouchNm) {
         return;
     }
     const PointD location = isFromEdge ? shortest.spacing.to : shortest.spacing.from;
@@ -322,7 +322,7 @@ std::string noteOnHeight(const Document& board, LayerId a, LayerId b) {
 }
 
 base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b,
-                                      base::Progress& progress) {
+                                      base::Progress& progress, Depths depths) {
     progress.beginPhase("Measuring");
     Separation separation;
     const Pieces piecesA = piecesOf(index, a);
@@ -339,9 +339,12 @@ base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem
     }
     const BoxIndex indexOfB(piecesB.figures.outerBoxes());
     ClosestPieces closest(piecesA, piecesB, indexOfB, progress);
-    separation.inPlane = closest.findRelated(inPlane);
-    separation.onLayer = closest.findRelated(onLayer);
-    separation.throughStackup = closest.findRelated(throughStackup);
+    const auto find = [&](const Heights& heights, bool isMain) {
+        return isMain || depths == Depths::OfAll ? closest.findRelated(heights) : closest.find(heights);
+    };
+    separation.onLayer = find(onLayer, true);
+    separation.throughStackup = find(throughStackup, separation.main() == nullptr);
+    separation.inPlane = find(inPlane, separation.main() == nullptr);
     if (progress.isCancelled()) {
         return base::Error{base::ErrorCode::Cancelled, "cancelled"};
     }

@@ -43,12 +43,16 @@ struct Separation {
     }
 };
 
+/// Of which distances to find how deep the items overlap. Of large planes that takes longer than all the rest; where it
+/// is not asked for, `relation` says Apart.
+enum class Depths : std::uint8_t { OfAll, OfMain };
+
 /// Measures two items. Holes count as filled as far as the drill reaches, copper that an NPTH takes away as there.
 /// There is no number, but a note, if both are the same item, one is part of the other, or one covers nothing. The
 /// cost follows what lies near the shortest distance, so nets of thousands of elements take milliseconds; equal input
 /// gives equal output. Errors: Cancelled.
 [[nodiscard]] base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem& a, const MeasureItem& b,
-                                                    base::Progress& progress);
+                                                    base::Progress& progress, Depths depths = Depths::OfAll);
 
 /// The closest two pieces of both that lie on one layer, and whether they overlap is not asked: `relation` says Apart.
 /// None if no layer is common to both, one covers nothing, or it was cancelled before two were found.

@@ -101,7 +101,7 @@ std::optional<model::Separation> separationOfJoinedPads(const BoardIndex& index,
                 continue;
             }
             base::Progress progress;
-            auto separation = model::separationOf(index, from, to, progress);
+            auto separation = model::separationOf(index, from, to, progress, model::Depths::OfMain);
             const bool isNearer = separation && separation->onLayer &&
                                   (!nearest || separation->onLayer->distance < nearest->onLayer->distance);
             if (isNearer) {
@@ -117,7 +117,8 @@ base::Result<model::Separation> separationOf(const BoardIndex& index, const Caug
         return caught.isOnEdge ? model::MeasureItem(model::BoardEdge{}) : model::MeasureItem(*caught.element);
     };
     base::Progress progress;
-    ASSIGN_OR_RETURN(model::Separation separation, model::separationOf(index, itemOf(a), itemOf(b), progress));
+    ASSIGN_OR_RETURN(model::Separation separation,
+                     model::separationOf(index, itemOf(a), itemOf(b), progress, model::Depths::OfMain));
     const bool areApart = separation.inPlane && !separation.onLayer && !a.isOnEdge && !b.isOnEdge;
     if (auto joined = areApart ? separationOfJoinedPads(index, *a.element, *b.element) : std::nullopt) {
         return std::move(*joined);

@@ -591,6 +591,12 @@ private slots:
             }
             QCOMPARE(s.inPlane->distance, expected[0]);
             QCOMPARE(s.onLayer ? s.onLayer->distance : 1e18, expected[1]);
+            const Separation inShort =
+                *separationOf(*index, NetOfCopy{0, a}, NetOfCopy{0, b}, progress, Depths::OfMain);
+            QCOMPARE(inShort.main()->relation, s.main()->relation);
+            QCOMPARE(inShort.main()->overlap, s.main()->overlap);
+            QCOMPARE(inShort.inPlane->distance, s.inPlane->distance);
+            QCOMPARE(inShort.notes, s.notes);
             const auto closest = closestOnLayer(*index, NetOfCopy{0, a}, NetOfCopy{0, b}, progress);
             QCOMPARE(closest ? closest->distance : 1e18, expected[1]);
             QVERIFY(isNear(s.throughStackup->distance, expected[2], 1e-3));
