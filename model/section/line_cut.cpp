@@ -29,7 +29,25 @@ public:
     void add(const Edge& edge) {
         const double from = m_line.beside(edge.a);
         const double to = m_line.beside(edge.b);
-        edge.isArc() ? addArc(edge, from >= 0, to >= 0) : addLine(edge, from, to);
+        edge.isArc() ? addArc(edge, from >= 0, to >= 0) : addLine(edge.a, edge.b, from, to);
+    }
+
+    /// All edges of a contour; most are straight, and their ends tell that the line does not pass them.
+    void add(const PathNodes& contour) {
+        double from = contour.empty() ? 0.0 : m_line.beside(base::toDouble(contour.front().point));
+        for (std::size_t i = 0; i < contour.size(); ++i) {
+            const PathNode& node = contour[i];
+            const PointD end = base::toDouble(contour.endOf(i));
+            const double to = m_line.beside(end);
+            if (node.edge == EdgeKind::Line) {
+                addLine(base::toDouble(node.point), end, from, to);
+            } else if (node.edge != EdgeKind::Curve) {
+                addArc(edgeOf(node, contour.endOf(i)), from >= 0, to >= 0);
+            } else {
+                std::ranges::for_each(edgesOf(contour.curveAt(i)), [&](const Edge& edge) { add(edge); });
+            }
+            from = to;
+        }
     }
 
     /// The locations inside of the contour; forgets it.
@@ -48,12 +66,12 @@ public:
     }
 
 private:
-    void addLine(const Edge& edge, double from, double to) {
+    void addLine(PointD start, PointD end, double from, double to) {
         if ((from >= 0) == (to >= 0)) {
             return;
         }
-        const double a = m_line.along(edge.a);
-        const double b = m_line.along(edge.b);
+        const double a = m_line.along(start);
+        const double b = m_line.along(end);
         m_crossings.push_back({a + (b - a) * (from / (from - to)), to >= 0 ? 1 : -1});
     }
 
@@ -208,7 +226,7 @@ Intervals cutShape(const ShapeTable& shapes, ShapeId shape, const CutLine& line)
         holes.clear();
     };
     for (const Contour& contour : shapes.contoursOf(shape)) {
-        forEachEdge(shapes.nodesOf(contour), [&](const Edge& edge) { crossings.add(edge); });
+        crossings.add(shapes.nodesOf(contour));
         const Intervals inside = crossings.take();
         if (contour.isHole) {
             holes.insert(holes.end(), inside.begin(), inside.end());
@@ -226,7 +244,7 @@ Intervals cutHolesOf(const ShapeTable& shapes, ShapeId shape, const CutLine& lin
     std::vector<Interval> islands;
     for (const Contour& contour : shapes.contoursOf(shape)) {
         if (!contour.isHole) {
-            forEachEdge(shapes.nodesOf(contour), [&](const Edge& edge) { crossings.add(edge); });
+            crossings.add(shapes.nodesOf(contour));
             const Intervals inside = crossings.take();
             islands.insert(islands.end(), inside.begin(), inside.end());
         }
