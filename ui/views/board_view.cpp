@@ -112,7 +112,10 @@ void BoardView::setModel(std::shared_ptr<const render::BoardModel> model) {
     if (m_image != nullptr) {
         m_image->clear();
     }
-    m_picture.flat = isDrawnHere ? std::make_shared<render::FlatPicture>(std::move(model)) : nullptr;
+    auto next = isDrawnHere ? std::make_shared<render::FlatPicture>(std::move(model)) : nullptr;
+    if (auto before = std::exchange(m_picture.flat, std::move(next))) {
+        m_freeing.start([before = std::move(before)](base::Progress&) mutable { before.reset(); }, "");
+    }
 }
 
 void BoardView::setStyles(std::vector<render::LayerStyle> styles) {

@@ -12,6 +12,7 @@
 #include "ui/canvas/gpu_context.h"
 #include "ui/canvas/picture.h"
 #include "ui/views/board_position.h"
+#include "ui/workspace/background.h"
 
 class QPainter;
 
@@ -158,6 +159,7 @@ private:
     Painter m_planePainter;
     std::function<std::optional<float>()> m_planeHeight;
     Picture m_picture;
+    Background m_freeing;  ///< of the flat picture before: its tiles and outlines take longer than a frame
     glm::vec3 m_boxMin{-1.0F};
     glm::vec3 m_boxMax{1.0F};
     VulkanCanvas* m_window = nullptr;  ///< at most one of the two; owned by its container
