@@ -200,9 +200,9 @@ bool holdsNothing(const Json& json) {
                                [](const auto& item) { return item.key() == kVersionKey || item.key() == kJobKey; });
 }
 
-/// Null for a part that is not there.
-Json partIn(const std::shared_ptr<const FileContent>& content, const char* key) {
-    return content ? content->json.value(key, Json()) : Json();
+const Json& partIn(const std::shared_ptr<const FileContent>& content, const char* key) {
+    static const Json kEmpty = Json::object();
+    return partOf(content ? content->json : kEmpty, key);
 }
 
 std::shared_ptr<const FileContent> contentOf(const char* key, Json part) {
@@ -249,7 +249,7 @@ base::Status savePart(const fs::path& board, const Document& document, const Par
     }
     KnownPart next = known != nullptr ? *known : KnownPart{};
     const Json mine = asInFile(value);
-    const Json merged = known != nullptr ? mergeKnown(part, mine, json.value(part.key, Json()), next) : mine;
+    const Json merged = known != nullptr ? mergeKnown(part, mine, partOf(json, part.key), next) : mine;
     json[kVersionKey] = kVersion;
     json[kJobKey] = document.job.name;
     json.erase(part.key);

@@ -4,6 +4,12 @@
 
 namespace model::session {
 
+const Json& partOf(const Json& file, const std::string& key) {
+    static const Json kNone;
+    const auto found = file.find(key);
+    return found != file.end() ? *found : kNone;
+}
+
 double numberFrom(const Json& json, double low, double high) {
     require(json.is_number());
     const double number = json.get<double>();

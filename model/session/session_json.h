@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "model/session/session.h"
 
@@ -20,6 +21,9 @@ inline constexpr const char* kJobKey = "job";
 struct FileContent {
     Json json;  ///< an object
 };
+
+/// A part of what a file holds; null for one that is not there.
+[[nodiscard]] const Json& partOf(const Json& file, const std::string& key);
 
 [[nodiscard]] Json toJson(const SavedView& view);
 [[nodiscard]] Json toJson(const SavedNet& net);

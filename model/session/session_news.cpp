@@ -7,13 +7,20 @@ namespace model::session {
 std::vector<std::string> otherNews(const KnownPart& saved, const FileContent* before) {
     const Json none = Json::object();
     const Json& old = before != nullptr ? before->json : none;
-    Json all = old;
-    all.update(saved.file->json);  // for its keys
+    const Json& now = saved.file->json;
     std::vector<std::string> news;
-    for (const auto& [key, value] : all.items()) {
+    const auto add = [&](const std::string& key) {
         const bool isOther = key != kVersionKey && key != kJobKey && !saved.own->json.contains(key);
-        if (isOther && old.value(key, Json()) != saved.file->json.value(key, Json())) {
+        if (isOther && partOf(old, key) != partOf(now, key)) {
             news.push_back(key);
+        }
+    };
+    for (const auto& [key, value] : old.items()) {
+        add(key);
+    }
+    for (const auto& [key, value] : now.items()) {
+        if (!old.contains(key)) {
+            add(key);
         }
     }
     return news;
