@@ -4,6 +4,8 @@
 #include <thread>
 #include <utility>
 
+#include "model/base/background.h"
+
 namespace ui {
 
 namespace {
@@ -33,6 +35,7 @@ void Background::start(Work work, const char* phase) {
     Job& job = *m_current;
     job.progress.beginPhase(phase);
     job.thread = std::jthread([this, &job, run = std::move(work)] {
+        base::becomeBackground();  // the window's thread is answered first
         run(job.progress);
         job.isDone = true;
         QMetaObject::invokeMethod(this, &Background::poll, Qt::QueuedConnection);  // at once, not at the next turn

@@ -10,9 +10,9 @@
 
 namespace ui {
 
-/// One piece of work at a time on a thread of its own; what it reports arrives on the thread this lives on. Starting
-/// another one cancels the one being done, whose thread winds down unseen. Exactly one of finished and cancelled
-/// follows each started, except when this is destroyed.
+/// One piece of work at a time on a thread of its own, which gives way to others (base::becomeBackground); what it
+/// reports arrives on the thread this lives on. Starting another one cancels the one being done, whose thread winds
+/// down unseen. Exactly one of finished and cancelled follows each started, except when this is destroyed.
 class Background : public QObject {
     Q_OBJECT
 
