@@ -16,8 +16,9 @@ struct Everywhere {
     constexpr void add(std::uint32_t /*triangle*/) const {}
 };
 
-/// Only the triangles of one part of the mesh are; others may be changing those of other parts at the same time. A
-/// triangle next to one of another part is never changed by anyone, so it may be read.
+/// Only the triangles of one part of the mesh are; others may be changing those of other parts at the same time. The
+/// corners of a triangle next to one of another part are never changed by anyone, so they may be read from there. What
+/// it links to of its own part may be changed.
 struct Within {
     static constexpr bool kIsLimited = true;
     std::uint8_t* partOf;  ///< per triangle
@@ -127,9 +128,12 @@ private:
         const std::uint32_t i = edge.corner();
         const EdgeRef other = upper.across[i];
         const std::uint32_t u = other.triangle();
+        if (!m_area.has(u)) {
+            return false;
+        }
         const Triangle lower = m_mesh.triangles[u];
         if constexpr (Area::kIsLimited) {
-            if (!m_area.has(u) || !isSurrounded(upper) || !isSurrounded(lower)) {
+            if (!isSurrounded(upper) || !isSurrounded(lower)) {
                 return false;
             }
             m_before = {std::pair{t, upper}, std::pair{u, lower}};

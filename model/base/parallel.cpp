@@ -89,6 +89,7 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& task
         } catch (...) {
             hasTaskThrown = true;
             rows.drop();
+            order.endTask();
             throw;
         }
         order.endTask();
