@@ -42,6 +42,15 @@ model::PolygonSet loopsOf(const model::Document& step, model::ElementId element,
     return model::unite(parts);
 }
 
+/// Of a long line Qt's rasteriser finds more than it has room for, and begins anew with twice the room, several times:
+/// 3,000 points at once take five times as long as in such pieces.
+void drawInPieces(QPainter& painter, const QPolygonF& line) {
+    constexpr qsizetype kPiece = 64;
+    for (qsizetype first = 0; first + 1 < line.size(); first += kPiece) {
+        painter.drawPolyline(line.constData() + first, static_cast<int>(std::min(kPiece + 1, line.size() - first)));
+    }
+}
+
 }  // namespace
 
 ElementOutlines::ElementOutlines(BoardViews& views, Workspace& workspace, const NetStyles& nets, QObject* parent)
@@ -217,7 +226,7 @@ void ElementOutlines::paintStrokes(QPainter& painter, const OutlineStrokes& stro
             painter.setPen(QPen(colour, width));
             for (const OutlineStrokes::Line& line : strokes.lines()) {
                 if (line.ink == ink) {
-                    painter.drawPolyline(line.points);
+                    drawInPieces(painter, line.points);
                 }
             }
         }
