@@ -60,13 +60,13 @@ public:
 
     /// With the relation of all pairs that meet.
     std::optional<PieceDistance> findRelated(const Heights& heights) {
-        m_best = find(heights);
-        if (m_best) {
+        if (find(heights)) {
             findRelation();
         }
         return m_best;
     }
 
+    /// Without: it says Apart.
     std::optional<PieceDistance> find(const Heights& heights) {
         m_best.reset();
         m_limit = kInfinity;

@@ -61,9 +61,6 @@ SectionFeature::SectionFeature(FeatureContext& context)
     m_due.setSingleShot(true);
     m_due.setInterval(0);
     connect(&m_due, &QTimer::timeout, this, &SectionFeature::cut);
-    m_planeDue.setSingleShot(true);
-    m_planeDue.setInterval(0);
-    connect(&m_planeDue, &QTimer::timeout, this, &SectionFeature::followIn3D);
     connectLine();
     connect(&m_panel->view(), &SectionView::dimensionsChanged, this, &SectionFeature::saveDimensions);
     connect(m_panel, &SectionPanel::cleared, this, [this] { cutAlong({}); });
@@ -285,7 +282,7 @@ std::vector<model::LayerRun> SectionFeature::runsAlong(const std::string& net) c
 void SectionFeature::onPlaced() {
     m_hint.end();
     m_actions[ActionId::DrawSection].setChecked(false);
-    m_planeDue.start();
+    QTimer::singleShot(0, this, &SectionFeature::followIn3D);  // that cuts the board once more: in an event of its own
 }
 
 void SectionFeature::followIn3D() {

@@ -95,8 +95,7 @@ private:
     std::optional<Kept> m_kept;
     std::optional<Kept> m_beforeMove;  ///< of a corner of the line, which takes away what belongs to it
     std::vector<QColor> m_colours;
-    QTimer m_due;       ///< runs out once all moves of the line that are under way have come
-    QTimer m_planeDue;  ///< runs out after a line was placed: the plane cuts the board a second time
+    QTimer m_due;  ///< runs out once all moves of the line that are under way have come
 };
 
 }  // namespace ui
