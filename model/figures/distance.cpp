@@ -154,6 +154,21 @@ Spacing nearest(const Levels& levels, std::size_t level, std::size_t index, cons
     return best;
 }
 
+/// The length of a short line between two figures: from a point to what is nearest to it on one, from there to the
+/// other, and so on. A search for the shortest that begins with it looks at little else.
+double lengthOfShortLine(const Levels& a, const Levels& b, PointD from) {
+    constexpr int kSteps = 4;
+    Spacing line;
+    Edge dot;
+    dot.a = dot.b = from;
+    for (int step = 0; step < kSteps; ++step) {
+        const Levels& to = step % 2 == 0 ? a : b;
+        line = nearest(to, to.top, 0, dot, {std::numeric_limits<double>::infinity(), from, from}, 0.0);
+        dot.a = dot.b = line.to;
+    }
+    return line.distance;
+}
+
 }  // namespace
 
 bool isInside(const FigureTable& table, std::size_t row, PointD p) {
@@ -181,6 +196,9 @@ std::optional<Spacing> spacingBetween(const FigureTable& a, std::size_t rowA, co
     }
     const Levels levelsA(a, rowA);
     const Levels levelsB(b, rowB);
+    if (std::isinf(limit)) {
+        limit = lengthOfShortLine(levelsA, levelsB, b[rowB].anchor) + kTouchNm;
+    }
     const std::optional<Spacing> edges = ClosestEdges(levelsA, levelsB, limit).find();
     if (edges && edges->distance <= 0) {
         return edges;
