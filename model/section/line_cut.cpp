@@ -32,7 +32,7 @@ public:
         edge.isArc() ? addArc(edge, from >= 0, to >= 0) : addLine(edge.a, edge.b, from, to);
     }
 
-    /// All edges of a contour; most are straight, and their ends tell that the line does not pass them.
+    /// All edges of a contour. Of most their ends, and of arcs their circles, tell that the line does not pass them.
     void add(const PathNodes& contour) {
         double from = contour.empty() ? 0.0 : m_line.beside(base::toDouble(contour.front().point));
         for (std::size_t i = 0; i < contour.size(); ++i) {
@@ -42,7 +42,9 @@ public:
             if (node.edge == EdgeKind::Line) {
                 addLine(base::toDouble(node.point), end, from, to);
             } else if (node.edge != EdgeKind::Curve) {
-                addArc(edgeOf(node, contour.endOf(i)), from >= 0, to >= 0);
+                if (!isClearOf(node, end, from, to)) {
+                    addArc(edgeOf(node, contour.endOf(i)), from >= 0, to >= 0);
+                }
             } else {
                 std::ranges::for_each(edgesOf(contour.curveAt(i)), [&](const Edge& edge) { add(edge); });
             }
@@ -73,6 +75,18 @@ private:
         const double a = m_line.along(start);
         const double b = m_line.along(end);
         m_crossings.push_back({a + (b - a) * (from / (from - to)), to >= 0 ? 1 : -1});
+    }
+
+    /// Whether the circle of an arc lies on one side of the line, with both ends of the arc.
+    [[nodiscard]] bool isClearOf(const PathNode& arc, PointD end, double from, double to) const {
+        const PointD start = base::toDouble(arc.point);
+        const PointD centre = base::toDouble(arc.centre);
+        const auto squared = [&](PointD p) {
+            return (p.x - centre.x) * (p.x - centre.x) + (p.y - centre.y) * (p.y - centre.y);
+        };
+        const double height = m_line.beside(centre);
+        const bool isOneSide = (from >= 0) == (to >= 0) && (from >= 0) == (height >= 0);
+        return isOneSide && height * height > std::max(squared(start), squared(end));
     }
 
     /// An arc is followed over the points where it is farthest from the line; between those it passes the line once at

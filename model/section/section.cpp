@@ -69,7 +69,14 @@ public:
           m_isAsSolid(request.isAsSolid),
           m_milled(request.milled),
           m_outlines(index),
-          m_shaper(*index.board, request.isAsSolid) {}
+          m_shaper(*index.board, request.isAsSolid) {
+        for (const Document* step : index.tree.steps) {
+            std::vector<Box>& boxes = m_bodyBoxes.emplace_back();
+            for (const Body& body : step->bodies) {
+                boxes.push_back(step->boxOf(body.element).grownBy(kLeads));
+            }
+        }
+    }
 
     void cut(const Leg& leg) {
         for (std::uint32_t copy = 0; copy < m_index.tree.copies.size(); ++copy) {
@@ -223,11 +230,15 @@ private:
         }
         const Box around =
             boxAround(clamped(unplaced(leg.a, placed.how.placement)), clamped(unplaced(leg.b, placed.how.placement)));
-        for (const Body& body : placed.step.bodies) {
-            const Box box = placed.step.boxOf(body.element).grownBy(kLeads);
+        const std::vector<Box>& boxes = m_bodyBoxes[placed.how.step];
+        for (std::size_t row = 0; row < boxes.size(); ++row) {
+            if (!boxes[row].meets(around) || !placed.line.meets(boxes[row])) {
+                continue;
+            }
+            const Body& body = placed.step.bodies[row];
             const LayerId layer =
                 placed.step.layerOfCopy(placed.step.elements.layer[body.element.row()], placed.how.isFlipped);
-            if (m_layers[layer.row()] && box.meets(around) && placed.line.meets(box)) {
+            if (m_layers[layer.row()]) {
                 cutPart(placed, body, layer, leg);
             }
         }
@@ -393,6 +404,7 @@ private:
     Intervals m_open;  ///< where on the leg milling leaves nothing of the copy that is cut
     LayerOutlines m_outlines;
     LegShaper m_shaper;
+    std::vector<std::vector<Box>> m_bodyBoxes;  ///< by step and body, with where leads may be
     PartPlans m_plans;
     LegCut m_leg;  ///< at work
 };
