@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <tuple>
 
 #include "model/base/parallel.h"
@@ -13,8 +12,8 @@
 #include "model/board/laser_via.h"
 #include "model/section/leg_shape.h"
 #include "model/section/line_cut.h"
+#include "model/section/section_notes.h"
 #include "model/section/standing_parts.h"
-#include "model/text/formatting.h"
 
 namespace model {
 
@@ -101,10 +100,7 @@ public:
 
     std::vector<SectionPiece> pieces;
     std::vector<SectionPiece> bores;
-    std::set<std::pair<std::uint32_t, ElementId>> wallless;  ///< copy and area: plated, with walls that are not known
-    std::size_t landed = 0;                                  ///< laser vias met
-    std::set<LayerId> undrawn;                               ///< films that are where their zones are
-    std::set<BoardElement> milled;                           ///< of which something is left out
+    CutFindings findings;
 
 private:
     const Document& board() const { return *m_index.board; }
@@ -181,13 +177,13 @@ private:
         }
         if (via && m_layers[layer.row()]) {
             m_leg.vias.emplace_back(*via, piece);
-            ++landed;
+            ++findings.landed;
         } else if (isLeftCopper) {
             add(m_leg.leftCopper, piece, heightsInCopy(step, element, placed.how.isFlipped), found.covered, leg);
         } else if (m_layers[layer.row()] && (!isHole || (flags & kPlated) != 0)) {
             const Intervals solid = subtracted(found.covered, found.opening);
             if (isHole && !hasWalls && !found.covered.empty()) {
-                wallless.emplace(placed.copy, element);
+                findings.wallless.emplace(placed.copy, element);
             }
             const auto heights =
                 isHole ? platingOf(placed, element) : heightsInCopy(step, element, placed.how.isFlipped);
@@ -219,7 +215,7 @@ private:
             return false;
         }
         covered = std::move(rest);
-        milled.insert(element);
+        findings.milled.insert(element);
         return true;
     }
 
@@ -336,7 +332,7 @@ private:
                 piece.top = piece.bottom + board().layer(layer).thickness;
                 piece.material = materialOf(board(), layer);
                 m_leg.pieces.push_back(piece);
-                undrawn.insert(layer);
+                findings.undrawn.insert(layer);
             }
         }
     }
@@ -442,89 +438,6 @@ std::vector<bool> layersWithSubstance(const Document& board) {
     return layers;
 }
 
-/// Names of the cut layers that have a property.
-template <class Has>
-std::string cutLayers(const Document& board, const std::vector<SectionPiece>& pieces, Has has) {
-    std::vector<bool> hasSection(board.layers.size());
-    for (const SectionPiece& piece : pieces) {
-        hasSection[piece.layer.row()] = true;
-    }
-    std::vector<std::string> names;
-    for (std::size_t row = 0; row < board.layers.size(); ++row) {
-        if (hasSection[row] && has(board.layers[row])) {
-            names.push_back(board.layers[row].name);
-        }
-    }
-    return joined(names);
-}
-
-bool has(const Section& section, SectionMaterial material) {
-    return std::ranges::find(section.pieces, material, &SectionPiece::material) != section.pieces.end();
-}
-
-/// What the section shows that the job does not say.
-void addAssumptions(const Document& board, const Cutter& cutter, Section& section) {
-    std::vector<std::string> made;
-    const auto add = [&made](bool isMade, const std::string& what) {
-        if (isMade) {
-            made.push_back(what);
-        }
-    };
-    add(has(section, SectionMaterial::SolderMask),
-        formatted("solder mask is %.0f %% as thick on copper", 100 * kMaskOnCopper));
-    const auto isFilm = [&](const SectionPiece& piece) { return isLaidOn(board.layer(drawnBy(board, piece.layer))); };
-    add(std::ranges::any_of(section.pieces, isFilm),
-        "coverlay and adhesive fill the space beside copper and are level outside");
-    std::vector<std::string> undrawn;
-    for (const LayerId layer : cutter.undrawn) {
-        undrawn.push_back(board.layer(layer).name);
-    }
-    add(!undrawn.empty(), "all over the zones that have them, as the job draws nothing of them: " + joined(undrawn));
-    add(cutter.landed > 0,
-        formatted("laser vias narrow to %.0f %% at the target pad and are plated there", 100 * kViaTaper));
-    const auto isResin = [&](const SectionPiece& piece) {
-        const StackupRow* row = stackupRowOf(board, piece);
-        return row != nullptr && piece.top - piece.bottom > row->thickness;
-    };
-    add(std::ranges::any_of(section.pieces, isResin), "dielectrics fill the space beside inner copper");
-    add(has(section, SectionMaterial::Plating) && !board.stackup.rows.empty(),
-        "copper thicknesses include surface plating");
-    add(has(section, SectionMaterial::Part) || has(section, SectionMaterial::Terminal),
-        "shapes of parts, standing on mask and silkscreen, and their solder");
-    if (!made.empty()) {
-        section.notes.push_back("assumed: " + joined(made, "; "));
-    }
-}
-
-void addNotes(const Document& board, const Cutter& cutter, Section& section) {
-    if (!cutter.wallless.empty()) {
-        section.notes.push_back("plated holes without a known plating thickness, drawn without it: " +
-                                std::to_string(cutter.wallless.size()));
-    }
-    if (!cutter.milled.empty()) {
-        section.notes.push_back("left out as milled away beyond the board outline or in cut-outs, parts of elements: " +
-                                std::to_string(cutter.milled.size()));
-    }
-    if (section.pieces.empty() && section.bores.empty()) {
-        section.notes.push_back("the line meets nothing of the board");
-    }
-    // Holes and the substrate follow from other layers, bodies of components have heights of their own.
-    const auto hasOwn = [](const Layer& l) {
-        return !isHoles(l.type) && l.type != LayerType::Body && l.type != LayerType::ComponentBody;
-    };
-    const std::string flat =
-        cutLayers(board, section.pieces, [&](const Layer& l) { return l.thickness == 0 && hasOwn(l); });
-    if (!flat.empty()) {
-        section.notes.push_back("without a thickness, drawn as a line: " + flat);
-    }
-    const std::string assumed = cutLayers(board, section.pieces, [&](const Layer& l) {
-        return l.thickness > 0 && l.thicknessSource == Source::Assumed && hasOwn(l);
-    });
-    if (!assumed.empty()) {
-        section.notes.push_back("thickness assumed: " + assumed);
-    }
-}
-
 void sort(std::vector<SectionPiece>& pieces) {
     std::ranges::sort(pieces, {}, [](const SectionPiece& p) {
         return std::tuple(p.layer, p.from, p.bottom, p.at.copy, p.at.element, p.to, p.top);
@@ -561,9 +474,9 @@ base::Result<Section> makeSection(const BoardIndex& index, const SectionRequest&
     section.bores = std::move(cutter.bores);
     sort(section.pieces);
     sort(section.bores);
-    addNotes(*index.board, cutter, section);
+    addNotes(*index.board, cutter.findings, section);
     if (!request.isAsSolid) {
-        addAssumptions(*index.board, cutter, section);
+        addAssumptions(*index.board, cutter.findings, section);
     }
     return section;
 }
