@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPointer>
+#include <QTimer>
 #include <QWheelEvent>
 #include <QtTest>
 #include <algorithm>
@@ -232,7 +233,17 @@ void Driver::answerMenu(Dice& dice) {
 
 void Driver::answerDialog(QDialog& dialog, Dice& dice) {
     const QPointer<QDialog> open(&dialog);
+    // The key may open another one over it, as for a file that is there already, and comes back when that is answered.
+    QTimer over;
+    QObject::connect(&over, &QTimer::timeout, [&open] {
+        auto* other = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (other != nullptr && other != open) {
+            other->reject();
+        }
+    });
+    over.start(kStepMs);
     QTest::keyClick(&dialog, dice.oneIn(3) ? Qt::Key_Return : Qt::Key_Escape);
+    over.stop();
     rest(20);
     if (open && open->isVisible()) {
         open->reject();
