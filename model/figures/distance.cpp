@@ -197,7 +197,7 @@ std::optional<Spacing> spacingBetween(const FigureTable& a, std::size_t rowA, co
     const Levels levelsA(a, rowA);
     const Levels levelsB(b, rowB);
     if (std::isinf(limit)) {
-        limit = lengthOfShortLine(levelsA, levelsB, b[rowB].anchor) + kTouchNm;
+        limit = lengthOfShortLine(levelsA, levelsB, b[rowB].anchor) + kTouchNm;  // rounding leaves nothing out
     }
     const std::optional<Spacing> edges = ClosestEdges(levelsA, levelsB, limit).find();
     if (edges && edges->distance <= 0) {

@@ -69,11 +69,8 @@ public:
           m_milled(request.milled),
           m_outlines(index),
           m_shaper(*index.board, request.isAsSolid) {
-        for (const Document* step : index.tree.steps) {
-            std::vector<Box>& boxes = m_bodyBoxes.emplace_back();
-            for (const Body& body : step->bodies) {
-                boxes.push_back(step->boxOf(body.element).grownBy(kLeads));
-            }
+        if (!m_isAsSolid) {
+            findBodies();
         }
     }
 
@@ -217,6 +214,16 @@ private:
         covered = std::move(rest);
         findings.milled.insert(element);
         return true;
+    }
+
+    /// Once for all legs: turned bodies are placed to be measured.
+    void findBodies() {
+        for (const Document* step : m_index.tree.steps) {
+            std::vector<Box>& boxes = m_bodyBoxes.emplace_back();
+            for (const Body& body : step->bodies) {
+                boxes.push_back(step->boxOf(body.element).grownBy(kLeads));
+            }
+        }
     }
 
     /// Components whose leads may be met: those reach beyond the element of the body.
@@ -400,7 +407,7 @@ private:
     Intervals m_open;  ///< where on the leg milling leaves nothing of the copy that is cut
     LayerOutlines m_outlines;
     LegShaper m_shaper;
-    std::vector<std::vector<Box>> m_bodyBoxes;  ///< by step and body, with where leads may be
+    std::vector<std::vector<Box>> m_bodyBoxes;  ///< by step and body, with where leads may be; none as solid
     PartPlans m_plans;
     LegCut m_leg;  ///< at work
 };
