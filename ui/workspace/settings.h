@@ -2,7 +2,6 @@
 
 #include <QByteArray>
 #include <QDir>
-#include <QSettings>
 #include <QString>
 #include <QStringList>
 #include <QVariant>
@@ -12,6 +11,7 @@
 #include "render/scene/view_settings.h"
 #include "ui/common/display_units.h"
 #include "ui/workspace/actions.h"
+#include "ui/workspace/settings_file.h"
 
 namespace ui {
 
@@ -25,8 +25,8 @@ enum class Use { General, Stackup, Nets, Clearance };
 /// the system keeps settings, or in one file for tests.
 class Settings {
 public:
-    Settings() : m_store(QStringLiteral("Copperscope"), QStringLiteral("Copperscope")) {}
-    explicit Settings(const QString& iniFile) : m_store(iniFile, QSettings::IniFormat) {}
+    Settings() = default;
+    explicit Settings(const QString& iniFile) : m_store(iniFile) {}
 
     [[nodiscard]] QByteArray windowGeometry() const { return m_store.value("window/geometry").toByteArray(); }
     void setWindowGeometry(const QByteArray& geometry) { m_store.setValue("window/geometry", geometry); }
@@ -108,7 +108,7 @@ public:
     /// False: the system does not let them be written, so they end with the program.
     [[nodiscard]] bool areKept() const { return m_store.isWritable(); }
     /// Of their file, or what the system has instead of one.
-    [[nodiscard]] QString path() const { return m_store.fileName(); }
+    [[nodiscard]] QString path() const { return m_store.path(); }
 
     /// Forgets everything.
     void reset() { m_store.clear(); }
@@ -137,7 +137,7 @@ private:
         return std::max<qsizetype>(choices.words.indexOf(m_store.value(choices.key).toString()), 0);
     }
 
-    QSettings m_store;
+    SettingsFile m_store;
 };
 
 }  // namespace ui
