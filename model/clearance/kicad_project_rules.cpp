@@ -403,17 +403,14 @@ void switchOffIgnored(RuleFile& custom, const fs::path& project) {
     }
 }
 
-/// Items of the board have clearances of their own, which only all of its text tells.
-enum class OwnClearances : std::uint8_t { NotRead, LeftOut };
-
 /// What lies beside a board, or an older one holds itself, as one.
-std::optional<FileOfProject> projectOf(const fs::path& board, OwnClearances own) {
+std::optional<FileOfProject> projectOf(const fs::path& board) {
     if (board.extension() != ".kicad_pcb") {
         return {};
     }
     const auto beside = [&](const char* extension) { return fs::path(board).replace_extension(extension); };
     std::optional<FileOfProject> project = boardAndProject(board);
-    if (own == OwnClearances::LeftOut && project && !project->rules.table.rules.empty()) {
+    if (project && !project->rules.table.rules.empty()) {
         leaveOutOwnClearances(*project, board);
     }
     std::optional<FileOfProject> custom = readFile(beside(".kicad_dru"), parseKicadRules);
@@ -480,12 +477,12 @@ base::Result<RuleFile> parseKicadBoardRules(std::string_view board) {
 }
 
 std::optional<RuleFile> kicadRulesOf(const fs::path& board) {
-    std::optional<FileOfProject> all = projectOf(board, OwnClearances::LeftOut);
+    std::optional<FileOfProject> all = projectOf(board);
     return all ? std::optional(std::move(all->rules)) : std::nullopt;
 }
 
 base::Result<RuleFile> readKicadRulesOf(const fs::path& board) {
-    std::optional<FileOfProject> all = projectOf(board, OwnClearances::LeftOut);
+    std::optional<FileOfProject> all = projectOf(board);
     if (!all) {
         return base::Error{base::ErrorCode::BadInput,
                            "the rules cannot be used: this board has no project of KiCad with rules beside it"};
@@ -502,15 +499,6 @@ std::optional<RuleFile> kicadRulesFor(const fs::path& path, const Document& boar
         leaveOutUnusedClasses(*file, board);
     }
     return file;
-}
-
-std::optional<RuleTable> kicadTableFor(const fs::path& path, const Document& board) {
-    std::optional<FileOfProject> all = projectOf(path, OwnClearances::NotRead);
-    if (!all) {
-        return {};
-    }
-    leaveOutUnusedClasses(all->rules, board);
-    return std::move(all->rules.table);
 }
 
 namespace {

@@ -32,9 +32,6 @@ namespace model {
 /// The same as they hold for the board that lies there.
 [[nodiscard]] std::optional<RuleFile> kicadRulesFor(const std::filesystem::path& path, const Document& board);
 
-/// Their table alone, for which a board of KiCad 6 or later, which may have many megabytes, is not read again.
-[[nodiscard]] std::optional<RuleTable> kicadTableFor(const std::filesystem::path& path, const Document& board);
-
 /// Of rules of KiCad: takes away those for net classes and names that no net of the board fits, which ask for nothing
 /// there, and names them in `unused`; and out of other classes the names that no net has. Projects carry classes from
 /// board to board. Patterns that are regular expressions, which KiCad knows too, are left out. A board without nets

@@ -8,7 +8,6 @@
 #include "model/board/stackup_table.h"
 #include "model/export/stackup_sheet.h"
 #include "model/text/formatting.h"
-#include "model/text/whole_file.h"
 
 namespace model {
 
@@ -105,8 +104,8 @@ std::string stackupCsv(const Document& document, const LengthWriter& write) {
     return out;
 }
 
-base::Status writeStackup(const Document& document, const std::filesystem::path& path, bool isExaggerated,
-                          const LengthWriter& write) {
+base::Result<std::string> stackupFile(const Document& document, const std::filesystem::path& path, bool isExaggerated,
+                                      const LengthWriter& write) {
     const std::string ending = base::lowerCase(path.extension().string());
     if (ending != ".svg" && ending != ".csv") {
         return base::Error{base::ErrorCode::BadUsage, path.string() + ": a stackup is written as .svg or .csv"};
@@ -115,8 +114,7 @@ base::Status writeStackup(const Document& document, const std::filesystem::path&
         return base::Error{base::ErrorCode::BadUsage,
                            "This board states its heights itself; there is no stackup to write"};
     }
-    return writeWholeFile(path,
-                          ending == ".svg" ? stackupSvg(document, isExaggerated, write) : stackupCsv(document, write));
+    return ending == ".svg" ? stackupSvg(document, isExaggerated, write) : stackupCsv(document, write);
 }
 
 }  // namespace model

@@ -18,9 +18,9 @@ namespace model {
 /// does not count. `write` is for the texts of findings.
 [[nodiscard]] std::string stackupCsv(const Document& document, const LengthWriter& write = {});
 
-/// Writes one of them, as the name's ending says in letters of either case; all of the file or nothing. Errors:
-/// BadUsage for other endings and boards without a stackup, OutputFailed with the path and the reason.
-[[nodiscard]] base::Status writeStackup(const Document& document, const std::filesystem::path& path, bool isExaggerated,
-                                        const LengthWriter& write = {});
+/// What a file of that name holds: one of them, as the ending says in letters of either case. Errors: BadUsage for
+/// other endings and boards without a stackup.
+[[nodiscard]] base::Result<std::string> stackupFile(const Document& document, const std::filesystem::path& path,
+                                                    bool isExaggerated, const LengthWriter& write = {});
 
 }  // namespace model

@@ -73,7 +73,7 @@ set(architecture_rows
     "render/calibration            | render          | model/board model/formats/common model/formats/odb model/generate render/backends render/culling render/frame render/gpu render/modelling render/scene | log"
     "ui/canvas                     | ui              | render/frame render/gpu render/scene render/tiles | qt widgets vulkan"
     "ui/common                     | ui              | model/board model/export model/text | qt widgets"
-    "ui/workspace                  | ui              | model/board model/formats model/formats/common model/geometry model/index model/nets model/opening model/session model/statistics render/modelling render/scene ui/canvas ui/common | qt widgets"
+    "ui/workspace                  | ui              | model/board model/formats model/formats/common model/geometry model/index model/nets model/opening model/session model/statistics model/text render/modelling render/scene ui/canvas ui/common | qt widgets"
     "ui/theme                      | ui              | ui/workspace | qt widgets"
     "ui/layers                     | ui              | model/board model/session render/scene ui/common ui/workspace | qt widgets"
     "ui/assignment                 | ui              | model/formats/common model/formats/gerber ui/common ui/workspace | qt widgets"

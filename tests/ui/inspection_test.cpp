@@ -348,6 +348,7 @@ private slots:
         QVERIFY(window().messageBar().isVisible());
         QVERIFY2(window().error().contains("99"), qPrintable(window().error()));
         m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+        window().awaitFiles();
         std::stringstream text;
         text << std::ifstream(session).rdbuf();
         QVERIFY(QString::fromStdString(text.str()).contains("99"));  // nothing is written over it

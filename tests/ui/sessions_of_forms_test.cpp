@@ -120,6 +120,7 @@ private slots:
             QVERIFY(window().netStyles().of({0, model::NetId{0U}}).colour.has_value());
         }
         const model::RuleTable rules = window().find<ui::RuleModel>().rules();
+        window().awaitFiles();
         QVERIFY(fs::exists(model::session::sessionPath(path)));
 
         m_fixture->restart();

@@ -35,11 +35,20 @@ std::unique_ptr<ui::GpuContext> makeContext() {
 
 void TestWindow::save(ui::ActionId id, const QString& path) {
     actions()[id].trigger();
+    nameFile(path);
+}
+
+void TestWindow::nameFile(const QString& path) {
     auto* dialog = findChild<QFileDialog*>();
     emit dialog->fileSelected(path);
     delete dialog;
+    awaitFiles();
     activateWindow();  // keys go to the window again
     (void)QTest::qWaitForWindowActive(this);
+}
+
+void TestWindow::awaitFiles() const {
+    static_cast<void>(workspace().files().finish());
 }
 
 void TestWindow::showPanel(const char* dock) const {

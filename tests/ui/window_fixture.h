@@ -56,6 +56,10 @@ public:
     [[nodiscard]] QString error() const { return messageBar().findChild<QLabel*>()->text(); }
     /// Triggers a command that saves a file, and names it in its dialog.
     void save(ui::ActionId id, const QString& path);
+    /// In the dialog that asks for the name of a file to write. It is written when this returns.
+    void nameFile(const QString& path);
+    /// Waits until what was edited or exported is in its file, or it is said why not.
+    void awaitFiles() const;
     /// As the commands that save pictures do: begins it. True from `awaitWork` once that and all other work is done.
     void savePicture(const QString& path, int width = 0) const;
     [[nodiscard]] bool awaitWork() const;

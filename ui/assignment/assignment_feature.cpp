@@ -96,24 +96,30 @@ void AssignmentFeature::ask(Found found) {
 }
 
 void AssignmentFeature::take(const LayerMap& map) {
-    fs::path path = mapPath();
-    const base::Status written = model::gerber::writeLayerMap(path, map);
-    if (!written) {
-        m_temporary.emplace();
-        path = toPath(m_temporary->filePath(fromPath(path.filename())));
-        const base::Status again = model::gerber::writeLayerMap(path, map);
-        if (!again) {
-            m_workspace.reportError(QString::fromStdString(again.error().text));
-            return;
-        }
-    }
-    m_workspace.reload([&](model::OpenRequest& request) {
-        request.layerMap = written && request.layerMap.empty() ? fs::path() : path;
-    });
-    if (!written) {
-        m_notice =
-            tr("The layers hold until the window is closed: %1").arg(QString::fromStdString(written.error().text));
-    }
+    const fs::path path = mapPath();
+    m_workspace.files().add(
+        nullptr, [path, map] { return model::gerber::writeLayerMap(path, map); },
+        [this, map, board = m_workspace.board()->request.path](const base::Status& written) {
+            if (!written && m_workspace.board()->request.path == board) {
+                takeForNow(map, QString::fromStdString(written.error().text));
+            }
+        });
+    m_workspace.reload();
+}
+
+void AssignmentFeature::takeForNow(const LayerMap& map, const QString& why) {
+    m_temporary.emplace();
+    const fs::path path = toPath(m_temporary->filePath(fromPath(mapPath().filename())));
+    m_workspace.files().add(
+        nullptr, [path, map] { return model::gerber::writeLayerMap(path, map); },
+        [this](const base::Status& written) {
+            if (!written) {
+                m_notice.clear();
+                m_workspace.reportError(QString::fromStdString(written.error().text));
+            }
+        });
+    m_notice = tr("The layers hold until the window is closed: %1").arg(why);
+    m_workspace.reload([&](model::OpenRequest& request) { request.layerMap = path; });
 }
 
 }  // namespace ui

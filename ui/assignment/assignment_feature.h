@@ -32,6 +32,8 @@ private:
     void onFound();
     void ask(Found found);
     void take(const model::gerber::LayerMap& map);
+    /// As a file of the window's own: beside the job it could not be written.
+    void takeForNow(const model::gerber::LayerMap& map, const QString& why);
     /// The map that the open board has or would have.
     [[nodiscard]] std::filesystem::path mapPath() const;
 

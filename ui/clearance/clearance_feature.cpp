@@ -29,13 +29,10 @@ constexpr std::size_t kNarrowest = 500;  ///< more than anybody steps through
 constexpr std::size_t kDrawn = 100;      ///< locations of a rule in a report with drawings
 
 /// The rules that a board begins with need no place in its session: those of its project, or else the common ones.
-base::Status saveRulesOf(const std::filesystem::path& board, const model::Document& document,
-                         const model::RuleFile& rules, model::session::KnownPart* known) {
-    using Saved = std::optional<model::RuleTable>;
-    const std::optional<model::RuleTable> project = model::kicadTableFor(board, document);
-    const bool hasRules = project && !project->rules.empty();
-    const model::RuleTable first = hasRules ? *project : model::defaultRules();
-    return model::session::saveDesignRules(board, document, rules.table == first ? Saved() : Saved(rules.table), known);
+std::optional<model::RuleTable> ownRules(const LoadedBoard& board, const model::RuleTable& rules) {
+    const bool hasProject = board.projectRules && !board.projectRules->table.rules.empty();
+    const bool isFirst = rules == (hasProject ? board.projectRules->table : model::defaultRules());
+    return isFirst ? std::nullopt : std::optional(rules);
 }
 
 /// What a board begins with. What is left out of its project is so under rules that were edited, too.
@@ -68,7 +65,9 @@ ClearanceFeature::ClearanceFeature(FeatureContext& context)
       m_shown(m_selection, m_views, this),
       m_plan(context.plan),
       m_savedRules(
-          m_workspace, tr("The rules"), [this](const model::RuleFile& rules) { setRules(rules); }, saveRulesOf),
+          m_workspace, tr("The rules"), [this](const model::RuleFile& rules) { setRules(rules); },
+          model::session::saveDesignRules,
+          [this](const model::RuleFile& rules) { return ownRules(*m_workspace.board(), rules.table); }),
       m_waivers(m_workspace, context.settings, this),
       m_lens(m_views, m_workspace, this),
       m_distances(m_views, m_probing, m_workspace, this),
@@ -111,7 +110,7 @@ void ClearanceFeature::connectFiles(FeatureContext& context) {
     context.on(ActionId::ExportClearances, this, [this, &context] {
         if (answer()) {
             context.saveFile(tr("Export clearances"), tr("clearances"), exportFilters(),
-                             [this](const QString& path) { return exportReport(path); });
+                             [this](const QString& path) { return report(path); });
         } else {
             m_workspace.report(tr("There is nothing to export: find clearances or check rules first"));
         }
@@ -125,7 +124,7 @@ void ClearanceFeature::connectFiles(FeatureContext& context) {
     });
     connect(m_panel, &ClearancePanel::rulesSaved, this, [this, &context] {
         context.saveFile(tr("Save rules"), tr("rules"), {tr("Rules (*.json)")},
-                         [this](const QString& path) { return saveRules(path); });
+                         [this](const QString&) { return model::toJson(m_rules.rules()); });
     });
 }
 
@@ -150,7 +149,7 @@ void ClearanceFeature::connectWaivers(FeatureContext& context) {
     });
     connect(m_panel, &ClearancePanel::waiversSaved, this, [this, &context] {
         context.saveFile(tr("Save waivers"), tr("waivers"), {tr("Waivers (*.json)")},
-                         [this](const QString& path) { return m_waivers.write(path); });
+                         [this](const QString&) { return model::toJson(m_waivers.list()); });
     });
 }
 
@@ -487,7 +486,7 @@ void ClearanceFeature::editRules(QWidget& parent) {
     dialog->open();
 }
 
-base::Status ClearanceFeature::exportReport(const QString& path) const {
+base::Result<std::string> ClearanceFeature::report(const QString& path) const {
     const auto format = model::reportFormatOf(base::lowerCase(toPath(path).extension().string()));
     if (!answer()) {
         return base::Error{base::ErrorCode::BadUsage,
@@ -501,11 +500,9 @@ base::Status ClearanceFeature::exportReport(const QString& path) const {
     const std::size_t most = *format == model::ReportFormat::Html ? kDrawn : kAll;
     const model::ReportContext context{m_workspace.board()->request.path,
                                        QCoreApplication::applicationVersion().toStdString()};
-    const std::string report =
-        request.isOfRules        ? model::ruleReport(request.rules, result.rules, *format, most, context)
-        : request.throughStackup ? model::stackupClearanceReport(*board, result.throughStackup, *format)
-                                 : model::clearanceReport(result.clearances, *format);
-    return writeFile(path, QByteArray::fromStdString(report));
+    return request.isOfRules        ? model::ruleReport(request.rules, result.rules, *format, most, context)
+           : request.throughStackup ? model::stackupClearanceReport(*board, result.throughStackup, *format)
+                                    : model::clearanceReport(result.clearances, *format);
 }
 
 base::Result<QString> ClearanceFeature::openRules(const QString& path) {
@@ -521,10 +518,6 @@ base::Result<QString> ClearanceFeature::openRules(const QString& path) {
     }
     return file.leftOut.empty() ? tr("Rules of %1").arg(path)
                                 : tr("Rules of %1; what is left out of them is in the list of messages").arg(path);
-}
-
-base::Status ClearanceFeature::saveRules(const QString& path) const {
-    return writeFile(path, QByteArray::fromStdString(model::toJson(m_rules.rules())));
 }
 
 }  // namespace ui

@@ -37,13 +37,12 @@ class ClearanceFeature : public QObject {
 public:
     explicit ClearanceFeature(FeatureContext& context);
 
-    /// Writes what is listed, as the command line does, in the format of the name's ending (.txt, .csv,
+    /// What is listed, as the command line writes it, in the format of the name's ending (.txt, .csv,
     /// .json, of rules also .xml, .sarif, .html with drawings of the worst locations). Errors: BadUsage for another
-    /// ending or without a search, OutputFailed.
-    [[nodiscard]] base::Status exportReport(const QString& path) const;
-    /// Errors: BadInput, OutputFailed; the rules are then what they were.
+    /// ending or without a search.
+    [[nodiscard]] base::Result<std::string> report(const QString& path) const;
+    /// Errors: BadInput; the rules are then what they were.
     [[nodiscard]] base::Result<QString> openRules(const QString& path);
-    [[nodiscard]] base::Status saveRules(const QString& path) const;
 
 signals:
     /// The rules are from another file: what nobody checks of it, for the list of messages.
@@ -107,7 +106,7 @@ private:
     const PlanPainter& m_plan;
     ClearanceModel m_locations;
     RuleModel m_rules;
-    SessionPart<model::RuleFile> m_savedRules;
+    SessionPart<model::RuleFile, std::optional<model::RuleTable>> m_savedRules;
     model::RuleFile m_ruleFile;  ///< where the rules are from; its table is as they were taken or shown last
     RuleWaivers m_waivers;
     BackgroundResult<ClearanceResult> m_search;

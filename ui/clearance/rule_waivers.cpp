@@ -89,8 +89,4 @@ base::Status RuleWaivers::read(const QString& path) {
     return base::Done{};
 }
 
-base::Status RuleWaivers::write(const QString& path) const {
-    return writeFile(path, QByteArray::fromStdString(model::toJson(m_list)));
-}
-
 }  // namespace ui

@@ -32,7 +32,6 @@ public:
     void withdraw(const List& waivers);
     /// Instead of those that are there. Errors: BadInput.
     [[nodiscard]] base::Status read(const QString& path);
-    [[nodiscard]] base::Status write(const QString& path) const;
 
 signals:
     void changed();

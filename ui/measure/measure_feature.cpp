@@ -196,9 +196,7 @@ void MeasureFeature::exportTable(FeatureContext& context) {
         return;
     }
     context.saveFile(tr("Export measurements"), tr("measurements"), {tr("Tables (*.csv)")},
-                     [this](const QString& path) {
-                         return writeFile(path, QByteArray::fromStdString(model::measurementsCsv(m_saved.entries())));
-                     });
+                     [this](const QString&) { return model::measurementsCsv(m_saved.entries()); });
 }
 
 void MeasureFeature::watch(BoardView& view) {

@@ -11,9 +11,7 @@ NetStyleEditing::NetStyleEditing(NetStyles& styles, Workspace& workspace)
     : m_styles(styles),
       m_part(
           workspace, NetStyles::tr("The colours of nets"), [this](const auto& state) { m_styles.setState(state); },
-          [this](const auto& path, const auto& document, const NetStyles::State& state, auto* known) {
-              return session::saveNets(path, document, kept(state), known);
-          }) {
+          session::saveNets, [this](const NetStyles::State& state) { return kept(state); }) {
     QObject::connect(&styles, &NetStyles::asked, &workspace,
                      [this](const QString& what, const NetStyles::State& after) {
                          if (after != m_styles.state()) {

@@ -17,7 +17,7 @@ private:
     [[nodiscard]] std::vector<model::session::SavedNet> kept(const NetStyles::State& state) const;
 
     NetStyles& m_styles;
-    SessionPart<NetStyles::State> m_part;
+    SessionPart<NetStyles::State, std::vector<model::session::SavedNet>> m_part;
     model::StepTree m_tree;
     std::vector<model::session::SavedNet> m_elsewhere;  ///< of the file, but not of this board
 };

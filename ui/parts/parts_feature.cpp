@@ -39,9 +39,8 @@ void PartsFeature::connectFollowing(const FeatureContext& context) {
 
 void PartsFeature::connectExports(const FeatureContext& context) {
     const auto save = [&context](const QString& title, const QString& what, auto* panel) {
-        context.saveFile(title, what, {tr("Table (*.csv)")}, [panel](const QString& path) {
-            return writeFile(path, tableCsv(*panel->table().model()).toUtf8());
-        });
+        context.saveFile(title, what, {tr("Table (*.csv)")},
+                         [panel](const QString&) { return tableCsv(*panel->table().model()).toStdString(); });
     };
     connect(m_partsPanel, &PartsPanel::exportRequested, this, [this, save] {
         m_partsPanel->isGrouped() ? save(tr("Export the bill of materials"), tr("bill of materials"), m_partsPanel)

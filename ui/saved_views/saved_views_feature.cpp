@@ -72,6 +72,7 @@ SavedViewsFeature::SavedViewsFeature(FeatureContext& context)
       m_views(context.views),
       m_layers(context.layers),
       m_orthographic(context.actions[ActionId::Orthographic]),
+      m_savedDesk(m_workspace, tr("Cameras and layers")),
       m_saved(m_workspace, tr("The views"), &session::Session::views, session::saveViews,
               [this](const auto& views) { take(views); }) {
     m_list.setParent(this);
@@ -117,17 +118,16 @@ void SavedViewsFeature::take(const std::vector<session::SavedView>& views) {
 
 void SavedViewsFeature::saveView() {
     const SelectionModel& selection = m_workspace.selection();
-    m_saved.add(tr("saving a view"),
-                {{},
-                 {},
-                 poseOf(m_views.flat().controller(), origin()),
-                 poseOf(m_views.solid().controller(), origin()),
-                 m_layers.visibleNames(),
-                 std::nullopt,
-                 session::saveSelection(selection.tree(), {}, selection.nets()).nets,
-                 nameOf(m_workspace.currentLayer())},
-                "View ");
-    m_saved.reportAdded();
+    m_saved.addAndReport(tr("saving a view"),
+                         {{},
+                          {},
+                          poseOf(m_views.flat().controller(), origin()),
+                          poseOf(m_views.solid().controller(), origin()),
+                          m_layers.visibleNames(),
+                          std::nullopt,
+                          session::saveSelection(selection.tree(), {}, selection.nets()).nets,
+                          nameOf(m_workspace.currentLayer())},
+                         "View ");
 }
 
 void SavedViewsFeature::saveSelection() {
@@ -198,13 +198,10 @@ void SavedViewsFeature::saveDesk() {
         m_workspace.reportError(tr("This board was opened without its session, so nothing is saved."));
         return;
     }
-    const base::Status saved = session::saveDesk(board.request.path, *board.document, desk(), &m_knownDesk);
-    m_workspace.reportSaved(saved, QString::fromStdString(session::sessionPath(board.request.path).string()));
-    const QString news =
-        saved ? SessionNews::of(m_workspace).afterSave(m_knownDesk, tr("Cameras and layers")) : QString();
-    if (!news.isEmpty()) {
-        m_workspace.reportError(news);
-    }
+    const QString file = QString::fromStdString(session::sessionPath(board.request.path).string());
+    m_savedDesk.write([desk = desk()](const auto& path, const auto& document,
+                                      auto* known) { return session::saveDesk(path, document, desk, known); },
+                      [this, file](const base::Status& saved, bool) { m_workspace.reportSaved(saved, file); });
 }
 
 base::Point SavedViewsFeature::origin() const {
@@ -276,7 +273,7 @@ void SavedViewsFeature::restoreDesk(const LoadedBoard& board) {
         restoreKept(board);
         return;
     }
-    m_knownDesk = {board.sessionFile, board.sessionFile};
+    m_savedDesk.begin();
     const std::optional<session::Desk>& desk = board.session.desk;
     if (desk && m_workspace.isOpen(desk->step)) {
         restoreLayers(*board.document, *desk);

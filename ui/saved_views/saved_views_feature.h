@@ -62,8 +62,7 @@ private:
     QAction& m_orthographic;
     ViewListModel m_list;
     std::optional<Kept> m_kept;
-    model::session::KnownPart
-        m_knownDesk;  ///< of this board, when it was opened first: read anew, it keeps its cameras
+    PartWriter m_savedDesk;  ///< begun when the board was opened first: read anew, it keeps its cameras
     SavedList<model::session::SavedView> m_saved;
 };
 

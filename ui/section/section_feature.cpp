@@ -131,7 +131,7 @@ void SectionFeature::connectCommands(FeatureContext& context) {
     on(ActionId::ExportSection, [this, &context] {
         if (m_panel->view().section()) {
             context.saveFile(tr("Export section"), tr("section"), {tr("Drawings (*.svg)"), tr("Documents (*.pdf)")},
-                             [this](const QString& path) { return save(path); });
+                             [this](const QString& path) { return drawing(path); });
         } else {
             m_workspace.report(tr("There is no section to export: draw one first"));
         }
@@ -371,8 +371,8 @@ void SectionFeature::saveSection() {
         m_workspace.report(tr("There is no section to save: draw one first"));
         return;
     }
-    m_saved.add(tr("saving a section"), {{}, {}, section->line, m_panel->view().dimensions().all()}, "Section ");
-    m_saved.reportAdded();
+    m_saved.addAndReport(tr("saving a section"), {{}, {}, section->line, m_panel->view().dimensions().all()},
+                         "Section ");
 }
 
 void SectionFeature::listSaved(const std::vector<model::session::SavedSection>& saved) {
@@ -456,7 +456,7 @@ void SectionFeature::showLine() {
     solid.show(low, high);
 }
 
-base::Status SectionFeature::save(const QString& path) const {
+base::Result<std::string> SectionFeature::drawing(const QString& path) const {
     const std::optional<model::Section>& section = m_panel->view().section();
     if (!section) {
         return base::Error{base::ErrorCode::BadUsage, "There is no section to export: draw one first."};
@@ -473,10 +473,10 @@ base::Status SectionFeature::save(const QString& path) const {
         how.dimensions.push_back({dimension, view.textOf(dimension).toStdString(), view.isShownStale(dimension)});
     }
     if (path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
-        return writeSectionPdf(model::sectionSheet(*m_index->board, *section, how),
-                               QString::fromStdString(m_index->board->job.name), path);
+        return sectionPdf(model::sectionSheet(*m_index->board, *section, how),
+                          QString::fromStdString(m_index->board->job.name));
     }
-    return writeFile(path, QByteArray::fromStdString(model::sectionSvg(*m_index->board, *section, how)));
+    return model::sectionSvg(*m_index->board, *section, how);
 }
 
 }  // namespace ui

@@ -29,8 +29,8 @@ public:
     void cutAlong(std::vector<base::PointD> line, std::vector<model::LayerRun> runs = {}, std::string net = {});
     /// Cuts along the highlighted net, unrolled; of a net of a step that is placed often, along its first copy.
     void followNet();
-    /// Writes what is shown, as PDF or as SVG by the ending. Errors: BadUsage if nothing is, OutputFailed.
-    [[nodiscard]] base::Status save(const QString& path) const;
+    /// What is shown as a file of that name holds it: a PDF, or else an SVG. Errors: BadUsage if nothing is.
+    [[nodiscard]] base::Result<std::string> drawing(const QString& path) const;
     [[nodiscard]] const std::vector<model::session::SavedSection>& saved() const { return m_saved.entries(); }
 
 private:

@@ -6,7 +6,6 @@
 #include <QPdfWriter>
 
 #include "ui/common/sheet_text.h"
-#include "ui/workspace/feature.h"
 
 namespace ui {
 
@@ -62,7 +61,7 @@ void paint(QPainter& painter, const model::SectionSheet& sheet) {
 
 }  // namespace
 
-base::Status writeSectionPdf(const model::SectionSheet& sheet, const QString& title, const QString& path) {
+std::string sectionPdf(const model::SectionSheet& sheet, const QString& title) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     {
@@ -76,7 +75,7 @@ base::Status writeSectionPdf(const model::SectionSheet& sheet, const QString& ti
         painter.scale(kDotsPerInch / kMmPerInch, kDotsPerInch / kMmPerInch);
         paint(painter, sheet);
     }
-    return writeFile(path, buffer.data());
+    return buffer.data().toStdString();
 }
 
 }  // namespace ui

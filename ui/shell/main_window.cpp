@@ -451,6 +451,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         askBeforeClosing(file);
         return;
     }
+    if (!m_workspace.files().finish()) {
+        event->ignore();  // the message bar says what would be lost; closed again, it is
+        return;
+    }
     m_workspace.cancelLoading();
     m_settings.setWindowGeometry(saveGeometry());
     m_arrangements->save();

@@ -69,12 +69,12 @@ void connectRows(FeatureContext& context, StackupPanel& panel, const StackupMode
     });
 }
 
-base::Status save(const FeatureContext& context, const QString& path, bool isExaggerated) {
+base::Result<std::string> fileOf(const FeatureContext& context, const QString& path, bool isExaggerated) {
     const model::Document& document = *context.workspace.board()->document;
     const model::LengthWriter write = lengthWriter(context.workspace.unit());
     return path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive)
-               ? writeStackupPdf(document, path, isExaggerated, write)
-               : model::writeStackup(document, toPath(path), isExaggerated, write);
+               ? stackupPdf(document, isExaggerated, write)
+               : model::stackupFile(document, toPath(path), isExaggerated, write);
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ void addStackup(FeatureContext& context) {
             StackupPanel::tr("Export stackup"), StackupPanel::tr("stackup"),
             {StackupPanel::tr("Drawings (*.svg)"), StackupPanel::tr("Documents (*.pdf)"),
              StackupPanel::tr("Tables (*.csv)")},
-            [&context, panel](const QString& path) { return save(context, path, panel->view().isExaggerated()); });
+            [&context, panel](const QString& path) { return fileOf(context, path, panel->view().isExaggerated()); });
     });
 }
 

@@ -6,7 +6,6 @@
 
 #include "model/export/stackup_sheet.h"
 #include "ui/common/sheet_text.h"
-#include "ui/workspace/feature.h"
 
 namespace ui {
 
@@ -43,8 +42,8 @@ void paint(QPainter& painter, const model::StackupSheet& sheet) {
 
 }  // namespace
 
-base::Status writeStackupPdf(const model::Document& document, const QString& path, bool isExaggerated,
-                             const model::LengthWriter& write) {
+base::Result<std::string> stackupPdf(const model::Document& document, bool isExaggerated,
+                                     const model::LengthWriter& write) {
     const model::StackupSheet sheet = model::stackupSheet(document, isExaggerated, write);
     if (sheet.width <= 0.0) {
         return base::Error{base::ErrorCode::BadUsage,
@@ -64,7 +63,7 @@ base::Status writeStackupPdf(const model::Document& document, const QString& pat
         painter.scale(scale, scale);
         paint(painter, sheet);
     }
-    return writeFile(path, buffer.data());
+    return buffer.data().toStdString();
 }
 
 }  // namespace ui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QString>
+#include <string>
 
 #include "model/base/length_writer.h"
 #include "model/base/result.h"
@@ -8,9 +8,9 @@
 
 namespace ui {
 
-/// Writes the sheet of the stackup (model/export/stackup_sheet.h) as a PDF of one A4 page, lengthwise or across as it
-/// fits. `write` says lengths. Errors: BadUsage for boards without a stackup, OutputFailed.
-[[nodiscard]] base::Status writeStackupPdf(const model::Document& document, const QString& path, bool isExaggerated,
-                                           const model::LengthWriter& write);
+/// The sheet of the stackup (model/export/stackup_sheet.h) as a PDF of one A4 page, lengthwise or across as it fits.
+/// `write` says lengths. Errors: BadUsage for boards without a stackup.
+[[nodiscard]] base::Result<std::string> stackupPdf(const model::Document& document, bool isExaggerated,
+                                                   const model::LengthWriter& write);
 
 }  // namespace ui

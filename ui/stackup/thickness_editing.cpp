@@ -32,9 +32,13 @@ ThicknessEditing::ThicknessEditing(Workspace& workspace, QObject* parent)
       m_workspace(workspace),
       m_part(
           workspace, tr("The thicknesses"), [this](const model::SetThicknesses& state) { show(state); },
-          [](const auto& path, const auto& document, const model::SetThicknesses& state, auto* known) {
-              return session::saveThicknesses(path, document, state.saved, known);
-          }) {
+          session::saveThicknesses, [](const model::SetThicknesses& state) { return state.saved; }) {
+    m_part.onSaved([this](bool isSaved) {
+        const LoadedBoard& board = *m_workspace.board();
+        if (!isSaved && !board.request.noSession) {
+            m_workspace.restack(board.document, board.thicknesses, false);
+        }
+    });
     // Which thicknesses the board has, the workspace says.
     connect(&workspace, &Workspace::boardOpened, this, [this] { static_cast<void>(m_part.open()); });
 }
@@ -63,8 +67,7 @@ void ThicknessEditing::edit(const std::vector<model::ThicknessOverride>& changes
 
 void ThicknessEditing::show(const model::SetThicknesses& state) {
     const LoadedBoard& board = *m_workspace.board();
-    m_workspace.restack(session::applyThicknesses(board.document, state.all()), state,
-                        board.request.noSession || m_part.isSaved());
+    m_workspace.restack(session::applyThicknesses(board.document, state.all()), state, true);
 }
 
 }  // namespace ui

@@ -19,7 +19,7 @@ private:
     void show(const model::SetThicknesses& state);
 
     Workspace& m_workspace;
-    SessionPart<model::SetThicknesses> m_part;
+    SessionPart<model::SetThicknesses, std::vector<model::ThicknessOverride>> m_part;
 };
 
 }  // namespace ui

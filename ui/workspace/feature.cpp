@@ -5,9 +5,9 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
-#include <QSaveFile>
 #include <algorithm>
 
+#include "model/text/whole_file.h"
 #include "ui/common/paths.h"
 
 namespace ui {
@@ -117,8 +117,17 @@ void FeatureContext::nameFile(const QString& title, const QString& what, const Q
 }
 
 void FeatureContext::saveFile(const QString& title, const QString& what, const QStringList& filters,
-                              const std::function<base::Status(const QString&)>& write) const {
-    nameFile(title, what, filters, [this, write](const QString& path) { workspace.reportSaved(write(path), path); });
+                              const std::function<base::Result<std::string>(const QString&)>& make) const {
+    nameFile(title, what, filters, [&board = workspace, make](const QString& path) {
+        const base::Result<std::string> content = make(path);
+        if (!content) {
+            board.reportSaved(content.error(), path);
+            return;
+        }
+        board.files().add(
+            nullptr, [file = toPath(path), content] { return model::writeWholeFile(file, *content); },
+            [&board, path](const base::Status& written) { board.reportSaved(written, path); });
+    });
 }
 
 QDialog& FeatureContext::openFile(const QString& title, const QString& filters, const QString& folder,
@@ -130,15 +139,6 @@ QDialog& FeatureContext::openFile(const QString& title, const QString& filters, 
     QObject::connect(dialog, &QFileDialog::fileSelected, &workspace, open);
     dialog->open();
     return *dialog;
-}
-
-base::Status writeFile(const QString& path, const QByteArray& bytes) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {
-        const QString text = Workspace::tr("%1 cannot be written: %2").arg(path, file.errorString());
-        return base::Error{base::ErrorCode::OutputFailed, text.toStdString()};
-    }
-    return base::Done{};
 }
 
 }  // namespace ui

@@ -97,16 +97,14 @@ struct FeatureContext {
     /// "Name (*.ending)"; the chosen one's ending is added where the name has none.
     void nameFile(const QString& title, const QString& what, const QStringList& filters,
                   const std::function<void(const QString&)>& take) const;
-    /// The same for a file that is written at once, and reports what came of it.
+    /// The same for a file that holds what `make` says for its path, all of it or nothing: writes it, and reports what
+    /// came of it.
     void saveFile(const QString& title, const QString& what, const QStringList& filters,
-                  const std::function<base::Status(const QString&)>& write) const;
+                  const std::function<base::Result<std::string>(const QString&)>& make) const;
     /// `open` is called with the file that the user chooses in this dialog, which begins with `folder`. Without filters
     /// a folder is chosen.
     QDialog& openFile(const QString& title, const QString& filters, const QString& folder,
                       const std::function<void(const QString&)>& open) const;
 };
-
-/// Writes all of a file or nothing. Errors: OutputFailed.
-[[nodiscard]] base::Status writeFile(const QString& path, const QByteArray& bytes);
 
 }  // namespace ui

@@ -7,44 +7,50 @@
 #include <utility>
 #include <vector>
 
-#include "ui/workspace/session_news.h"
+#include "ui/workspace/part_writer.h"
 #include "ui/workspace/undo_step.h"
 #include "ui/workspace/workspace.h"
 
 namespace ui {
 
-/// One part of a board's session file as its editor sees it: edits are undone on the history, saved and shown. What
+/// One part of a board's session file as its editor sees it: edits are undone on the history, shown and saved. What
 /// another window saved of this part or another one stays in the file, is reported (SessionNews), and is not shown
-/// before the board is read again: the history here knows nothing of it.
-template <class State>
+/// before the board is read again: the history here knows nothing of it. `Saved` is what model::session saves of a
+/// State.
+template <class State, class Saved = State>
 class SessionPart {
 public:
     using Show = std::function<void(const State&)>;
-    using Save = std::function<base::Status(const std::filesystem::path&, const model::Document&, const State&,
-                                            model::session::KnownPart*)>;
+    /// Runs on the thread for files.
+    using Save = base::Status (*)(const std::filesystem::path& board, const model::Document&, const Saved&,
+                                  model::session::KnownPart*);
+    using Extract = std::function<Saved(const State&)>;
+    using Ended = std::function<void(bool isSaved)>;
 
     /// `name` as in "The views": what then counts in the window alone where it cannot be saved.
-    SessionPart(Workspace& workspace, QString name, Show show, Save save)
-        : m_workspace(workspace), m_name(std::move(name)), m_show(std::move(show)), m_save(std::move(save)) {
-        SessionNews::of(workspace);  // hears of the board before anything is saved
+    SessionPart(Workspace& workspace, const QString& name, Show show, Save save, Extract extract = std::identity())
+        : m_workspace(workspace),
+          m_show(std::move(show)),
+          m_save(save),
+          m_extract(std::move(extract)),
+          m_writer(workspace, name) {
         QObject::connect(&workspace, &Workspace::openingBegan, &workspace, [this] { m_isRead = true; });
     }
 
+    /// Told of the last edit whether it is in the file.
+    void onSaved(Ended ended) { m_ended = std::move(ended); }
     /// A board was opened. True if the part is to be taken from its session; false if it is the same one, and what was
     /// edited is in no file, or the file was read before: then it stays.
     [[nodiscard]] bool open() {
-        const LoadedBoard& board = *m_workspace.board();
-        const std::filesystem::path& path = board.request.path;
+        const std::filesystem::path& path = m_workspace.board()->request.path;
         const bool isLater = path == m_path && (!m_isSaved || !m_isRead);
         m_isSaved = m_isSaved || path != m_path;
         m_path = path;
         if (!isLater) {
-            m_known = {board.sessionFile, board.sessionFile};
+            m_writer.begin();
         }
         return !isLater;
     }
-    /// What is shown is in the file.
-    [[nodiscard]] bool isSaved() const { return m_isSaved; }
     void edit(const QString& what, State before, State after) {
         m_workspace.history().push(new UndoStep<State>(what, std::move(before), std::move(after),
                                                        [this](const State& state) { apply(state); }));
@@ -54,30 +60,43 @@ public:
 
 private:
     void apply(const State& state) {
-        m_isSaved = m_isRead = false;
-        const QString trouble = m_workspace.board()->request.noSession ? QString() : save(state);
+        m_isRead = false;
+        m_isSaved = !m_workspace.board()->request.noSession;
         m_show(state);
-        if (!trouble.isEmpty()) {
-            m_workspace.reportError(trouble);
+        if (m_isSaved) {
+            write(m_extract(state));
+        } else {
+            m_ended(false);
         }
     }
-    /// What there is to say of it; empty for nothing.
-    QString save(const State& state) {
-        const base::Status saved = m_save(m_path, *m_workspace.board()->document, state, &m_known);
-        m_isSaved = saved.ok();
-        return saved ? SessionNews::of(m_workspace).afterSave(m_known, m_name)
-                     : QCoreApplication::translate("SessionPart", "%1. %2 count until another board is opened.")
-                           .arg(QString::fromStdString(saved.error().text), m_name);
+    void write(Saved saved) {
+        m_writer.write(
+            [save = m_save, saved = std::move(saved)](const auto& path, const auto& board, auto* known) {
+                return save(path, board, saved, known);
+            },
+            [this](const base::Status& written, bool isLast) { onWritten(written, isLast); });
+    }
+    void onWritten(const base::Status& written, bool isLast) {
+        if (!written) {
+            m_workspace.reportError(
+                QCoreApplication::translate("SessionPart", "%1. %2 count until another board is opened.")
+                    .arg(QString::fromStdString(written.error().text), m_writer.name()));
+        }
+        if (isLast) {
+            m_isSaved = written.ok();
+            m_ended(m_isSaved);
+        }
     }
 
     Workspace& m_workspace;
-    QString m_name;
     Show m_show;
     Save m_save;
+    Extract m_extract;
+    Ended m_ended = [](bool) {};
+    PartWriter m_writer;
     std::filesystem::path m_path;
-    model::session::KnownPart m_known;
-    bool m_isSaved = true;
-    bool m_isRead = true;  ///< whoever reads the file now finds the last edit in it
+    bool m_isSaved = true;  ///< what is shown is in the file, or on its way there: whoever reads the file waits for it
+    bool m_isRead = true;   ///< whoever reads the file now finds the last edit in it
 };
 
 /// "View 3": a name that no entry has, counted on from their number.
@@ -98,12 +117,13 @@ public:
     using List = std::vector<Entry>;
 
     /// `part` is the list in a session; `show` takes the list whenever it is another.
-    SavedList(Workspace& workspace, QString name, List model::session::Session::*part,
+    SavedList(Workspace& workspace, const QString& name, List model::session::Session::*part,
               typename SessionPart<List>::Save save, std::function<void(const List&)> show)
         : m_workspace(workspace),
           m_show(std::move(show)),
           m_part(
-              workspace, std::move(name), [this](const List& entries) { set(entries); }, std::move(save)) {
+              workspace, name, [this](const List& entries) { set(entries); }, save) {
+        m_part.onSaved([this](bool isSaved) { reportAdded(isSaved); });
         QObject::connect(&workspace, &Workspace::boardOpened, &workspace, [this, part](const LoadedBoard& board) {
             if (m_part.open()) {
                 set(board.session.*part);
@@ -113,20 +133,12 @@ public:
 
     [[nodiscard]] const List& entries() const { return m_entries; }
     /// Adds an entry of the step on the screen, with a free name that begins with `word`.
-    void add(const QString& what, Entry entry, const std::string& word) {
-        entry.step = m_workspace.board()->document->job.step;
-        entry.name = freeName(m_entries, word);
-        List after = m_entries;
-        after.push_back(std::move(entry));
-        m_part.edit(what, m_entries, std::move(after));
-    }
-    /// Says where the entry is that was added last: "Saved as View 3", or that it is in no file.
-    void reportAdded() const {
-        const QString text =
-            m_part.isSaved()
-                ? QCoreApplication::translate("SavedList", "Saved as %1")
-                : QCoreApplication::translate("SavedList", "%1 is not saved: it counts until another board is opened");
-        m_workspace.report(text.arg(QString::fromStdString(m_entries.back().name)));
+    void add(const QString& what, Entry entry, const std::string& word) { append(what, named(std::move(entry), word)); }
+    /// The same, and reports where the entry is: "Saved as View 3", or that it is in no file.
+    void addAndReport(const QString& what, Entry entry, const std::string& word) {
+        entry = named(std::move(entry), word);
+        m_added = QString::fromStdString(entry.name);
+        append(what, std::move(entry));
     }
     template <class Edit>
     void change(const QString& what, int row, const Edit& edit) {
@@ -156,6 +168,24 @@ public:
     }
 
 private:
+    [[nodiscard]] Entry named(Entry entry, const std::string& word) const {
+        entry.step = m_workspace.board()->document->job.step;
+        entry.name = freeName(m_entries, word);
+        return entry;
+    }
+    void append(const QString& what, Entry entry) {
+        List after = m_entries;
+        after.push_back(std::move(entry));
+        m_part.edit(what, m_entries, std::move(after));
+    }
+    void reportAdded(bool isSaved) {
+        const QString text = isSaved ? QCoreApplication::translate("SavedList", "Saved as %1")
+                                     : QCoreApplication::translate(
+                                           "SavedList", "%1 is not saved: it counts until another board is opened");
+        if (!m_added.isEmpty()) {
+            m_workspace.report(text.arg(std::exchange(m_added, {})));
+        }
+    }
     void set(const List& entries) {
         m_entries = entries;
         m_show(m_entries);
@@ -164,6 +194,7 @@ private:
     Workspace& m_workspace;
     List m_entries;
     std::function<void(const List&)> m_show;
+    QString m_added;  ///< the name of the entry that is to be reported
     SessionPart<List> m_part;
 };
 

@@ -95,7 +95,11 @@ QString summaryOf(const LoadedBoard& board, const model::StepTree& tree) {
 }  // namespace
 
 Workspace::Workspace(Loader::Work work, QObject* parent)
-    : QObject(parent), m_selection(this), m_history(this), m_loader(std::move(work), this) {
+    : QObject(parent),
+      m_selection(this),
+      m_history(this),
+      m_files(this),
+      m_loader(afterWriting(std::move(work)), this) {
     connect(&m_loader, &Loader::loaded, this, &Workspace::take);
     connect(&m_loader, &Loader::started, this, &Workspace::openingBegan);
     connect(&m_loader, &Loader::asked, this, &Workspace::formsFound);
@@ -106,6 +110,14 @@ Workspace::Workspace(Loader::Work work, QObject* parent)
         report(tr("Stopped opening %1").arg(displayName(request.path)));
     });
     watch(m_loader.background(), [this] { return displayName(m_loader.request().path); });
+}
+
+/// Sessions and layer maps are among what is read.
+Loader::Work Workspace::afterWriting(Loader::Work work) {
+    return [this, work = std::move(work)](const model::OpenRequest& request, base::Progress& progress) {
+        m_files.await();
+        return work(request, progress);
+    };
 }
 
 void Workspace::open(model::OpenRequest request) {
@@ -146,6 +158,7 @@ std::optional<Workspace::Restack> Workspace::laterThicknesses(const LoadedBoard&
 }
 
 void Workspace::take(const LoadedBoard& board) {
+    m_files.tell();  // what of the board before is in its file
     stopWorkOnBoard();
     const std::optional<Restack> later = laterThicknesses(board);
     if (m_board) {

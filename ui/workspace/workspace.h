@@ -9,6 +9,7 @@
 #include "ui/common/display_units.h"
 #include "ui/workspace/loader.h"
 #include "ui/workspace/selection_model.h"
+#include "ui/workspace/writing_thread.h"
 
 namespace ui {
 
@@ -53,6 +54,8 @@ public:
     void setUnit(LengthUnit unit);
     [[nodiscard]] SelectionModel& selection() { return m_selection; }
     [[nodiscard]] QUndoStack& history() { return m_history; }
+    /// What the user saves of the board or sets for it is written here. Boards are read when all is written.
+    [[nodiscard]] WritingThread& files() { return m_files; }
     /// The one that the cursor of the layers panel is on; none if there is none.
     [[nodiscard]] model::LayerId currentLayer() const { return m_currentLayer; }
     void setCurrentLayer(model::LayerId layer);
@@ -135,6 +138,7 @@ private:
         bool areSaved = true;
     };
 
+    [[nodiscard]] Loader::Work afterWriting(Loader::Work work);
     void watch(Background& work, std::function<QString()> name, std::function<QString()> file);
     void onEnded();
     void stopWorkOnBoard();
@@ -150,6 +154,7 @@ private:
     QUndoStack m_history;
     std::vector<Work> m_works;                              ///< watched, loading first
     std::optional<model::SetThicknesses> m_asOpeningBegan;  ///< of the board on the screen
+    WritingThread m_files;
     Loader m_loader;
 };
 

@@ -319,14 +319,17 @@ private slots:
         QVERIFY(locations.index(0, ClearanceModel::Rule).data().toString().startsWith("copper-copper"));
 
         const QString path = m_fixture->folder() + "/rules.json";
-        QVERIFY(clearances().saveRules(path));
+        emit panel().rulesSaved();
+        window().nameFile(path);
         const model::RuleTable saved = rules.rules();
         QVERIFY(rules.setData(least, "1 um", Qt::EditRole));
         QVERIFY(clearances().openRules(path));
         QVERIFY(rules.rules() == saved);
         QVERIFY(!clearances().openRules(locations::kSample));
         QVERIFY(rules.rules() == saved);
-        QVERIFY(!clearances().saveRules("/nowhere/rules.json"));
+        emit panel().rulesSaved();
+        window().nameFile("/nowhere/rules.json");
+        QVERIFY2(window().error().startsWith("/nowhere/rules.json cannot be written"), qPrintable(window().error()));
     }
 
     void rulesThatADialogLeavesAsTheyAreKeepTheirResults() {
@@ -388,7 +391,7 @@ private slots:
     void whatWasFoundIsExportedAsTheCommandLineWritesIt() {
         QVERIFY(m_fixture->openAndWait(m_fixture->copyOfSample()));
         const QString path = m_fixture->folder() + "/found";
-        QVERIFY(!clearances().exportReport(path + ".csv"));  // nothing was searched for
+        QVERIFY(!clearances().report(path + ".csv"));  // nothing was searched for
         box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Rules));
         measure();
         base::Progress progress;
@@ -403,9 +406,8 @@ private slots:
         question.count = 500;
         const model::StepClearances found[] = {{&board, *model::smallestClearances(board, question, progress)}};
         QCOMPARE(exported(path + ".JSON"), model::clearanceReport(found, model::ReportFormat::Json));
-        QVERIFY(!clearances().exportReport(path + ".html"));  // of rules alone
-        QVERIFY(!clearances().exportReport(path + ".pdf"));
-        QVERIFY(!clearances().exportReport("/nowhere/found.csv"));
+        QVERIFY(!clearances().report(path + ".html"));  // of rules alone
+        QVERIFY(!clearances().report(path + ".pdf"));
     }
 
     void theLensFollowsSliderAndSelection() {
@@ -529,9 +531,9 @@ private:
     }
     QString said() { return window().statusBar()->currentMessage(); }
     std::string exported(const QString& path) {
-        const base::Status done = clearances().exportReport(path);
+        window().save(ActionId::ExportClearances, path);
         QFile file(path);
-        return done && file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+        return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
     }
     void ask(ClearancePanel::Where where) {
         box("where").setCurrentIndex(static_cast<int>(where));

@@ -119,7 +119,8 @@ private slots:
     void waiversAreFilesToo() {
         auto& waivers = window().find<ui::RuleWaivers>();
         const QString path = m_fixture->folder() + "/waivers.json";
-        QVERIFY(waivers.write(path));
+        emit panel().waiversSaved();
+        window().nameFile(path);
         QCOMPARE(model::readWaivers(path.toStdString())->size(), std::size_t{1});
         waivers.withdraw({waivers.list().front()});
         QTRY_VERIFY(!window().workspace().isWorking());

@@ -356,6 +356,7 @@ private slots:
         QVERIFY(differingPixels(before, m_fixture->picture()) > 50);
         window().actions()[ActionId::ClearNetColours].trigger();
         QCOMPARE(differingPixels(before, m_fixture->picture()), 0);
+        window().awaitFiles();
         QVERIFY(!std::filesystem::exists(model::session::sessionPath(m_job)));
     }
 

@@ -268,9 +268,7 @@ private:
     QList<QByteArray> exportedLines() {
         const QString path = m_fixture->folder() + "/table.csv";
         window().findChild<QToolButton*>("exportParts")->click();
-        auto* dialog = window().findChild<QFileDialog*>();
-        emit dialog->fileSelected(path);
-        delete dialog;
+        window().nameFile(path);
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().split('\n') : QList<QByteArray>();
     }

@@ -46,6 +46,7 @@ private slots:
         solid().zoomAt({300, 200}, 2.5F);
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
         render::CameraPose expected = solid().camera().pose();
+        window().awaitFiles();
         std::vector<model::session::SavedView> views = window().savedViews().views();
         QVERIFY(views[0].solid.origin == std::optional(window().workspace().board()->model->origin));
         // As if the board had been 10 mm longer on its right.
@@ -77,6 +78,7 @@ private slots:
         QVERIFY(other->openAndWait(job));
         other->key(Qt::Key_Plus);
         other->key(Qt::Key_B, Qt::ControlModifier);
+        other->window().awaitFiles();
         QVERIFY(activate(window()));
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
         QTRY_VERIFY(window().messageBar().isVisible());
@@ -86,6 +88,7 @@ private slots:
         QCOMPARE(names(), QStringList{"View 1"});
         // Cameras and layers are those of the window that saved them last, which says so.
         m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+        window().awaitFiles();
         QVERIFY(activate(other->window()));
         other->key(Qt::Key_S, Qt::ControlModifier);
         QTRY_VERIFY(other->window().messageBar().isVisible());
@@ -105,6 +108,7 @@ private slots:
         window().messageBar().hide();
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
         m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+        window().awaitFiles();
         QVERIFY2(!window().messageBar().isVisible(), "what was said once is not said again");
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         QCOMPARE(window().measurements().rowCount(), 1);
@@ -135,6 +139,7 @@ private slots:
         window().actions()[ActionId::Undo].trigger();
         window().actions()[ActionId::Undo].trigger();
         QVERIFY(names().isEmpty());
+        window().awaitFiles();
         QVERIFY(!fs::exists(model::session::sessionPath(m_job)));
         window().actions()[ActionId::Redo].trigger();
         QCOMPARE(names(), QStringList{"View 1"});
@@ -144,6 +149,7 @@ private slots:
         const QSignalSpy reported(&window().workspace(), &ui::Workspace::reported);
         fs::create_directories(model::session::sessionPath(m_job) / "in the way");
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        window().awaitFiles();
         QVERIFY(window().messageBar().isVisible());
         QCOMPARE(names(), QStringList{"View 1"});
         QCOMPARE(reported.last()[0].toString(),
@@ -169,6 +175,7 @@ private slots:
         fs::remove_all(model::session::sessionPath(m_job));
         const QSignalSpy reported(&window().workspace(), &ui::Workspace::reported);
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);  // now all are saved
+        window().awaitFiles();
         QCOMPARE(reported.last()[0].toString(), QString("Saved as View 2"));
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
         QCOMPARE(names(), (QStringList{"View 1", "View 2"}));
@@ -213,6 +220,7 @@ private slots:
         solid().zoomAt({300, 200}, 2.5F);
         const render::CameraPose saved = solid().camera().pose();
         m_fixture->key(Qt::Key_S, Qt::ControlModifier);
+        window().awaitFiles();
         QVERIFY(fs::exists(model::session::sessionPath(m_job)));
         m_fixture->restart();
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(m_job.string())));
@@ -264,6 +272,7 @@ private slots:
         QCOMPARE(window().workspace().currentLayer(), layer("TOP"));
         choose(0);
         QVERIFY(!window().workspace().currentLayer().isValid());
+        window().awaitFiles();
         std::vector<model::session::SavedView> views = window().savedViews().views();
         views[0].current.reset();  // as older versions have saved it
         QVERIFY(model::session::saveViews(m_job, *window().document(), views).ok());
@@ -292,6 +301,7 @@ private slots:
     void whatASelectionNoLongerFindsIsTold() {
         window().selection().select({{0, model::ElementId{std::size_t{1}}}, {0, model::ElementId{std::size_t{4}}}});
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+        window().awaitFiles();
         std::vector<model::session::SavedView> views = window().savedViews().views();
         views[0].selection->elements[0].box.max.x += 12345;  // as in another version of the board
         views[0].selection->nets.push_back({"pcb", "GONE"});

@@ -137,6 +137,7 @@ private slots:
         QVERIFY(same(view().section()->pieces, expected().pieces));
 
         // As another run of the program finds them.
+        window().awaitFiles();
         const auto found = model::session::loadSession(m_board.toStdString(), *window().document());
         QVERIFY(found.ignored.empty());
         QCOMPARE(found.session.sections, kept());

@@ -162,6 +162,7 @@ private slots:
         QCOMPARE(sections().saved()[0].dimensions.size(), std::size_t{2});
 
         // As another run of the program finds them.
+        window().awaitFiles();
         const auto found = model::session::loadSession(m_board.toStdString(), *window().document());
         QVERIFY(found.ignored.empty());
         QCOMPARE(found.session.sections, sections().saved());

@@ -218,13 +218,13 @@ private slots:
 
     void theSectionIsExported() {
         const QString path = m_fixture->folder() + "/cut.svg";
-        QVERIFY(!sections().save(path));  // nothing to export
+        QVERIFY(!sections().drawing(path));  // nothing to export
         window().actions()[ActionId::ExportSection].trigger();
         QVERIFY(window().findChild<QFileDialog*>() == nullptr);
         QCOMPARE(window().statusBar()->currentMessage(),
                  QStringLiteral("There is no section to export: draw one first"));
         drawLine();
-        QVERIFY(sections().save(path));
+        window().save(ActionId::ExportSection, path);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray svg = file.readAll();
@@ -248,35 +248,27 @@ private slots:
             under += (order == 0 || order == 3) && !isPrinted ? 1 : 0;
         }
         QCOMPARE(contours, count + swatches + under);
-        QVERIFY(!sections().save("/nowhere/cut.svg"));
-        QVERIFY(!sections().save("/nowhere/cut.pdf"));
-        QVERIFY(sections().save(m_fixture->folder() + "/cut.pdf"));
-        QFile pdf(m_fixture->folder() + "/cut.pdf");
-        QVERIFY(pdf.open(QIODevice::ReadOnly));
+        window().save(ActionId::ExportSection, "/nowhere/cut.svg");
+        QVERIFY2(window().error().startsWith("/nowhere/cut.svg cannot be written"), qPrintable(window().error()));
+        const std::string pdf = *sections().drawing("cut.pdf");
         const QRegularExpressionMatch size = QRegularExpression("width=\"([0-9.]+)mm\"").match(svg);
-        const QRegularExpressionMatch page =
-            QRegularExpression("/MediaBox \\[0 0 ([0-9.]+) ").match(QString::fromLatin1(pdf.readAll()));
+        const QRegularExpressionMatch page = QRegularExpression("/MediaBox \\[0 0 ([0-9.]+) ")
+                                                 .match(QString::fromLatin1(QByteArray::fromStdString(pdf)));
         QVERIFY(size.hasMatch() && page.hasMatch());
         const double pointsPerMm = 72.0 / 25.4;
         QVERIFY(std::abs(size.captured(1).toDouble() * pointsPerMm - page.captured(1).toDouble()) < 1.0);
     }
 
     void theSheetOfAnUnrolledNetNamesIt() {
-        const QString path = m_fixture->folder() + "/net.svg";
         for (std::size_t row = 0; row < m_index->board->nets.size() && !view().section(); ++row) {
             window().selection().setNets({{0, model::NetId{row}}});
             window().actions()[ActionId::SectionAlongNet].trigger();
         }
-        QVERIFY(sections().save(path));
+        const auto text = [&] { return QString::fromStdString(*sections().drawing("net.svg")); };
         const auto nets = window().selection().nets();
         const QString name = QString::fromStdString(m_index->board->nets[nets.front().net.row()].name);
-        const auto text = [&] {
-            QFile file(path);
-            return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-        };
         QVERIFY(text().contains("section along net " + name.toHtmlEscaped() + ","));
         drawLine();
-        QVERIFY(sections().save(path));
         QVERIFY(text().contains("section from ") && !text().contains("along net"));
         window().selection().setNets({});
     }

@@ -125,10 +125,12 @@ private slots:
         QCOMPARE(rowOf("CORE1").thickness, 200'000);
         QCOMPARE(rowOf("CORE1").source, model::Source::Job);
         QCOMPARE(differingPixels(m_fixture->picture(), first), 0);
+        window().awaitFiles();
         QVERIFY(!fs::exists(m_session));
         QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
         m_fixture->key(Qt::Key_Y, Qt::ControlModifier);
         QCOMPARE(differingPixels(m_fixture->picture(), second), 0);
+        window().awaitFiles();
         QVERIFY(fs::exists(m_session));
     }
 
@@ -185,6 +187,7 @@ private slots:
         window().stackupPanel().findChild<QToolButton*>("resetAll")->click();
         QCOMPARE(rowOf("CORE1").source, model::Source::Job);
         QCOMPARE(rowOf("TOP").source, model::Source::Job);
+        window().awaitFiles();
         QVERIFY(!fs::exists(m_session));
         m_fixture->key(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(rowOf("CORE1").thickness, 400'000);
@@ -256,6 +259,19 @@ private slots:
         m_fixture->key(Qt::Key_F5);
         QTRY_VERIFY(!window().loader().isLoading());
         QCOMPARE(rowOf("CORE1").thickness, 400'000);
+    }
+
+    void aWindowThatIsClosedWritesFirstAndStaysOnceWhereItCannot() {
+        set("CORE1", "0.4 mm");
+        QVERIFY(window().close());
+        QVERIFY(fs::exists(m_session));
+        fs::remove(m_session);
+        fs::create_directories(m_session / "inside");
+        window().show();
+        set("CORE1", "0.5 mm");
+        QVERIFY(!window().close());
+        QVERIFY(window().isVisible() && window().error().contains(QString::fromStdString(m_session.string())));
+        QVERIFY(window().close());
     }
 
     /// Each knows of the other what it finds in the file when it saves.
@@ -336,8 +352,12 @@ private:
     static void type(const QString& row, const QString& text, TestWindow& window) {
         begin(row, text, window);
         QTRY_VERIFY(window.stackupPanel().table().viewport()->findChild<QLineEdit*>() == nullptr);
+        window.awaitFiles();
     }
-    /// The same; the editor may stay.
+    void set(const QString& row, const QString& text) {
+        QVERIFY(window().stack().setData(cell(row, StackupModel::Thickness), text, Qt::EditRole));
+    }
+    /// As `type`; the editor may stay.
     QLineEdit& begin(const QString& row, const QString& text) { return begin(row, text, window()); }
     static QLineEdit& begin(const QString& row, const QString& text, TestWindow& window) {
         QTableView& table = window.stackupPanel().table();

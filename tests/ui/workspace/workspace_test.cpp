@@ -3,6 +3,8 @@
 #include <QSignalSpy>
 #include <QUndoCommand>
 #include <QtTest>
+#include <atomic>
+#include <chrono>
 #include <future>
 #include <thread>
 
@@ -215,6 +217,28 @@ private slots:
         QCOMPARE(workspace.fileAtWork(), QString("File"));
         QVERIFY(workspace.cancelWork());
         QVERIFY(workspace.fileAtWork().isEmpty() && !workspace.isWorking());
+    }
+
+    void aBoardIsReadWhenWhatWasEditedIsWritten() {
+        std::atomic<bool> isWritten = false;
+        std::atomic<bool> isReadAfter = false;
+        Workspace workspace([&](const OpenRequest& request, base::Progress& progress) {
+            isReadAfter = isWritten.load();
+            return work(request, progress);
+        });
+        bool isTold = false;
+        connect(&workspace, &Workspace::boardLeaves, this, [&] { QVERIFY(isTold); });
+        open(workspace, "board");
+        workspace.files().add(
+            nullptr,
+            [&]() -> base::Status {
+                std::this_thread::sleep_for(std::chrono::milliseconds(50));
+                isWritten = true;
+                return base::Done{};
+            },
+            [&](const base::Status&) { isTold = true; });
+        open(workspace, "another");
+        QVERIFY(isReadAfter && isTold);
     }
 
     void workThatWritesNoFileNowIsNoFileAtWork() {

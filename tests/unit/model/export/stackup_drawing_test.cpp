@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "model/export/stackup_export.h"
-#include "model/text/whole_file.h"
-#include "tests/full_disk.h"
 #include "tests/locations.h"
 #include "tests/unit/model/formats/gerber/gerber_testing.h"
 #include "tests/unit/model/formats/odb/odb_testing.h"
@@ -260,41 +258,16 @@ private slots:
         QCOMPARE(std::ranges::count(csv, '\n'), 10);
     }
 
-    void filesAreWrittenOrRefusedWithTheReason() {
+    void aFileHoldsWhatItsEndingSaysInEitherCase() {
         const auto document = board("everything");
-        const odb_testing::Folder folder;
-        QVERIFY(model::writeStackup(*document, folder.path() / "stack.svg", true).ok());
-        QVERIFY(model::writeStackup(*document, folder.path() / "stack.csv", true).ok());
-        QCOMPARE(odb_testing::readFile(folder.path() / "stack.svg"), model::stackupSvg(*document, true));
-        QCOMPARE(odb_testing::readFile(folder.path() / "stack.csv"), model::stackupCsv(*document));
-        const auto other = model::writeStackup(*document, folder.path() / "stack.pdf", true);
+        QCOMPARE(*model::stackupFile(*document, "stack.svg", true), model::stackupSvg(*document, true));
+        QCOMPARE(*model::stackupFile(*document, "stack.csv", true), model::stackupCsv(*document));
+        QCOMPARE(*model::stackupFile(*document, "stack.SVG", true), model::stackupSvg(*document, true));
+        QCOMPARE(*model::stackupFile(*document, "stack.Csv", true), model::stackupCsv(*document));
+        const auto other = model::stackupFile(*document, "stack.pdf", true);
         QVERIFY(!other && other.error().code == base::ErrorCode::BadUsage);
-        const auto nowhere = model::writeStackup(*document, folder.path() / "no/folder/stack.svg", true);
-        QVERIFY(!nowhere && nowhere.error().code == base::ErrorCode::OutputFailed);
-        const auto none = model::writeStackup(model::Document(), folder.path() / "stack.svg", true);
+        const auto none = model::stackupFile(model::Document(), "stack.svg", true);
         QVERIFY(!none && none.error().code == base::ErrorCode::BadUsage);
-    }
-
-    void endingsAreReadInEitherCase() {
-        const auto document = board("everything");
-        const odb_testing::Folder folder;
-        QVERIFY(model::writeStackup(*document, folder.path() / "stack.SVG", true).ok());
-        QVERIFY(model::writeStackup(*document, folder.path() / "stack.Csv", true).ok());
-        QCOMPARE(odb_testing::readFile(folder.path() / "stack.SVG"), model::stackupSvg(*document, true));
-        QCOMPARE(odb_testing::readFile(folder.path() / "stack.Csv"), model::stackupCsv(*document));
-    }
-
-    void aFullDiskLeavesWhatWasThere() {
-        const auto document = board("everything");
-        const odb_testing::Folder folder;
-        const auto path = folder.path() / "stack.svg";
-        QVERIFY(model::writeWholeFile(path, "before"));
-        const base::Status full = [&] {
-            const FullDisk disk(100);
-            return model::writeStackup(*document, path, true);
-        }();
-        QVERIFY(!full && full.error().code == base::ErrorCode::OutputFailed);
-        QCOMPARE(odb_testing::readFile(path), std::string("before"));
     }
 
     void aBoardWithoutAStackIsAnEmptyDrawing() {
