@@ -76,8 +76,18 @@ private:
     void compare(std::size_t a, std::size_t b) {
         const auto [firstA, endA] = m_a.children(0, a);
         const auto [firstB, endB] = m_b.children(0, b);
+        // Few edges fill their group: one from side to side of a board makes the box of its group as large.
+        std::array<Box, FigureTable::kBranch> boxesOfB;
+        std::transform(&m_b.edges[firstB], &m_b.edges[firstB] + (endB - firstB), boxesOfB.begin(), boxOf);
         for (std::size_t i = firstA; i < endA; ++i) {
+            const Box boxOfA = boxOf(m_a.edges[i]);
+            if (apart(boxOfA, m_b.box(0, b)) > m_limit) {
+                continue;
+            }
             for (std::size_t j = firstB; j < endB && !isDone(); ++j) {
+                if (apart(boxOfA, boxesOfB[j - firstB]) > m_limit) {
+                    continue;
+                }
                 const Spacing spacing = spacingBetween(m_a.edges[i], m_b.edges[j]);
                 if (spacing.distance <= m_limit) {
                     m_best = spacing;
@@ -194,25 +204,19 @@ std::optional<Spacing> spacingBetween(const FigureTable& a, std::size_t rowA, co
     if (apart(a.box(rowA), b.box(rowB)) > limit) {
         return std::nullopt;
     }
+    const std::optional<PointD> common = isInside(b, rowB, a[rowA].anchor)   ? std::optional(a[rowA].anchor)
+                                         : isInside(a, rowA, b[rowB].anchor) ? std::optional(b[rowB].anchor)
+                                                                             : std::nullopt;
     const Levels levelsA(a, rowA);
     const Levels levelsB(b, rowB);
-    if (std::isinf(limit)) {
+    if (common) {
+        limit = 0.0;  // edges count where they meet
+    } else if (std::isinf(limit)) {
         limit = lengthOfShortLine(levelsA, levelsB, b[rowB].anchor) + kTouchNm;  // rounding leaves nothing out
     }
     const std::optional<Spacing> edges = ClosestEdges(levelsA, levelsB, limit).find();
-    if (edges && edges->distance <= 0) {
-        return edges;
-    }
-    // No edges meet: then one lies wholly inside of the other, or they are apart.
-    const PointD pointOfA = a[rowA].anchor;
-    const PointD pointOfB = b[rowB].anchor;
-    if (isInside(b, rowB, pointOfA)) {
-        return Spacing{0.0, pointOfA, pointOfA};
-    }
-    if (isInside(a, rowA, pointOfB)) {
-        return Spacing{0.0, pointOfB, pointOfB};
-    }
-    return edges;
+    const bool isInsideAlone = common && !(edges && edges->distance <= 0);
+    return isInsideAlone ? Spacing{0.0, *common, *common} : edges;
 }
 
 std::optional<Spacing> spacingBetween(const FigureTable& a, const FigureTable& b, double limit) {

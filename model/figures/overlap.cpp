@@ -179,8 +179,7 @@ public:
         tryAt(shared);
         tryAlong(m_a, m_rowA, m_b, m_rowB);
         tryAlong(m_b, m_rowB, m_a, m_rowA);
-        visitEdges(m_a, m_rowA, m_b.box(m_rowB),
-                   [this](const Edge& e) { visitEdges(m_b, m_rowB, boxOf(e), [&](const Edge& f) { compare(e, f); }); });
+        visitEdges(m_a, m_rowA, m_b.box(m_rowB), [this](const Edge& e) { compareAround(e); });
         return m_deepest;
     }
 
@@ -203,6 +202,16 @@ private:
                 m_deepest = std::max(m_deepest, beyond > 0 ? own + beyond : 0.0);
             }
         }
+    }
+
+    void compareAround(const Edge& e) {
+        const Box box = boxOf(e);
+        const Box reach = box.grownBy(static_cast<Nm>(std::ceil(kTouchNm)));
+        visitEdges(m_b, m_rowB, box, [&](const Edge& f) {
+            if (boxOf(f).meets(reach)) {
+                compare(e, f);
+            }
+        });
     }
 
     void compare(const Edge& e, const Edge& f) {

@@ -70,7 +70,8 @@ public:
     std::optional<PieceDistance> find(const Heights& heights) {
         m_best.reset();
         m_limit = kInfinity;
-        if (!guess(heights)) {
+        const bool isOnePair = m_a.pieces.size() == 1 && m_b.pieces.size() == 1;
+        if (!isOnePair && !guess(heights)) {
             return std::nullopt;
         }
         m_meeting.clear();
@@ -101,8 +102,12 @@ private:
         --a;
         for (int round = 0; round < 3; ++round) {
             compare(a, b, heights);
+            const std::pair before(a, b);
             a = nearestTo(m_b.figures.box(b), m_a, m_b.pieces[b], heights);
             b = nearestTo(m_a.figures.box(a), m_b, m_a.pieces[a], heights);
+            if (before == std::pair(a, b)) {
+                break;
+            }
         }
         return true;
     }
