@@ -4,12 +4,26 @@
 #include <new>
 #include <utility>
 
+#include "render/gpu/check.h"
+
 namespace ui {
 
 namespace {
 
 base::Error failedDevice() {
     return {base::ErrorCode::DeviceFailed, "The graphics device failed"};
+}
+
+/// `use` of all that makes the picture, while the scene looks as it did for the shot.
+template <class Use>
+auto asItLooked(const ViewShot& shot, const Use& use) {
+    render::BoardScene& scene = *shot.picture.scene;
+    const render::SceneLook now(scene);
+    shot.look->applyTo(scene);
+    auto result = use(scene, shot.camera, shot.picture.frameSettings(), static_cast<std::uint32_t>(shot.pixels.width()),
+                      static_cast<std::uint32_t>(shot.pixels.height()));
+    now.applyTo(scene);
+    return result;
 }
 
 }  // namespace
@@ -35,10 +49,24 @@ void ViewPicture::prepare() {
         m_shot.plane->paintOn(plane);
         m_shot.picture.inPlane = plane;
     }
-    const std::lock_guard lock(m_mutex);
-    if (m_presenter) {
-        m_presenter->makeReady(render::Backend::Auto, m_shot.picture.settings.isSmoothed);
+}
+
+std::function<void()> ViewPicture::lacking() {
+    if (m_device.isLost() || !m_presenter || m_shot.picture.scene == nullptr) {
+        return [] {};
     }
+    std::function<void()> all =
+        asItLooked(m_shot, [this](auto&&... picture) { return m_presenter->preparation(picture...); });
+    return [this, all = std::move(all)] {
+        const std::lock_guard lock(m_mutex);
+        try {
+            if (m_presenter && all) {
+                all();
+            }
+        } catch (const render::gpu::OutOfMemory&) {
+            return;  // tried again when the picture is begun, which says so
+        }
+    };
 }
 
 base::Status ViewPicture::begin() {
@@ -48,14 +76,7 @@ base::Status ViewPicture::begin() {
     if (m_shot.picture.scene == nullptr) {
         return base::Done{};
     }
-    render::BoardScene& scene = *m_shot.picture.scene;
-    const render::SceneLook now(scene);
-    m_shot.look->applyTo(scene);
-    const base::Status begun = m_presenter->begin(scene, m_shot.camera, m_shot.picture.frameSettings(),
-                                                  static_cast<std::uint32_t>(m_shot.pixels.width()),
-                                                  static_cast<std::uint32_t>(m_shot.pixels.height()));
-    now.applyTo(scene);
-    return begun;
+    return asItLooked(m_shot, [this](auto&&... picture) { return m_presenter->begin(picture...); });
 }
 
 base::Result<bool> ViewPicture::isDone(std::uint64_t patienceNs) {

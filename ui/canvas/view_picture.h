@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <mutex>
 #include <optional>
 
@@ -20,9 +21,9 @@ struct ViewShot {
     std::optional<RecordedPainting> plane;  ///< Picture::inPlane
 };
 
-/// A picture of a view in the making, step by step, so that the window needs to wait for none: `prepare`, `begin`,
-/// asking `isDone` until it is, `finish`. The first and the last take long where the picture is large, and may be done
-/// by any thread; the others belong to the thread of the device, and the scene must still be there when it is begun.
+/// A picture of a view in the making, step by step, so that the window needs to wait for none: `prepare`, asking what
+/// is lacking and making it, `begin`, asking `isDone` until it is, `finish`. `prepare`, making and `finish` take long,
+/// and may be done by any thread; the others belong to the thread of the device, and the scene must still be there.
 class ViewPicture {
 public:
     /// Can there be one of this size now? Errors: BadUsage, DeviceFailed.
@@ -30,8 +31,10 @@ public:
 
     ViewPicture(ViewShot shot, render::gpu::Device& device);
 
-    /// Makes what the device needs.
+    /// Paints what lies in the plane.
     void prepare();
+    /// What the device lacks for it, to be made: as Renderer::preparation.
+    [[nodiscard]] std::function<void()> lacking();
     /// Has the device draw the board, as it looked for the shot; it looks as now for others. Errors: DeviceFailed.
     [[nodiscard]] base::Status begin();
     /// Waits so many nanoseconds for it at most. Errors: DeviceFailed.

@@ -51,13 +51,17 @@ struct PictureSaver::Job {
     base::Result<QImage> draw(const base::Progress& progress) {
         picture.prepare();
         prepared.set_value();
-        std::future<base::Status> done = drawn.get_future();
-        while (done.wait_for(kWait) != std::future_status::ready) {
-            if (progress.isCancelled()) {
-                return cancelled();
-            }
+        const auto make = await(lacking, progress);
+        if (!make) {
+            return cancelled();
         }
-        RETURN_IF_ERROR(done.get());
+        (*make)();
+        made.set_value();
+        const auto done = await(drawn, progress);
+        if (!done) {
+            return cancelled();
+        }
+        RETURN_IF_ERROR(*done);
         return picture.finish();
     }
     base::Result<QImage> save(const std::filesystem::path& path, base::Progress& progress) {
@@ -69,9 +73,25 @@ struct PictureSaver::Job {
     }
 
     ViewPicture picture;
-    std::promise<void> prepared;  ///< it can be begun
+    std::promise<void> prepared;  ///< it can be asked what it lacks
     std::future<void> isPrepared = prepared.get_future();
+    std::promise<std::function<void()>> lacking;
+    std::promise<void> made;  ///< it can be begun
+    std::future<void> isMade = made.get_future();
     std::promise<base::Status> drawn;  ///< the device is done
+
+private:
+    /// None: cancelled.
+    template <class Value>
+    static std::optional<Value> await(std::promise<Value>& promise, const base::Progress& progress) {
+        std::future<Value> future = promise.get_future();
+        while (future.wait_for(kWait) != std::future_status::ready) {
+            if (progress.isCancelled()) {
+                return std::nullopt;
+            }
+        }
+        return future.get();
+    }
 };
 
 PictureSaver::PictureSaver(FeatureContext& context)
@@ -81,7 +101,7 @@ PictureSaver::PictureSaver(FeatureContext& context)
     connect(&m_look, &QTimer::timeout, this, &PictureSaver::look);
     connect(&m_context.turns(), &DeviceTurns::came, this, [this](QObject* user) {
         if (user == this) {
-            beginInTurn();
+            takeTurn();
         }
     });
     connect(&m_work.background(), &Background::finished, this, &PictureSaver::report);
@@ -140,7 +160,7 @@ void PictureSaver::goOn() {
 
 void PictureSaver::start(Wanted wanted) {
     m_path = wanted.path;
-    m_isBegun = false;
+    m_isBegun = m_isMaking = false;
     m_job = std::make_shared<Job>(std::move(wanted.shot), m_context.device());
     m_look.start();
     m_work.run(
@@ -156,20 +176,36 @@ void PictureSaver::look() {
         if (!isDone || *isDone) {
             end(isDone ? base::Status(base::Done{}) : isDone.error());
         }
-    } else if (m_job->isPrepared.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    } else if ((m_isMaking ? m_job->isMade : m_job->isPrepared).wait_for(std::chrono::seconds(0)) ==
+               std::future_status::ready) {
         m_look.stop();
         if (m_context.turns().begin(*this)) {
-            beginInTurn();
+            takeTurn();
         }
     }
 }
 
-void PictureSaver::beginInTurn() {
-    // The board may have been taken off the device for want of memory.
-    const bool isThere = m_job->picture.scene() == m_views.scene() || m_job->picture.scene() == nullptr;
+void PictureSaver::takeTurn() {
+    m_isMaking ? begin() : make();
+}
+
+/// The board may have been taken off the device for want of memory.
+bool PictureSaver::isBoardThere() const {
+    return m_job->picture.scene() == m_views.scene() || m_job->picture.scene() == nullptr;
+}
+
+/// Pipelines and images of this size take longer than a picture: others have the device meanwhile.
+void PictureSaver::make() {
+    m_isMaking = true;
+    m_job->lacking.set_value(isBoardThere() ? m_job->picture.lacking() : [] {});
+    m_context.turns().end(*this);
+    m_look.start();
+}
+
+void PictureSaver::begin() {
     const base::Status begun =
-        isThere ? m_job->picture.begin()
-                : base::Error{base::ErrorCode::DeviceFailed, "The board is no longer on the graphics device"};
+        isBoardThere() ? m_job->picture.begin()
+                       : base::Error{base::ErrorCode::DeviceFailed, "The board is no longer on the graphics device"};
     if (!begun) {
         end(begun);
         return;

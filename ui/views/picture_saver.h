@@ -45,7 +45,10 @@ private:
     void add(const BoardView& view, double scale, const QString& path);
     void start(Wanted wanted);
     void look();
-    void beginInTurn();
+    void takeTurn();
+    void make();
+    void begin();
+    [[nodiscard]] bool isBoardThere() const;
     void end(const base::Status& drawn);
     void goOn();
     void report();
@@ -63,6 +66,7 @@ private:
     std::shared_ptr<Job> m_job;  ///< what is drawn and written now
     QString m_path;              ///< of it
     QTimer m_look;               ///< runs until the device is done: is it?
+    bool m_isMaking = false;     ///< the thread makes what the current one lacks, or has made it
     bool m_isBegun = false;      ///< the device has been given the current one, which needs its board no more
     bool m_isDrawing = false;    ///< the device is, maybe for a picture that is no longer wanted
 };

@@ -56,6 +56,26 @@ private slots:
         QVERIFY(!window().messageBar().isVisible());
     }
 
+    void anyBackEndDrawsASavedPicture() {
+        QVERIFY(m_fixture->openAndWait(kSample));
+        const QString path = m_fixture->folder() + "/picture.png";
+        for (const ActionId view : {ActionId::ShowSolid, ActionId::ShowFlat}) {
+            window().actions()[view].trigger();
+            QVERIFY(m_fixture->awaitRest());
+            for (const ActionId backend : {ActionId::BackendRaster, ActionId::BackendImpostor, ActionId::BackendPull}) {
+                window().actions()[backend].trigger();
+                window().savePicture(path);  // before the view has been drawn so
+                QVERIFY(window().awaitWork());
+                const base::Result<QImage> grabbed = window().views().active().grabPicture();
+                QVERIFY(grabbed.ok());
+                QCOMPARE(differingPixels(QImage(path).convertToFormat(QImage::Format_RGB32),
+                                         grabbed->convertToFormat(QImage::Format_RGB32)),
+                         0);
+            }
+        }
+        window().actions()[ActionId::BackendAuto].trigger();
+    }
+
     void picturesThatCannotBeWrittenAreAnError() {
         QVERIFY(m_fixture->openAndWait(kSample));
         for (const QString& path : {m_fixture->folder() + "/no/such/folder/picture.png", QString("/dev/full")}) {
