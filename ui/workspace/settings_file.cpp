@@ -8,7 +8,7 @@ namespace ui {
 
 namespace {
 
-using Values = QHash<QString, QVariant>;
+using Values = std::map<QString, QVariant>;  // QHash would be shared by both threads
 
 std::unique_ptr<QSettings> open(const QString& iniFile) {
     return iniFile.isEmpty() ? std::make_unique<QSettings>(QStringLiteral("Copperscope"), QStringLiteral("Copperscope"))
@@ -18,7 +18,7 @@ std::unique_ptr<QSettings> open(const QString& iniFile) {
 Values allOf(const QSettings& store) {
     Values values;
     for (const QString& key : store.allKeys()) {
-        values.insert(key, store.value(key));
+        values.emplace(key, store.value(key));
     }
     return values;
 }
@@ -33,7 +33,7 @@ bool isWritten(const Changes& changes, QSettings& store) {
     if (changes.areFromEmpty) {
         store.clear();
     }
-    for (auto [key, value] : changes.values.asKeyValueRange()) {
+    for (const auto& [key, value] : changes.values) {
         store.setValue(key, value);
     }
     store.sync();
@@ -45,7 +45,9 @@ Changes inOrder(Changes first, const Changes& second) {
     if (second.areFromEmpty) {
         return second;
     }
-    first.values.insert(second.values);
+    for (const auto& [key, value] : second.values) {
+        first.values.insert_or_assign(key, value);
+    }
     return first;
 }
 
@@ -90,15 +92,20 @@ SettingsFile::SettingsFile(const QString& iniFile) : m_iniFile(iniFile), m_excha
 
 SettingsFile::~SettingsFile() = default;
 
+QVariant SettingsFile::value(const QString& key, const QVariant& other) const {
+    const auto held = m_values.find(key);
+    return held != m_values.end() ? held->second : other;
+}
+
 void SettingsFile::setValue(const QString& key, const QVariant& value) {
-    const auto held = m_values.constFind(key);
-    if (held != m_values.constEnd() && *held == value) {
+    const auto held = m_values.find(key);
+    if (held != m_values.end() && held->second == value) {
         return;
     }
-    m_values.insert(key, value);
+    m_values.insert_or_assign(key, value);
     {
         const std::scoped_lock lock(m_exchange->mutex);
-        m_exchange->changes.values.insert(key, value);
+        m_exchange->changes.values.insert_or_assign(key, value);
     }
     write();
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <QHash>
 #include <QString>
 #include <QVariant>
+#include <map>
 #include <memory>
 
 #include "ui/workspace/writing_thread.h"
@@ -20,9 +20,7 @@ public:
     SettingsFile(const SettingsFile&) = delete;
     SettingsFile& operator=(const SettingsFile&) = delete;
 
-    [[nodiscard]] QVariant value(const QString& key, const QVariant& other = {}) const {
-        return m_values.value(key, other);
-    }
+    [[nodiscard]] QVariant value(const QString& key, const QVariant& other = {}) const;
     void setValue(const QString& key, const QVariant& value);
     void clear();
 
@@ -39,7 +37,7 @@ private:
     QString m_iniFile;
     QString m_path;
     bool m_isWritable = false;
-    QHash<QString, QVariant> m_values;
+    std::map<QString, QVariant> m_values;
     std::shared_ptr<Exchange> m_exchange;
     WritingThread m_thread;
 };

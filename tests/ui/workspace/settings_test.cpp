@@ -61,46 +61,6 @@ private slots:
         QCOMPARE(settings.choice<ui::Theme>(), ui::Theme::Dark);
     }
 
-    void whatAnotherProgramWritesIsTakenOverWithTheNextThatIsSet() {
-        Settings settings(iniFile());
-        settings.setRecentBoards({"/a"});
-        QTRY_COMPARE(QSettings(iniFile(), QSettings::IniFormat).value("files/recent").toString(), "/a");
-        QSettings(iniFile(), QSettings::IniFormat).setValue("files/recent", QStringList{"/b", "/a"});
-        QCOMPARE(settings.recentBoards(), QStringList{"/a"});
-        settings.setDimPercent(30);
-        QTRY_COMPARE(settings.recentBoards(), QStringList({"/b", "/a"}));
-        QCOMPARE(settings.dimPercent(70), 30);
-    }
-
-    void whatWasSetLastIsHeldWhileItIsWritten() {
-        {
-            Settings settings(iniFile());
-            for (int i = 0; i < 300; ++i) {
-                settings.setDimPercent(i);
-                settings.setExportChoice(QString::number(i % 7), i);
-                if (i % 10 == 0) {
-                    QTest::qWait(1);
-                }
-                QCOMPARE(settings.dimPercent(-1), i);
-                QCOMPARE(settings.exportChoice(QString::number(i % 7), -1).toInt(), i);
-            }
-        }
-        QCOMPARE(Settings(iniFile()).dimPercent(-1), 299);
-    }
-
-    void whatIsRemovedIsNotInTheFile() {
-        {
-            Settings settings(iniFile());
-            settings.setDimPercent(30);
-            settings.setFlatShare(0.25);
-            settings.reset();
-            settings.setFlatShare(0.75);
-        }
-        const QSettings store(iniFile(), QSettings::IniFormat);
-        QCOMPARE(store.allKeys(), QStringList{"view/2d share"});
-        QCOMPARE(store.value("view/2d share").toDouble(), 0.75);
-    }
-
     void unknownWordsFallBackToTheDefault() {
         {
             QSettings store(iniFile(), QSettings::IniFormat);
