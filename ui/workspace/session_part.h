@@ -125,6 +125,7 @@ public:
               workspace, name, [this](const List& entries) { set(entries); }, save) {
         m_part.onSaved([this](bool isSaved) { reportAdded(isSaved); });
         QObject::connect(&workspace, &Workspace::boardOpened, &workspace, [this, part](const LoadedBoard& board) {
+            m_added.clear();
             if (m_part.open()) {
                 set(board.session.*part);
             }
