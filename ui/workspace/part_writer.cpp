@@ -19,15 +19,15 @@ void PartWriter::begin() {
 }
 
 void PartWriter::write(Save save, Ended ended) {
-    const auto after = std::make_shared<KnownPart>();  // what is told here: m_known may be written to by then
+    const auto after = std::make_shared<KnownPart>();  // what is reported here: m_known may be written to by then
     const auto work = [save = std::move(save), path = m_workspace.board()->request.path,
                        document = m_workspace.board()->document, known = m_known, after]() -> base::Status {
         RETURN_IF_ERROR(save(path, *document, known.get()));
         *after = *known;
         return base::Done{};
     };
-    const auto tell = [this, known = m_known, after, count = ++m_count,
-                       ended = std::move(ended)](const base::Status& saved) {
+    const auto report = [this, known = m_known, after, count = ++m_count,
+                         ended = std::move(ended)](const base::Status& saved) {
         const QString news =
             saved && known == m_known ? SessionNews::of(m_workspace).afterSave(*after, m_name) : QString();
         ended(saved, count == m_count && known == m_known);
@@ -35,7 +35,7 @@ void PartWriter::write(Save save, Ended ended) {
             m_workspace.reportError(news);
         }
     };
-    m_workspace.files().add(m_known.get(), work, tell);
+    m_workspace.files().add(m_known.get(), work, report);
 }
 
 }  // namespace ui

@@ -28,7 +28,7 @@ public:
 
     /// The part is as the file of the open board holds it.
     void begin();
-    /// `ended` is told what came of it, unless it was not begun before the part was to be written again.
+    /// `ended` hears what came of it, unless it was not begun before the part was to be written again.
     void write(Save save, Ended ended);
     [[nodiscard]] const QString& name() const { return m_name; }
 

@@ -37,7 +37,7 @@ public:
         QObject::connect(&workspace, &Workspace::openingBegan, &workspace, [this] { m_isRead = true; });
     }
 
-    /// Told of the last edit whether it is in the file.
+    /// Hears of the last edit whether it is in the file.
     void onSaved(Ended ended) { m_ended = std::move(ended); }
     /// A board was opened. True if the part is to be taken from its session; false if it is the same one, and what was
     /// edited is in no file, or the file was read before: then it stays.

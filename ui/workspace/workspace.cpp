@@ -158,7 +158,7 @@ std::optional<Workspace::Restack> Workspace::laterThicknesses(const LoadedBoard&
 }
 
 void Workspace::take(const LoadedBoard& board) {
-    m_files.tell();  // what of the board before is in its file
+    m_files.report();  // what of the board before is in its file
     stopWorkOnBoard();
     const std::optional<Restack> later = laterThicknesses(board);
     if (m_board) {

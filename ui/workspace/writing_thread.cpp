@@ -35,10 +35,10 @@ void WritingThread::add(const void* key, Write write, Ended ended) {
 
 bool WritingThread::finish() {
     await();
-    return tell();
+    return report();
 }
 
-bool WritingThread::tell() {
+bool WritingThread::report() {
     bool areWritten = true;
     std::deque<Outcome> outcomes;
     {
@@ -69,7 +69,7 @@ void WritingThread::run(const std::stop_token& stop) {
         lock.lock();
         m_isWriting = false;
         m_outcomes.push_back({std::move(task.ended), std::move(status)});
-        QMetaObject::invokeMethod(this, &WritingThread::tell, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, &WritingThread::report, Qt::QueuedConnection);
         m_changed.notify_all();
     }
 }

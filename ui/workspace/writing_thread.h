@@ -20,20 +20,20 @@ class WritingThread : public QObject {
 public:
     /// Runs on the thread. Out of memory is an error of its own.
     using Write = std::function<base::Status()>;
-    /// Told where this lives.
+    /// Called where this lives.
     using Ended = std::function<void(const base::Status&)>;
 
     explicit WritingThread(QObject* parent = nullptr);
-    /// Writes what is left; nobody is told.
+    /// Writes what is left; nothing is reported.
     ~WritingThread() override;
 
-    /// What was asked for with the same `key` and is not begun yet is not written any more, and not told of: it is of
+    /// What was asked for with the same `key` and is not begun yet is not written any more, and not reported: it is of
     /// an older state. Null keeps all. What `ended` refers to lives as long as this.
     void add(const void* key, Write write, Ended ended);
-    /// Waits until all is written, and tells of it. False: something that was not told of before could not be written.
+    /// Waits until all is written, and reports it. False: something that was not reported before could not be written.
     bool finish();
-    /// Tells at once of what has ended: else the next turn of the event loop does.
-    bool tell();
+    /// Reports at once what has ended, which the event loop does otherwise. False: as of finish.
+    bool report();
     /// Waits until all is written, on another thread than the one where this lives.
     void await();
 
@@ -54,7 +54,7 @@ private:
     std::condition_variable_any m_changed;
     std::deque<Task> m_waiting;
     bool m_isWriting = false;
-    std::deque<Outcome> m_outcomes;  ///< not told yet
+    std::deque<Outcome> m_outcomes;  ///< not reported yet
     std::jthread m_thread;           ///< last, so that it ends before what it uses
 };
 

@@ -1,4 +1,4 @@
-// Files are written one after another on a thread of their own, the last state of each, and what came of it is told
+// Files are written one after another on a thread of their own, the last state of each, and what came of it is reported
 // where it was asked for.
 
 #include "ui/workspace/writing_thread.h"
@@ -24,29 +24,31 @@ class WritingThreadTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void allIsWrittenInOrderAndToldHere() {
+    void allIsWrittenInOrderAndReportedHere() {
         QStringList written;
-        QStringList told;
+        QStringList reported;
         WritingThread files;
         for (const QString what : {"a", "b", "c"}) {
-            files.add(nullptr, noting(written, what), [&told, what](const base::Status& status) {
+            files.add(nullptr, noting(written, what), [&reported, what](const base::Status& status) {
                 QVERIFY(status.ok());
                 QCOMPARE(QThread::currentThread(), qApp->thread());
-                told += what;
+                reported += what;
             });
         }
-        QTRY_COMPARE(told, (QStringList{"a", "b", "c"}));
-        QCOMPARE(written, told);
+        QTRY_COMPARE(reported, (QStringList{"a", "b", "c"}));
+        QCOMPARE(written, reported);
     }
 
     void ofOneKeyTheLastStateIsWritten() {
         std::binary_semaphore isBegun(0);
         std::binary_semaphore goOn(0);
         QStringList written;
-        QStringList told;
+        QStringList reported;
         const int one = 1;
         const int other = 2;
-        const auto tell = [&told](const QString& what) { return [&told, what](const base::Status&) { told += what; }; };
+        const auto report = [&reported](const QString& what) {
+            return [&reported, what](const base::Status&) { reported += what; };
+        };
         WritingThread files;
         files.add(
             &one,
@@ -56,21 +58,21 @@ private slots:
                 written += "begun";
                 return base::Done{};
             },
-            tell("begun"));
+            report("begun"));
         isBegun.acquire();
-        files.add(&one, noting(written, "older"), tell("older"));
-        files.add(&other, noting(written, "other"), tell("other"));
-        files.add(&one, noting(written, "last"), tell("last"));
+        files.add(&one, noting(written, "older"), report("older"));
+        files.add(&other, noting(written, "other"), report("other"));
+        files.add(&one, noting(written, "last"), report("last"));
         goOn.release();
         QVERIFY(files.finish());
         QCOMPARE(written, (QStringList{"begun", "other", "last"}));
-        QCOMPARE(told, written);
+        QCOMPARE(reported, written);
     }
 
-    void whatCannotBeWrittenIsToldOnce() {
+    void whatCannotBeWrittenIsReportedOnce() {
         QString why;
         WritingThread files;
-        const auto told = [&why](const base::Status& status) {
+        const auto reported = [&why](const base::Status& status) {
             why = status ? "" : QString::fromStdString(status.error().text);
         };
         files.add(
@@ -78,12 +80,12 @@ private slots:
             []() -> base::Status {
                 return base::Error{base::ErrorCode::OutputFailed, "full"};
             },
-            told);
+            reported);
         QVERIFY(!files.finish());
         QCOMPARE(why, "full");
         QVERIFY(files.finish());
         files.add(
-            nullptr, []() -> base::Status { throw std::bad_alloc(); }, told);
+            nullptr, []() -> base::Status { throw std::bad_alloc(); }, reported);
         QVERIFY(!files.finish());
         QVERIFY2(why.contains("memory"), qPrintable(why));
     }
