@@ -2,6 +2,7 @@
 
 #include <png.h>
 
+#include <QtEndian>
 #include <QtTest>
 #include <string_view>
 
@@ -46,6 +47,31 @@ private slots:
         std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(png));
         QVERIFY(png_image_finish_read(&png, nullptr, bytes.data(), 0, nullptr) != 0);
         QVERIFY(bytes == image.rgba);
+    }
+
+    /// Each row of what is packed begins with the number of its filter.
+    void rowsHaveNoFilter() {
+        const Image image = gradient();
+        const auto packed = encodePng(image);
+        QVERIFY(packed);
+        const QByteArray png = QByteArray::fromStdString(*packed);
+        constexpr qsizetype kSignature = 8;
+        constexpr qsizetype kAround = 12;  // of a piece: its length, name and sum
+        const std::size_t rowSize = 1 + image.width * 4;
+        QByteArray rows(4, '\0');  // how long they are, as qUncompress wants it
+        qToBigEndian(static_cast<std::uint32_t>(rowSize * image.height), rows.data());
+        for (qsizetype at = kSignature; at < png.size();) {
+            const auto length = static_cast<qsizetype>(qFromBigEndian<std::uint32_t>(png.data() + at));
+            if (png.sliced(at + 4, 4) == "IDAT") {
+                rows += png.sliced(at + 8, length);
+            }
+            at += length + kAround;
+        }
+        const QByteArray unpacked = qUncompress(rows);
+        QCOMPARE(static_cast<std::size_t>(unpacked.size()), rowSize * image.height);
+        for (std::size_t row = 0; row < image.height; ++row) {
+            QCOMPARE(int{unpacked[static_cast<qsizetype>(row * rowSize)]}, 0);
+        }
     }
 
     /// Rows without alpha, and pieces as they come.
