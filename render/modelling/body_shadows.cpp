@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "model/base/parallel.h"
 #include "render/modelling/area_loops.h"
@@ -78,8 +80,9 @@ public:
         base::parallelFor((m_height + kBand - 1) / kBand, [&](std::size_t band) {
             const auto first = static_cast<std::uint32_t>(band) * kBand;
             const Run rows{std::max(first, 1U), std::min(first + kBand, m_height - 1)};
+            Nearest nearest;
             for (const Caster& caster : m_casters) {
-                darkenRows(caster, rows);
+                darkenRows(caster, rows, nearest);
             }
         });
     }
@@ -114,36 +117,80 @@ private:
         return {std::max(run.first, static_cast<std::uint32_t>(std::max(first, 0.0F))),
                 std::min(run.end, static_cast<std::uint32_t>(std::max(last + 1.0F, 0.0F)))};
     }
+    [[nodiscard]] float xOf(std::uint32_t column) const { return m_origin.x + m_cell * static_cast<float>(column); }
     [[nodiscard]] float yOf(std::uint32_t row) const { return m_origin.y + m_cell * static_cast<float>(row); }
     [[nodiscard]] std::uint8_t* rowAt(std::uint32_t row) { return &m_values[std::size_t{row} * m_width]; }
 
-    void darkenRows(const Caster& caster, const Run& within) {
-        const Run rows =
-            cornersWithin(caster.box.min.y - caster.reach, caster.box.max.y + caster.reach, m_origin.y, within);
-        if (rows.first >= rows.end) {
-            return;
+    /// How far corners are from the outline of a caster.
+    struct Nearest {
+        Run rows;
+        Run columns;
+        std::vector<float> squares;  ///< of distances in mm, row by row
+
+        [[nodiscard]] float* rowAt(std::uint32_t row) {
+            return &squares[std::size_t{row - rows.first} * (columns.end - columns.first)];
         }
-        for (const Edge& edge : caster.outline) {
-            darkenAround(edge, caster.reach, rows);
+    };
+
+    /// Of the corners in its reach.
+    void measure(const Caster& caster, const Run& within, Nearest& nearest) const {
+        const Box2 box{caster.box.min - caster.reach, caster.box.max + caster.reach};
+        nearest.rows = cornersWithin(box.min.y, box.max.y, m_origin.y, within);
+        nearest.columns = cornersWithin(box.min.x, box.max.x, m_origin.x, insideRim());
+        nearest.columns.end = std::max(nearest.columns.first, nearest.columns.end);
+        nearest.rows.end = std::max(nearest.rows.first, nearest.rows.end);
+        const std::size_t count =
+            std::size_t{nearest.rows.end - nearest.rows.first} * (nearest.columns.end - nearest.columns.first);
+        nearest.squares.assign(count, caster.reach * caster.reach);
+        if (count > 0) {
+            for (const Edge& edge : caster.outline) {
+                measureFrom(edge, caster.reach, nearest);
+            }
         }
+    }
+
+    void measureFrom(const Edge& edge, float reach, Nearest& nearest) const {
+        const glm::vec2 low = glm::min(edge.a, edge.b) - reach;
+        const glm::vec2 high = glm::max(edge.a, edge.b) + reach;
+        const Run rows = cornersWithin(low.y, high.y, m_origin.y, nearest.rows);
+        const Run columns = cornersWithin(low.x, high.x, m_origin.x, nearest.columns);
         for (std::uint32_t row = rows.first; row < rows.end; ++row) {
+            const std::uint32_t first = columns.first - nearest.columns.first;
+            measureRow(edge, {xOf(columns.first), yOf(row)}, m_cell,
+                       std::span(nearest.rowAt(row) + first, columns.end - columns.first));
+        }
+    }
+
+    /// Of corners from `first` to the right. Squares of distances and no branches, so that the compiler takes several
+    /// corners at once.
+    static void measureRow(const Edge& edge, glm::vec2 first, float cell, std::span<float> squares) {
+        const glm::vec2 extent = edge.b - edge.a;
+        const float length = glm::length(extent);
+        const glm::vec2 along = length > 0.0F ? extent / length : glm::vec2(1.0F, 0.0F);
+        const glm::vec2 start = first - 0.5F * (edge.a + edge.b);
+        for (std::size_t i = 0; i < squares.size(); ++i) {
+            const float x = start.x + cell * static_cast<float>(static_cast<int>(i));
+            const float beside = x * along.y - start.y * along.x;
+            const float signedBeyond = std::abs(x * along.x + start.y * along.y) - 0.5F * length;
+            const float beyond = 0.5F * (signedBeyond + std::abs(signedBeyond));  // 0 where it is negative
+            squares[i] = std::min(squares[i], beside * beside + beyond * beyond);
+        }
+    }
+
+    void darkenRows(const Caster& caster, const Run& within, Nearest& nearest) {
+        measure(caster, within, nearest);
+        for (std::uint32_t row = nearest.rows.first; row < nearest.rows.end; ++row) {
+            darkenAround(caster, row, nearest);
             darkenUnder(caster, row);
         }
     }
 
-    /// The nearest edge of an outline makes the darkest of what its edges make.
-    void darkenAround(const Edge& edge, float reach, const Run& within) {
-        const glm::vec2 low = glm::min(edge.a, edge.b) - reach;
-        const glm::vec2 high = glm::max(edge.a, edge.b) + reach;
-        const Run rows = cornersWithin(low.y, high.y, m_origin.y, within);
-        const Run columns = cornersWithin(low.x, high.x, m_origin.x, insideRim());
-        for (std::uint32_t row = rows.first; row < rows.end; ++row) {
-            std::uint8_t* values = rowAt(row);
-            for (std::uint32_t x = columns.first; x < columns.end; ++x) {
-                const glm::vec2 corner(m_origin.x + m_cell * static_cast<float>(x), yOf(row));
-                const float rest = std::max(1.0F - edge.distance(corner) / reach, 0.0F);
-                values[x] = std::max(values[x], static_cast<std::uint8_t>(kDark * rest * rest + 0.5F));
-            }
+    void darkenAround(const Caster& caster, std::uint32_t row, Nearest& nearest) {
+        std::uint8_t* values = rowAt(row);
+        const float* square = nearest.rowAt(row);
+        for (std::uint32_t x = nearest.columns.first; x < nearest.columns.end; ++x, ++square) {
+            const float rest = std::max(1.0F - std::sqrt(*square) / caster.reach, 0.0F);
+            values[x] = std::max(values[x], static_cast<std::uint8_t>(kDark * rest * rest + 0.5F));
         }
     }
 
