@@ -79,6 +79,7 @@ public:
 
     PunchedShape run() {
         findCircles();
+        makeChords();
         if (!m_circles.empty()) {
             placeFields();
         }
@@ -177,22 +178,47 @@ private:
         return false;
     }
 
-    /// Adds a contour as chords; false if nothing is left of it.
-    bool addContour(std::size_t contour, PolygonSet& to) {
-        m_loop.clear();
+    /// Contours but circles as chords, once: they are gone through twice.
+    void makeChords() {
+        for (std::size_t i = 0; i < m_contours.size(); ++i) {
+            m_firstChord.push_back(m_chords.size());
+            if (m_circleOf[i] == kNone) {
+                addChords(i, m_chords);
+            }
+        }
+        m_firstChord.push_back(m_chords.size());
+    }
+
+    void addChords(std::size_t contour, std::vector<Point>& to) const {
         const model::PathNodes nodes = m_shapes.nodesOf(m_contours[contour]);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
-            model::discretiseEdge(nodes, i, m_how, m_loop);
+            model::discretiseEdge(nodes, i, m_how, to);
         }
+    }
+
+    /// As long as it is the only one looked at.
+    std::span<const Point> chordsOf(std::size_t contour) {
+        if (m_circleOf[contour] == kNone) {
+            return std::span(m_chords).subspan(m_firstChord[contour],
+                                               m_firstChord[contour + 1] - m_firstChord[contour]);
+        }
+        m_loop.clear();
+        addChords(contour, m_loop);
+        return m_loop;
+    }
+
+    /// Adds a contour as chords; false if nothing is left of it.
+    bool addContour(std::size_t contour, PolygonSet& to) {
+        const std::span<const Point> loop = chordsOf(contour);
         if (!m_contours[contour].isHole) {
             to.beginPolygon();
-            m_hasOutline = to.addLoop(m_loop);
+            m_hasOutline = to.addLoop(loop);
             if (!m_hasOutline) {
                 to.polygons.pop_back();
             }
             return m_hasOutline;
         }
-        return m_hasOutline && to.addLoop(m_loop);
+        return m_hasOutline && to.addLoop(loop);
     }
 
     void assemble() {
@@ -225,6 +251,8 @@ private:
     std::vector<std::uint32_t> m_circleOf;  ///< by contour
     std::vector<Box> m_fields;
     std::optional<model::EdgeStrips> m_edges;  ///< of all contours but circles
+    std::vector<Point> m_chords;               ///< of all contours but circles
+    std::vector<std::size_t> m_firstChord;     ///< by contour, and the end
     std::vector<Point> m_loop;
     bool m_hasOutline = false;
     PunchedShape m_result;
