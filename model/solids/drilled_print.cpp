@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "model/base/parallel.h"
 #include "model/board/holes.h"
 #include "model/board/layers.h"
 #include "model/figures/element_polygons.h"
+#include "model/figures/tracks.h"
 #include "model/geometry/boolean.h"
 #include "model/geometry/box_index.h"
 #include "model/solids/far_holes.h"
@@ -99,10 +101,31 @@ private:
             return true;
         }
         const Point middle = m_document.boxOf(hole).middle();
-        return std::ranges::any_of(m_openings.near({middle, middle}), [&](ElementId opening) {
-            const PolygonSet region = discretise(m_document, opening, {});
-            return contains(region, region.polygons, middle);
+        return std::ranges::any_of(m_openings.near({middle, middle}),
+                                   [&](ElementId opening) { return covers(opening, middle); });
+    }
+    /// Painted openings have hundreds of tracks; the straight ones need no chords.
+    [[nodiscard]] bool covers(ElementId opening, Point p) const {
+        const ElementKind kind = m_document.elements.kind[opening.row()];
+        const bool isSquarePen = (m_document.elements.flags[opening.row()] & kSquarePen) != 0;
+        if ((kind == ElementKind::Trail || kind == ElementKind::Line) && !isSquarePen) {
+            const std::optional<bool> isCovered = coveredByTracks(opening, p);
+            if (isCovered) {
+                return *isCovered;
+            }
+        }
+        const PolygonSet region = discretise(m_document, opening, {});
+        return contains(region, region.polygons, p);
+    }
+    /// Nothing where they are not all straight.
+    [[nodiscard]] std::optional<bool> coveredByTracks(ElementId opening, Point p) const {
+        bool isStraight = true;
+        bool isCovered = false;
+        forEachTrack(m_document, opening, [&](const PathNode& node, Point end, Nm width, Nm) {
+            isStraight = isStraight && node.edge == EdgeKind::Line;
+            isCovered = isCovered || (isStraight && segmentDistance(p, p, node.point, end) <= width / 2.0);
         });
+        return isStraight || isCovered ? std::optional(isCovered) : std::nullopt;
     }
 
     const Document& m_document;

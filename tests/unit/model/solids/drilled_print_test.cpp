@@ -1,6 +1,7 @@
 #include "model/solids/drilled_print.h"
 
 #include <QtTest>
+#include <algorithm>
 #include <numbers>
 
 #include "model/geometry/region.h"
@@ -135,6 +136,36 @@ private slots:
         QCOMPARE(found.size(), 2U);
         QCOMPARE(found[0].element, ElementId{5});
         QCOMPARE(found[1].element, ElementId{6});
+    }
+
+    /// Whatever draws the opening: straight and curved tracks, the corner of a square pen; not beside, nor in a ring.
+    void maskIsOpenWhereItsElementsReach() {
+        using enum model::EdgeKind;
+        Board board;
+        board.on(Drill);
+        for (Nm y = 0; y < 5 * kMm; y += kMm) {
+            board.hole({0, y}, 300 * kUm, true);
+        }
+        auto& mask = board.on(Mask);
+        const model::PathNode zigzag[] = {{{-kMm, -300 * kUm}, {}, Line},
+                                          {{kMm, -300 * kUm}, {}, Line},
+                                          {{kMm, 50 * kUm}, {}, Line},
+                                          {{-kMm, 50 * kUm}, {}, Line}};
+        mask.addTrail(zigzag, 200 * kUm, {});
+        const model::PathNode bow[] = {{{-500 * kUm, 500 * kUm}, {0, 500 * kUm}, ArcClockwise},
+                                       {{500 * kUm, 500 * kUm}, {}, Line},
+                                       {{kMm, 500 * kUm}, {}, Line}};
+        mask.addTrail(bow, 200 * kUm, {});
+        mask.addLine({{-kMm, 2'300 * kUm}, {kMm, 2'300 * kUm}, 400 * kUm, 0}, {});
+        mask.addLine({{-2 * kMm, 3'180 * kUm}, {-180 * kUm, 3'180 * kUm}, 400 * kUm, 0}, flagged(model::kSquarePen));
+        mask.addCircle({{0, 4 * kMm}, kMm, 600 * kUm}, {});
+        board.on(Silk);
+        for (Nm y = 0; y < 5 * kMm; y += kMm) {
+            board.print(y);
+        }
+        std::vector<ElementId> found;
+        std::ranges::transform(board.found(), std::back_inserter(found), &MilledElement::element);
+        QCOMPARE(found, (std::vector{ElementId{10}, ElementId{11}, ElementId{13}}));
     }
 
     void whatIsMilledTooIsCutByBoth() {
