@@ -1,11 +1,17 @@
 #include "model/index/element_index.h"
 
+#include "model/base/parallel.h"
+
 namespace model {
 
-ElementIndex::ElementIndex(const Document& step, std::span<const Box> boxes) {
-    for (const Layer& layer : step.layers) {
-        m_layers.push_back({layer.elements.first, BoxIndex(boxes.subspan(layer.elements.first, layer.elements.count))});
-    }
+ElementIndex::ElementIndex(const Document& step, std::span<const Box> boxes)
+    : m_layers(step.layers.size(), OfLayer{0, BoxIndex({})}) {
+    const auto largestFirst =
+        base::largestFirst(m_layers.size(), [&](std::size_t row) { return step.layers[row].elements.count; });
+    base::parallelFor(m_layers.size(), [&](std::size_t i) {
+        const Range& elements = step.layers[largestFirst[i]].elements;
+        m_layers[largestFirst[i]] = {elements.first, BoxIndex(boxes.subspan(elements.first, elements.count))};
+    });
 }
 
 void ElementIndex::visit(const Box& box, const std::function<void(std::uint32_t)>& visit) const {
