@@ -182,6 +182,7 @@ void BoardViews::loadScene() {
     if (m_context.turns().begin(*this)) {
         loadInTurn();
     }
+    emit firstPictureEnded();
 }
 
 void BoardViews::loadInTurn() {

@@ -21,6 +21,14 @@ private slots:
     void cleanup() { window().selection().select({}); }
     void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
+    /// So that the pointer need not wait for those of large areas; of each board, once it has been seen.
+    void largeOutlinesAreMadeBeforeTheyAreAskedFor() {
+        const auto edges = [&] { return window().workspace().board()->index->figures->edgeCount(); };
+        QTRY_VERIFY(edges() > 0);
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+        QTRY_VERIFY(edges() > 0);
+    }
+
     void outlinesVanishWithTheirLayer() {
         ui::LayerModel& layers = window().layers();
         const model::LayerId top = topCopper();
