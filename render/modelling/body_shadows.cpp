@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    /// Corners from `first` to before `end`.
+    /// Corners from `first` to before `end`, which is no less.
     struct Run {
         std::uint32_t first = 0;
         std::uint32_t end = 0;
@@ -114,8 +114,8 @@ private:
     [[nodiscard]] Run cornersWithin(float low, float high, float origin, const Run& run) const {
         const float first = std::ceil((low - origin) / m_cell);
         const float last = std::floor((high - origin) / m_cell);
-        return {std::max(run.first, static_cast<std::uint32_t>(std::max(first, 0.0F))),
-                std::min(run.end, static_cast<std::uint32_t>(std::max(last + 1.0F, 0.0F)))};
+        const std::uint32_t begin = std::clamp(static_cast<std::uint32_t>(std::max(first, 0.0F)), run.first, run.end);
+        return {begin, std::clamp(static_cast<std::uint32_t>(std::max(last + 1.0F, 0.0F)), begin, run.end)};
     }
     [[nodiscard]] float xOf(std::uint32_t column) const { return m_origin.x + m_cell * static_cast<float>(column); }
     [[nodiscard]] float yOf(std::uint32_t row) const { return m_origin.y + m_cell * static_cast<float>(row); }
@@ -137,8 +137,6 @@ private:
         const Box2 box{caster.box.min - caster.reach, caster.box.max + caster.reach};
         nearest.rows = cornersWithin(box.min.y, box.max.y, m_origin.y, within);
         nearest.columns = cornersWithin(box.min.x, box.max.x, m_origin.x, insideRim());
-        nearest.columns.end = std::max(nearest.columns.first, nearest.columns.end);
-        nearest.rows.end = std::max(nearest.rows.first, nearest.rows.end);
         const std::size_t count =
             std::size_t{nearest.rows.end - nearest.rows.first} * (nearest.columns.end - nearest.columns.first);
         nearest.squares.assign(count, caster.reach * caster.reach);
@@ -206,8 +204,7 @@ private:
         std::ranges::sort(crossings);
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
             const Run columns = cornersWithin(crossings[i], crossings[i + 1], m_origin.x, insideRim());
-            std::fill(rowAt(row) + columns.first, rowAt(row) + std::max(columns.first, columns.end),
-                      static_cast<std::uint8_t>(kDark));
+            std::fill(rowAt(row) + columns.first, rowAt(row) + columns.end, static_cast<std::uint8_t>(kDark));
         }
     }
 

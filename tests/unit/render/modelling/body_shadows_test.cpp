@@ -142,6 +142,21 @@ private slots:
         }
     }
 
+    /// Edges farther beyond the board than a shadow reaches darken nothing, on any side.
+    void bodiesReachFarOutOfTheBoard() {
+        for (const glm::vec2 at : {glm::vec2(-26.0F, 0.0F), glm::vec2(26.0F, 0.0F), glm::vec2(0.0F, -16.0F),
+                                   glm::vec2(0.0F, 16.0F), glm::vec2(26.0F, 16.0F)}) {
+            render::BoardModel model = board();
+            for (glm::vec2& vertex : model.vertices) {
+                vertex *= 10.0F;
+            }
+            model.instances = {squareAt(at, 0.5F)};
+            const ShadowMap map = render::castShadows(model).top;
+            QCOMPARE(darknessAt(map, glm::clamp(at, glm::vec2(-19.5F, -9.5F), glm::vec2(19.5F, 9.5F))), 255);
+            QCOMPARE(darknessAt(map, -0.5F * at), 0);
+        }
+    }
+
     void eachSideHasItsOwn() {
         render::BoardModel model = board();
         model.instances = {squareAt({5.0F, 0.0F}, 1.0F, 0), squareAt({-5.0F, 0.0F}, 1.0F, 1)};
