@@ -127,8 +127,9 @@ private:
         Run columns;
         std::vector<float> squares;  ///< of distances in mm, row by row
 
-        [[nodiscard]] float* rowAt(std::uint32_t row) {
-            return &squares[std::size_t{row - rows.first} * (columns.end - columns.first)];
+        [[nodiscard]] std::span<float> rowAt(std::uint32_t row) {
+            const std::size_t width = columns.end - columns.first;
+            return std::span(squares).subspan((row - rows.first) * width, width);
         }
     };
 
@@ -153,9 +154,8 @@ private:
         const Run rows = cornersWithin(low.y, high.y, m_origin.y, nearest.rows);
         const Run columns = cornersWithin(low.x, high.x, m_origin.x, nearest.columns);
         for (std::uint32_t row = rows.first; row < rows.end; ++row) {
-            const std::uint32_t first = columns.first - nearest.columns.first;
             measureRow(edge, {xOf(columns.first), yOf(row)}, m_cell,
-                       std::span(nearest.rowAt(row) + first, columns.end - columns.first));
+                       nearest.rowAt(row).subspan(columns.first - nearest.columns.first, columns.end - columns.first));
         }
     }
 
@@ -184,11 +184,11 @@ private:
     }
 
     void darkenAround(const Caster& caster, std::uint32_t row, Nearest& nearest) {
-        std::uint8_t* values = rowAt(row);
-        const float* square = nearest.rowAt(row);
-        for (std::uint32_t x = nearest.columns.first; x < nearest.columns.end; ++x, ++square) {
-            const float rest = std::max(1.0F - std::sqrt(*square) / caster.reach, 0.0F);
-            values[x] = std::max(values[x], static_cast<std::uint8_t>(kDark * rest * rest + 0.5F));
+        std::uint8_t* value = rowAt(row) + nearest.columns.first;
+        for (const float square : nearest.rowAt(row)) {
+            const float rest = std::max(1.0F - std::sqrt(square) / caster.reach, 0.0F);
+            *value = std::max(*value, static_cast<std::uint8_t>(kDark * rest * rest + 0.5F));
+            ++value;
         }
     }
 

@@ -142,6 +142,15 @@ private slots:
         }
     }
 
+    void bodiesBesideTheBoardDarkenNothing() {
+        for (const glm::vec2 at : {glm::vec2(30.0F, 0.0F), glm::vec2(-30.0F, 0.0F), glm::vec2(0.0F, 30.0F)}) {
+            const ShadowMap map = topOf({squareAt(at, 0.5F), squareAt({0.0F, 0.0F}, 0.5F)});
+            QCOMPARE(darknessAt(map, {0.0F, 0.0F}), 255);
+            QCOMPARE(darknessAt(map, 0.3F * at), 0);
+            QCOMPARE(darknessAt(map, {19.8F, 0.0F}), 0);
+        }
+    }
+
     /// Edges farther beyond the board than a shadow reaches darken nothing, on any side.
     void bodiesReachFarOutOfTheBoard() {
         for (const glm::vec2 at : {glm::vec2(-26.0F, 0.0F), glm::vec2(26.0F, 0.0F), glm::vec2(0.0F, -16.0F),
