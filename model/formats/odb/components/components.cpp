@@ -48,6 +48,7 @@ public:
 
     std::vector<PlacedComponent> parse(std::string_view text) {
         m_at.forEachLine(text, [this](std::string_view line) { record(line); });
+        std::ranges::for_each(m_components, [this](PlacedComponent& component) { namePart(component); });
         return std::move(m_components);
     }
 
@@ -101,6 +102,17 @@ private:
             return 0;
         }
         return *length;
+    }
+
+    /// Allegro calls every part `???` and has its name in a property.
+    void namePart(PlacedComponent& component) {
+        const auto name = std::ranges::find(component.properties, "PART_NAME", &TextProperty::name);
+        const bool isUnknown = component.part.find_first_not_of('?') == std::string::npos;
+        if (isUnknown && name != component.properties.end() && !name->value.empty()) {
+            component.part = name->value;
+            m_at.line = component.line;
+            m_at.report(Severity::Info, "the component's part is not named; its property PART_NAME is taken");
+        }
     }
 
     void turnOnce(PlacedComponent& component) const {

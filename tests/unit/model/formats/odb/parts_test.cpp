@@ -71,6 +71,23 @@ private slots:
         QVERIFY(diagnostics.entries().empty());
     }
 
+    /// Allegro writes `???` for every part, and what it is as a property.
+    void aPartWithoutANameHasThatOfItsProperty() {
+        Diagnostics diagnostics;
+        const auto components = model::odb::parseComponents(
+            "UNITS=MM\nCMP 0 0 0 0 N U1 ???\nPRP PART_NAME 'XR20M1170'\nCMP 0 1 0 0 N U2 LM317\nPRP PART_NAME 'other'\n"
+            "CMP 0 2 0 0 N U3 ???\nPRP VALUE '1k'\nCMP 0 3 0 0 N U4\nPRP PART_NAME 'X'\n",
+            "components", Unit::Millimetre, {}, diagnostics);
+        QCOMPARE(components.size(), std::size_t{4});
+        QCOMPARE(components[0].part, std::string("XR20M1170"));
+        QCOMPARE(components[1].part, std::string("LM317"));
+        QCOMPARE(components[2].part, std::string("???"));
+        QCOMPARE(components[3].part, std::string("X"));
+        QCOMPARE(diagnostics.entries().size(), std::size_t{1});
+        QCOMPARE(diagnostics.entries()[0].severity, model::Severity::Info);
+        QCOMPARE(diagnostics.entries()[0].line, 2U);
+    }
+
     void aBadComponentTakesItsPinsWithIt() {
         Diagnostics diagnostics;
         const auto components = model::odb::parseComponents(
