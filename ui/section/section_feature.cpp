@@ -1,6 +1,7 @@
 #include "ui/section/section_feature.h"
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
@@ -64,6 +65,8 @@ SectionFeature::SectionFeature(FeatureContext& context)
     connectLine();
     connect(&m_panel->view(), &SectionView::dimensionsChanged, this, &SectionFeature::saveDimensions);
     connect(m_panel, &SectionPanel::cleared, this, [this] { cutAlong({}); });
+    const auto* dock = qobject_cast<QDockWidget*>(m_panel->parentWidget());
+    connect(dock->toggleViewAction(), &QAction::toggled, this, [this](bool isOpen) { m_line.setShown(isOpen); });
     connect(&m_panel->list(), &TableView::rowChosen, this, &SectionFeature::goTo);
     connect(&m_panel->list(), &TableView::deleteRequested, this,
             [this](const auto& rows) { m_saved.remove(tr("deleting a section"), rows); });

@@ -31,6 +31,11 @@ void SectionLine::clear() {
     setLine({});
 }
 
+void SectionLine::setShown(bool isShown) {
+    m_isShown = isShown;
+    m_view.requestOverlay();
+}
+
 void SectionLine::setDrawing(bool isOn) {
     if (isOn == m_isDrawing) {
         return;
@@ -89,7 +94,7 @@ bool SectionLine::takeEscape(QKeyEvent& event) {
 }
 
 bool SectionLine::press(const QMouseEvent& event) {
-    if (m_held || event.button() != Qt::LeftButton || !m_view.hasScene()) {
+    if (m_held || event.button() != Qt::LeftButton || !m_view.hasScene() || !m_isShown) {
         return m_held.has_value();
     }
     if (m_isDrawing) {
@@ -232,7 +237,7 @@ void SectionLine::paint(QPainter& painter) const {
             corners += *at;
         }
     }
-    if (corners.size() < 2) {
+    if (corners.size() < 2 || !m_isShown) {
         return;
     }
     // Rulers and what else covers the rim of the view lie above.

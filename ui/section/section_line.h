@@ -24,6 +24,8 @@ public:
     /// Corners in nm of the board; none: no line. A corner that is being moved is let go.
     void setLine(std::vector<base::PointD> line);
     [[nodiscard]] const std::vector<base::PointD>& line() const { return m_line; }
+    /// Whether it is there for the eye and for clicks: not while its panel is closed.
+    void setShown(bool isShown);
     /// Whether the next drag or clicks draw a line. Ends by itself when one was drawn; ended before, the line is what
     /// it was.
     void setDrawing(bool isOn);
@@ -58,6 +60,7 @@ private:
     BoardView& m_view;
     std::vector<base::PointD> m_line;
     std::optional<std::size_t> m_held;  ///< corner being dragged
+    bool m_isShown = true;
     bool m_isDrawing = false;
     bool m_isLaying = false;             ///< corner by corner; the last one of the line follows the cursor
     std::vector<base::PointD> m_before;  ///< the line when drawing or a move of a corner began

@@ -277,6 +277,24 @@ private slots:
         QVERIFY(window().find<ui::SectionPanel>().notes().contains("coordinates"));
     }
 
+    /// Nothing that is seen would take it away.
+    void closingThePanelHidesTheLine() {
+        drawLine();
+        const auto line = window().find<ui::SectionLine>().line();
+        QWidget& dock = *window().find<ui::SectionPanel>().parentWidget();
+        const auto isMovedByItsEnd = [&] {
+            const QPointF end = acrossBoard().second;
+            mouse(QEvent::MouseButtonPress, end);
+            mouse(QEvent::MouseMove, end - QPointF(30, 0));
+            mouse(QEvent::MouseButtonRelease, end - QPointF(30, 0));
+            return !std::ranges::equal(window().find<ui::SectionLine>().line(), line, isAt);
+        };
+        dock.close();
+        QVERIFY(!isMovedByItsEnd());
+        dock.show();
+        QVERIFY(isMovedByItsEnd());
+    }
+
 private:
     void clickOn(QPointF at) {
         mouse(QEvent::MouseButtonPress, at);
