@@ -94,11 +94,23 @@ void addTrail(const Subject& s, Facts& facts) {
     addLocation(s, nodes.back().point, s.tr("To"), facts);
 }
 
+/// A pad is where its symbol is placed, or else in the middle of what it covers.
 void addArea(const Subject& s, Facts& facts) {
-    const auto contours = s.step.shapes.contoursOf(s.step.areas[s.geometry()].shape);
+    const model::AreaGeometry& area = s.step.areas[s.geometry()];
+    const auto contours = s.step.shapes.contoursOf(area.shape);
     const auto holes = std::ranges::count_if(contours, &model::Contour::isHole);
-    facts.emplace_back(s.tr("Islands"), QString::number(static_cast<std::ptrdiff_t>(contours.size()) - holes));
-    facts.emplace_back(s.tr("Holes"), QString::number(holes));
+    if (s.step.elements.symbol[s.element.row()].isValid()) {
+        addLocation(s, area.placement.origin, s.tr("Position"), facts);
+        const QString turn = angleText(area.placement.clockwiseDeg);
+        facts.emplace_back(s.tr("Rotation"), area.placement.isMirrored ? s.tr("%1 clockwise, mirrored").arg(turn)
+                                                                       : s.tr("%1 clockwise").arg(turn));
+    } else if (s.has(model::kPad)) {
+        addLocation(s, s.step.boxOf(s.element).middle(), s.tr("Centre"), facts);
+    }
+    if (contours.size() > 1) {
+        facts.emplace_back(s.tr("Islands"), QString::number(static_cast<std::ptrdiff_t>(contours.size()) - holes));
+        facts.emplace_back(s.tr("Holes"), QString::number(holes));
+    }
 }
 
 void addShape(const Subject& s, Facts& facts) {

@@ -6,6 +6,7 @@
 
 #include "tests/locations.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/common/display_units.h"
 #include "ui/theme/theme.h"
 
 class ElementPanelTest : public QObject {
@@ -42,6 +43,25 @@ private slots:
         QVERIFY2(copied.contains("Layer\t" + window().fact("Layer") + '\n'), qPrintable(copied));
         facts.copyAll();
         QCOMPARE(QGuiApplication::clipboard()->text(), "Property\tValue\n" + copied);
+    }
+
+    /// Where its symbol is placed, whatever its shape.
+    void aPadHasAPosition() {
+        const model::Document& board = *window().document();
+        std::size_t row = 0;
+        const auto isPadWithSymbol = [&](std::size_t at) {
+            return board.elements.kind[at] == model::ElementKind::Area && board.elements.symbol[at].isValid() &&
+                   (board.elements.flags[at] & model::kPad) != 0;
+        };
+        while (!isPadWithSymbol(row)) {
+            ++row;
+        }
+        const model::Placement& placed = board.areas[board.elements.geometry[row]].placement;
+        window().selection().select({{0, model::ElementId{row}}});
+        QCOMPARE(window().fact("Position"),
+                 ui::positionText(placed.origin.x, placed.origin.y, window().workspace().unit()));
+        QVERIFY(window().fact("Rotation").endsWith("clockwise"));
+        QVERIFY(window().fact("Islands").isEmpty());
     }
 
     /// In a panel that is as narrow as the window makes it at first.
