@@ -1,5 +1,6 @@
 #include "ui/views/view_menu.h"
 
+#include <QActionGroup>
 #include <QMenu>
 #include <algorithm>
 
@@ -18,8 +19,8 @@ constexpr ActionId kNetActions[] = {ActionId::HighlightNet,    ActionId::AddNet,
                                     ActionId::SectionAlongNet};
 constexpr ActionId kPartActions[] = {ActionId::SelectComponent, ActionId::SelectPin};
 constexpr ActionId kSelectionActions[] = {ActionId::ShowSelection, ActionId::SaveSelection, ActionId::ClearSelection};
-constexpr ActionId kActionsOfAll[] = {ActionId::Fit, ActionId::ShowAllLayers, ActionId::RestoreLayers,
-                                      ActionId::ShowAllNets, ActionId::ClearNetColours};
+constexpr ActionId kActionsOfAll[] = {ActionId::Fit,           ActionId::ShowAllLayers, ActionId::NoCurrentLayer,
+                                      ActionId::RestoreLayers, ActionId::ShowAllNets,   ActionId::ClearNetColours};
 
 void add(QMenu& menu, const ActionSet& actions, std::span<const ActionId> ids) {
     menu.addSeparator();
@@ -33,14 +34,17 @@ QString plain(QString text) {
     return text.replace('&', QStringLiteral("&&"));
 }
 
-/// Everything under the pointer, the selected one checked.
+/// Everything under the pointer, what is selected checked: one of them, as is seen, unless several are.
 void addElements(QMenu& menu, Workspace& workspace, const std::vector<model::Hit>& hits) {
     SelectionModel& selection = workspace.selection();
+    auto* choices = new QActionGroup(&menu);
+    choices->setExclusive(selection.selected().size() <= 1);
     for (std::size_t i = 0; i < std::min(hits.size(), kMostListed); ++i) {
         const model::BoardElement at = hits[i].at;
         QAction* entry = menu.addAction(plain(summaryOf(selection.tree(), at, workspace.unit())), &selection,
                                         [&selection, at] { selection.select({at}); });
         entry->setCheckable(true);
+        choices->addAction(entry);
         entry->setChecked(std::ranges::binary_search(selection.selected(), at));
     }
     if (hits.size() > kMostListed) {
