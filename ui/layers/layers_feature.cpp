@@ -54,6 +54,9 @@ void addLayers(FeatureContext& context) {
     panel->setSets(*new LayerSets(layers, workspace, context.actions, context.window));
     panel->setBoardColours(*new BoardColourMenu(layers, workspace, panel));
     addComponentSwitch(context);
+    for (const ActionId id : {ActionId::NoCurrentLayer, ActionId::ShowDefaultLayers}) {
+        context.on(id, panel, [panel] { panel->deselect(); });
+    }
     context.on(ActionId::RestoreLayers, [&layers] { layers.restoreDefaults(); });
     context.on(ActionId::SoloLayer, [&layers, &workspace] {
         const bool isSolo = layers.soloLayer().isValid();

@@ -155,6 +155,10 @@ void LayersPanel::select(model::LayerId layer) {
     m_table->scrollTo(row);
 }
 
+void LayersPanel::deselect() {
+    m_table->selectionModel()->clear();
+}
+
 void LayersPanel::makeCurrent(model::LayerId layer) {
     const bool isSolo = m_model.soloLayer().isValid();
     select(layer);

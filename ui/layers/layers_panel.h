@@ -29,6 +29,8 @@ public:
     [[nodiscard]] model::LayerId currentLayer() const;
     /// Unfolds its group.
     void select(model::LayerId layer);
+    /// None is the current one any more.
+    void deselect();
     /// Moves to the next visible layer `by` rows on (1 or -1) in the order of the stackup, or stays at the last one.
     /// While a layer is shown alone, all layers of the board count, and the one moved to is shown alone instead. Layers
     /// that draw nothing are passed over.

@@ -116,6 +116,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {PreviousLayer, MenuId::Layers, QT_TR_NOOP("Layer abo&ve"), "PgUp", QT_TR_NOOP("Make the visible layer before the current one"), kNeedsBoard},
     {TopCopper, MenuId::Layers, QT_TR_NOOP("Top coppe&r"), "Ctrl+PgUp Ctrl+K,PgUp", QT_TR_NOOP("Make top copper the current layer"), kNeedsBoard},
     {BottomCopper, MenuId::Layers, QT_TR_NOOP("Bottom copp&er"), "Ctrl+PgDown Ctrl+K,PgDown", QT_TR_NOOP("Make bottom copper the current layer"), kNeedsBoard},
+    {NoCurrentLayer, MenuId::Layers, QT_TR_NOOP("Dra&w none over the others"), "Ctrl+K,N", QT_TR_NOOP("Let no layer be the current one, which 2D draws over the others"), kNeedsBoard},
     {RestoreLayers, MenuId::Layers, QT_TR_NOOP("&Default colours"), "Ctrl+Shift+D", QT_TR_NOOP("Reset colours, opacities and visibility"), kNeedsBoard},
     {SafeColours, MenuId::Layers, QT_TR_NOOP("Colo&ur-blind safe"), "Ctrl+K,C", QT_TR_NOOP("Palette that does not rely on red against green"), kCheckable},
     {ColourNet, MenuId::Nets, QT_TR_NOOP("&Colour net"), "U", QT_TR_NOOP("Give the nets of the selection, or with none the one under the pointer, a colour that stays; again to remove it"), kNeedsBoard},

@@ -34,7 +34,7 @@ enum class ActionId {
     KeysCopperscope, KeysKiCad, KeysAltium, KeysAllegro, KeysKLayout,
     ShowDefaultLayers, ShowAllLayers, HideAllLayers, ShowCopperOnly, ShowTopLayers, ShowBottomLayers, ShowInnerLayers,
     ShowAssemblyLayers, ShowFabricationLayers, ShowComponents, SaveLayerSet, SoloLayer, Contrast, NextLayer, PreviousLayer, TopCopper,
-    BottomCopper, RestoreLayers, SafeColours,
+    BottomCopper, NoCurrentLayer, RestoreLayers, SafeColours,
     ColourNet, ChooseNetColour, HideNet, IsolateNet, ShowAllNets, ClearNetColours,
     CheckNets, InferNets, ExaggerateCopper, ExportStackup, SearchClearances, NextClearance, PreviousClearance,
     EditRules, ExportClearances, Lens, ClearanceMap, DrawSection, SectionAlongNet, OpenAlongSection, SaveSection,

@@ -51,6 +51,16 @@ private slots:
         QVERIFY(!window().actions()[ActionId::Undo].isEnabled());
     }
 
+    /// 2D draws the current layer over the others.
+    void noLayerIsCurrentAfterACommandOrTheDefaultSet() {
+        for (const ActionId id : {ActionId::NoCurrentLayer, ActionId::ShowDefaultLayers}) {
+            const model::LayerId inner = clickOn("BOTTOM", ui::LayerModel::Name);
+            QCOMPARE(window().workspace().currentLayer(), inner);
+            trigger(id);
+            QVERIFY(!window().workspace().currentLayer().isValid());
+        }
+    }
+
     void showingOrHidingLayersEndsOneThatIsShownAlone() {
         const model::LayerId top = window().document()->findLayer("TOP");
         const model::LayerId bottom = window().document()->findLayer("BOTTOM");
