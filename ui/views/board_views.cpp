@@ -182,7 +182,6 @@ void BoardViews::loadScene() {
     if (m_context.turns().begin(*this)) {
         loadInTurn();
     }
-    emit firstPictureEnded();
 }
 
 void BoardViews::loadInTurn() {

@@ -51,8 +51,6 @@ public:
     void setBackend(render::Backend backend) {
         std::ranges::for_each(m_views, [backend](BoardView* view) { view->setBackend(backend); });
     }
-    /// All of the board is still to be seen for the first time: what nobody waits for leaves the processors to that.
-    [[nodiscard]] bool isFirstPictureDue() const { return m_load.isActive(); }
     void setArrangement(Arrangement arrangement);
     [[nodiscard]] Arrangement arrangement() const { return m_arrangement; }
     /// How much of their room the 2D view has where both are shown, between 0 and 1.
@@ -95,8 +93,6 @@ public:
     [[nodiscard]] render::BoardScene* scene() { return m_scene.get(); }
 
 signals:
-    /// All of a board has been seen, or should have been by now (isFirstPictureDue).
-    void firstPictureEnded();
     /// The device failed and is about to be renewed: who made something from it gives that up.
     void deviceGoes();
     void timed(const render::FrameStats& stats);

@@ -37,8 +37,6 @@ std::vector<model::BoardElement> elementsOf(const std::vector<model::Hit>& hits)
 Probing::Probing(BoardViews& views, Workspace& workspace, NetStyles& nets, LayerModel& layers, QObject* parent)
     : QObject(parent), m_views(views), m_workspace(workspace), m_selection(workspace.selection()), m_nets(nets) {
     connect(&workspace, &Workspace::boardShown, this, &Probing::setBoard);
-    connect(&workspace, &Workspace::boardOpened, this, &Probing::makeOutlines);
-    connect(&views, &BoardViews::firstPictureEnded, this, &Probing::makeOutlines);
     connect(&workspace, &Workspace::elementsWanted, this, &Probing::showInBoth);
     connect(&workspace, &Workspace::locationWanted, this,
             [this](base::PointD nm, model::LayerId layer) { showPosition(nm, layer); });
@@ -123,28 +121,25 @@ void Probing::setBoard(const LoadedBoard& board) {
     m_last = {};
     m_hoverView = nullptr;
     m_milledAway = MilledAway(board);
-    const bool isSame = m_picker && board.index && m_picker->index().figures == board.index->figures;
-    if (!isSame) {
-        m_outlines.cancel();
-        m_outlinesDue = board.index;
-    }
+    makeOutlines(board.index);
     m_picker.reset();
     if (board.index) {
         m_picker.emplace(board.index);
     }
 }
 
-/// Once, and not before the board has been seen.
-void Probing::makeOutlines() {
-    if (!m_outlinesDue || m_views.isFirstPictureDue()) {
-        return;
+/// Not again where only heights have changed.
+void Probing::makeOutlines(const std::shared_ptr<const model::BoardIndex>& index) {
+    if (!index) {
+        m_outlines.cancel();
+    } else if (!m_picker || m_picker->index().figures != index->figures) {
+        m_outlines.start(
+            [index](const base::Progress& progress) {
+                base::becomeBackground();
+                index->figures->fill(index->tree, progress);
+            },
+            "Preparing outlines");
     }
-    m_outlines.start(
-        [index = std::exchange(m_outlinesDue, nullptr)](const base::Progress& progress) {
-            base::becomeBackground();
-            index->figures->fill(index->tree, progress);
-        },
-        "Preparing outlines");
 }
 
 void Probing::hideNets() {

@@ -69,7 +69,7 @@ private:
     /// Keys are about what lies under the pointer when they are pressed, whether or not it has moved or rested there.
     bool eventFilter(QObject* object, QEvent* event) override;
     void setBoard(const LoadedBoard& board);
-    void makeOutlines();
+    void makeOutlines(const std::shared_ptr<const model::BoardIndex>& index);
     void watch(BoardView& view);
     void hideNets();
     void findPointer();
@@ -94,8 +94,7 @@ private:
     SelectionModel& m_selection;
     NetStyles& m_nets;
     std::optional<model::Picker> m_picker;
-    Background m_outlines;                                   ///< fills model::FigureCache once a board has been seen
-    std::shared_ptr<const model::BoardIndex> m_outlinesDue;  ///< of a board that has not; none: they are made
+    Background m_outlines;  ///< fills model::FigureCache once a board has come
     MilledAway m_milledAway;
     std::array<bool, 2> m_follows{};
     bool m_isSelecting = true;
