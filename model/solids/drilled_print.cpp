@@ -123,7 +123,7 @@ private:
         bool isCovered = false;
         forEachTrack(m_document, opening, [&](const PathNode& node, Point end, Nm width, Nm) {
             isStraight = isStraight && node.edge == EdgeKind::Line;
-            isCovered = isCovered || (isStraight && segmentDistance(p, p, node.point, end) <= width / 2.0);
+            isCovered = isCovered || (isStraight && width > 0 && segmentDistance(p, p, node.point, end) <= width / 2.0);
         });
         return isStraight || isCovered ? std::optional(isCovered) : std::nullopt;
     }
