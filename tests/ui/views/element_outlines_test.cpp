@@ -21,7 +21,7 @@ private slots:
     void cleanup() { window().selection().select({}); }
     void cleanupTestCase() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
-    /// So that the pointer need not wait for those of large areas; of each board, once it has been seen.
+    /// So that the pointer need not wait for those of large areas; of each board anew.
     void largeOutlinesAreMadeBeforeTheyAreAskedFor() {
         const auto edges = [&] { return window().workspace().board()->index->figures->edgeCount(); };
         QTRY_VERIFY(edges() > 0);
