@@ -94,7 +94,7 @@ bool SectionLine::takeEscape(QKeyEvent& event) {
 }
 
 bool SectionLine::press(const QMouseEvent& event) {
-    if (m_held || event.button() != Qt::LeftButton || !m_view.hasScene() || !m_isShown) {
+    if (m_held || event.button() != Qt::LeftButton || !m_view.hasScene() || !isThere()) {
         return m_held.has_value();
     }
     if (m_isDrawing) {
@@ -237,7 +237,7 @@ void SectionLine::paint(QPainter& painter) const {
             corners += *at;
         }
     }
-    if (corners.size() < 2 || !m_isShown) {
+    if (corners.size() < 2 || !isThere()) {
         return;
     }
     // Rulers and what else covers the rim of the view lie above.

@@ -24,7 +24,7 @@ public:
     /// Corners in nm of the board; none: no line. A corner that is being moved is let go.
     void setLine(std::vector<base::PointD> line);
     [[nodiscard]] const std::vector<base::PointD>& line() const { return m_line; }
-    /// Whether it is there for the eye and for clicks: not while its panel is closed.
+    /// Whether it is there for the eye and for clicks: not while its panel is closed, unless it is being drawn.
     void setShown(bool isShown);
     /// Whether the next drag or clicks draw a line. Ends by itself when one was drawn; ended before, the line is what
     /// it was.
@@ -40,6 +40,7 @@ signals:
     void putBack();
 
 private:
+    [[nodiscard]] bool isThere() const { return m_isShown || m_isDrawing; }
     bool take(QEvent& event);
     bool press(const QMouseEvent& event);
     void moveCorner(std::size_t corner, const QMouseEvent& event);

@@ -293,6 +293,14 @@ private slots:
         QVERIFY(!isMovedByItsEnd());
         dock.show();
         QVERIFY(isMovedByItsEnd());
+        sections().draw(true);
+        dock.close();
+        const auto [from, to] = acrossBoard();
+        mouse(QEvent::MouseButtonPress, from);
+        mouse(QEvent::MouseMove, to);
+        mouse(QEvent::MouseButtonRelease, to);
+        QVERIFY2(!window().find<ui::SectionLine>().isDrawing(), "a line that is asked for is drawn");
+        dock.show();
     }
 
 private:
