@@ -53,6 +53,14 @@ QString layerTypeText(model::LayerType type) {
     return {};
 }
 
+namespace {
+
+bool isDrilledThrough(const model::Layer& holes, model::LayerId layer) {
+    return model::groupOf(holes) == model::LayerGroup::Drill && holes.spans(layer);
+}
+
+}  // namespace
+
 LayerModel::LayerModel(QObject* parent)
     : TableModel({{tr("Show"), tr("Draw the layer (Space)"), kCheck},
                   {tr("Colour"), tr("Colour on the canvas (Enter changes it)"), kColour | kEditable},
@@ -81,7 +89,8 @@ std::vector<LayerAppearance> LayerModel::effectiveStyles() const {
     std::vector<LayerAppearance> styles = m_styles;
     if (m_solo.isValid()) {
         for (std::size_t row = 0; row < styles.size(); ++row) {
-            styles[row].isVisible = row == m_solo.row();
+            styles[row].isVisible =
+                row == m_solo.row() || (styles[row].isVisible && isDrilledThrough(m_document->layers[row], m_solo));
         }
     }
     return styles;

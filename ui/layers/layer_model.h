@@ -38,8 +38,9 @@ struct LayerEdit {
 };
 
 /// The layers of a document as an editable table; row n is LayerId n. Styles live here, the document stays frozen. At
-/// most one layer is shown alone ("solo"): then it alone is drawn, whatever the check marks say, and they are untouched
-/// when solo ends. Whatever sets visibility ends it, so that its effect is seen.
+/// most one layer is shown alone ("solo"): then it is drawn with the holes through it that have a check mark, without
+/// which its pads would be full discs, and nothing else; check marks are untouched when solo ends. Whatever sets
+/// visibility ends it, so that its effect is seen.
 class LayerModel : public TableModel {
     Q_OBJECT
 

@@ -350,10 +350,11 @@ private:
         const std::vector<std::string> names = window().layers().visibleNames();
         return std::ranges::find(names, layer) != names.end();
     }
+    /// But for the holes through it.
     [[nodiscard]] bool isAloneInFlat(model::LayerId layer) {
         const auto& styles = window().views().flat().styles();
         for (std::size_t row = 0; row < styles.size(); ++row) {
-            if (styles[row].isVisible != (row == layer.row())) {
+            if (styles[row].isVisible != (row == layer.row() || window().document()->layers[row].spans(layer))) {
                 return false;
             }
         }

@@ -23,6 +23,7 @@ private slots:
         const model::ElementId pad = aPad();
         QVERIFY(pad.isValid());
         const model::LayerId layer = board().elements.layer[pad.row()];
+        window().layers().showCopperOnly();  // a hole in the pad would lie on top
         window().layers().toggleSolo(layer);
         chooseAt(pad, "Only layer ");
         QCOMPARE(window().layers().soloLayer(), layer);

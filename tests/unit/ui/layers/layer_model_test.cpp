@@ -18,6 +18,26 @@ std::vector<LayerAppearance> sampleStyles() {
     return {{Qt::red, 100, true}, {Qt::blue, 100, true}, {Qt::gray, 100, false}, {Qt::yellow, 60, true}};
 }
 
+/// Three copper layers; holes through all of them, and from the middle to the bottom.
+std::shared_ptr<const model::Document> drilledDocument() {
+    using namespace model;
+    DocumentBuilder builder;
+    const auto addLayer = [&](const char* name, LayerType type, std::size_t from, std::size_t to) {
+        Layer layer;
+        layer.name = name;
+        layer.type = type;
+        layer.spanTop = type == LayerType::Drill ? LayerId{from} : LayerId{};
+        layer.spanBottom = type == LayerType::Drill ? LayerId{to} : LayerId{};
+        builder.beginLayer(builder.addLayer(layer));
+    };
+    addLayer("top", LayerType::Signal, 0, 0);
+    addLayer("middle", LayerType::Signal, 0, 0);
+    addLayer("bottom", LayerType::Signal, 0, 0);
+    addLayer("through", LayerType::Drill, 0, 2);
+    addLayer("buried", LayerType::Drill, 1, 2);
+    return builder.finish();
+}
+
 QString visibleRows(const LayerModel& model) {
     QString rows;
     for (const LayerAppearance& look : model.effectiveStyles()) {
@@ -64,6 +84,17 @@ private slots:
         QCOMPARE(visibleRows(m_model), "0100");
         m_model.toggleSolo(model::LayerId{std::size_t{1}});
         QCOMPARE(visibleRows(m_model), "1101");
+    }
+
+    void copperShownAloneHasTheHolesThroughItThatAreChecked() {
+        m_model.setDocument(drilledDocument(), std::vector<LayerAppearance>(5, {Qt::red, 100, true}));
+        m_model.toggleSolo(model::LayerId{std::size_t{0}});
+        QCOMPARE(visibleRows(m_model), "10010");
+        m_model.toggleSolo(model::LayerId{std::size_t{1}});
+        QCOMPARE(visibleRows(m_model), "01011");
+        m_model.setData(m_model.index(3, LayerModel::Visible), Qt::Unchecked, Qt::CheckStateRole);
+        m_model.toggleSolo(model::LayerId{std::size_t{0}});
+        QCOMPARE(visibleRows(m_model), "10000");
     }
 
     void soloCheckMarkMovesFromRowToRow() {
