@@ -356,7 +356,7 @@ private:
         } else if (m_board) {
             report(Severity::Info, unknown + "an even share of the board's " + inUm(*m_board));
         } else {
-            report(Severity::Info, unknown + "an even share of an assumed board of " + inUm(kDefaultBoard));
+            report(Severity::Warning, unknown + "an even share of an assumed board of " + inUm(kDefaultBoard));
         }
     }
 

@@ -132,7 +132,8 @@ private slots:
         QCOMPARE(areaOf(*d, "plate"), 400.0);
         QCOMPARE(layerOf(*d, "top").profile, layerOf(*d, "bot").profile);
         QVERIFY(findDiagnostic(d->diagnostics, "from 0") != nullptr);
-        QCOMPARE(d->diagnostics.count(model::Severity::Warning), std::size_t{0});
+        QVERIFY(findDiagnostic(d->diagnostics, "an even share of an assumed board") != nullptr);
+        QCOMPARE(d->diagnostics.count(model::Severity::Warning), std::size_t{1});
     }
 
     void theLaminateIsWhereItsLayersAre() {
