@@ -94,6 +94,9 @@ struct Layer {
     LayerUse use = LayerUse::Plain;
     std::string useName;  ///< what the job calls `use`; empty if it says nothing
     ShapeId profile;      ///< where this layer exists (rigid-flex); none: all over the board (Document::profile)
+    /// Of a negative layer of a step that others hold copies of: what its features clear outside of its outline, where
+    /// copper is that of the step around the copy. None: nothing.
+    ShapeId clearedAround;
     /// Layers of one group have one outline, in every step of the job (each step its own); 0: the board's.
     std::uint32_t outlineGroup = 0;
     LayerId opposite;  ///< where this layer of a step lies once the step is flipped; none: its own mirror image

@@ -367,6 +367,14 @@ Inverse inverseOf(const std::vector<EdgeLoops>& base, const Document& painted, s
     return inverse;
 }
 
+RegionBoolean visibleAround(const std::vector<EdgeLoops>& base, const Document& painted,
+                            std::span<const std::uint8_t> negatives) {
+    const RegionBoolean shown = visible(painted, negatives);
+    RegionBoolean around = differenceOf(shown.regions, base);
+    around.isExact = around.isExact && shown.isExact;
+    return around;
+}
+
 void addInverse(DocumentBuilder& builder, const Inverse& inverse) {
     for (const Inverse::Piece& piece : inverse.pieces) {
         DocumentBuilder::Origin origin;

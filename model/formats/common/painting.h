@@ -7,6 +7,7 @@
 #include "model/board/document_builder.h"
 #include "model/geometry/discretise.h"
 #include "model/geometry/loops/edge_loops.h"
+#include "model/geometry/loops/region_booleans.h"
 
 namespace model::formats {
 
@@ -70,6 +71,9 @@ struct Inverse {
 /// Base minus everything that `painted` leaves visible.
 [[nodiscard]] Inverse inverseOf(const std::vector<EdgeLoops>& base, const Document& painted,
                                 std::span<const std::uint8_t> negatives, std::span<const NetVote> votes);
+/// What of that lies outside of the base.
+[[nodiscard]] RegionBoolean visibleAround(const std::vector<EdgeLoops>& base, const Document& painted,
+                                          std::span<const std::uint8_t> negatives);
 /// Adds the pieces to the builder's current layer, a painted Area each.
 void addInverse(DocumentBuilder& builder, const Inverse& inverse);
 

@@ -99,7 +99,8 @@ private:
                 negatives.push_back(paintNegative(source, holesOf(row)));
             }
         }
-        if (!addNegativeLayers(m_builder, negatives, m_parts.progress)) {
+        const StepRole role = m_isShown ? StepRole::Shown : StepRole::Copied;
+        if (!addNegativeLayers(m_builder, negatives, role, m_parts.progress)) {
             return false;
         }
         for (const NegativeLayer& layer : negatives) {

@@ -158,7 +158,8 @@ private:
                 m_parts.progress.layerDone();
             }
         }
-        if (!addNegativeLayers(m_builder, negatives, m_parts.progress)) {
+        const formats::StepRole role = m_isChosen ? formats::StepRole::Shown : formats::StepRole::Copied;
+        if (!addNegativeLayers(m_builder, negatives, role, m_parts.progress)) {
             return false;
         }
         for (const formats::NegativeLayer& layer : negatives) {

@@ -1,10 +1,13 @@
 #include "model/formats/steps/negative_layers.h"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "model/base/parallel.h"
 #include "model/formats/common/board_outline.h"
 #include "model/formats/common/painting.h"
+#include "model/geometry/loops/edge_loops.h"
 #include "model/solids/shells/area_shell.h"
 
 namespace model::formats {
@@ -26,13 +29,51 @@ ShapeId outlineOf(const DocumentBuilder& builder, LayerId layer) {
     return own.isValid() ? own : builder.soFar().profile;
 }
 
-Inverse inverseOf(const DocumentBuilder& builder, const NegativeLayer& layer) {
+/// What the copies clear on the layer outside of their outlines.
+std::vector<EdgeLoops> clearedAroundCopies(const Document& board, LayerId layer) {
+    std::vector<EdgeLoops> cleared;
+    for (const StepInstance& instance : board.instances) {
+        const Document& step = *board.steps[instance.step];
+        const ShapeId around = step.layer(board.layerOfCopy(layer, instance.isFlipped)).clearedAround;
+        if (around.isValid()) {
+            std::ranges::transform(areaOutlines(step.shapes, around), std::back_inserter(cleared),
+                                   [&](const EdgeLoops& region) { return placed(region, instance.placement); });
+        }
+    }
+    return cleared;
+}
+
+/// A negative layer without features.
+RegionBoolean baseOf(const DocumentBuilder& builder, LayerId layer) {
     const Document& board = builder.soFar();
-    const RegionBoolean base = withoutCopies(board, areaOutlines(board.shapes, outlineOf(builder, layer.layer)));
-    const std::vector<NetVote> votes = votesOn(board, layer.layer, layer.painted->soFar());
-    Inverse inverse = inverseOf(base.regions, layer.painted->soFar(), layer.negatives, votes);
-    inverse.summary.isExact = inverse.summary.isExact && base.isExact;
-    return inverse;
+    RegionBoolean base = withoutCopies(board, areaOutlines(board.shapes, outlineOf(builder, layer)));
+    const std::vector<EdgeLoops> cleared = clearedAroundCopies(board, layer);
+    if (!cleared.empty()) {
+        const bool wasExact = base.isExact;
+        base = differenceOf(base.regions, cleared);
+        base.isExact = base.isExact && wasExact;
+    }
+    return base;
+}
+
+/// What is made of a negative layer.
+struct Filled {
+    Inverse inverse;
+    RegionBoolean around;  ///< cleared outside of the step's outline
+};
+
+Filled filled(const DocumentBuilder& builder, const NegativeLayer& layer, StepRole role) {
+    const Document& board = builder.soFar();
+    const Document& painted = layer.painted->soFar();
+    const RegionBoolean base = baseOf(builder, layer.layer);
+    Filled made;
+    made.inverse = inverseOf(base.regions, painted, layer.negatives, votesOn(board, layer.layer, painted));
+    if (role == StepRole::Copied) {
+        const std::vector<EdgeLoops> outline = areaOutlines(board.shapes, outlineOf(builder, layer.layer));
+        made.around = visibleAround(outline, painted, layer.negatives);
+    }
+    made.inverse.summary.isExact = made.inverse.summary.isExact && base.isExact && made.around.isExact;
+    return made;
 }
 
 void report(Diagnostics& diagnostics, const NegativeLayer& layer, const std::string& name,
@@ -47,11 +88,12 @@ void report(Diagnostics& diagnostics, const NegativeLayer& layer, const std::str
 
 }  // namespace
 
-bool addNegativeLayers(DocumentBuilder& builder, std::span<const NegativeLayer> layers, StepProgress& progress) {
-    std::vector<Inverse> inverses(layers.size());
+bool addNegativeLayers(DocumentBuilder& builder, std::span<const NegativeLayer> layers, StepRole role,
+                       StepProgress& progress) {
+    std::vector<Filled> made(layers.size());
     base::parallelFor(layers.size(), [&](std::size_t i) {
         if (!progress.isCancelled() && outlineOf(builder, layers[i].layer).isValid()) {
-            inverses[i] = inverseOf(builder, layers[i]);
+            made[i] = filled(builder, layers[i], role);
         }
         progress.layerDone();
     });
@@ -62,8 +104,11 @@ bool addNegativeLayers(DocumentBuilder& builder, std::span<const NegativeLayer> 
         const std::string name = "layer " + builder.layer(layers[i].layer).name;
         builder.beginLayer(layers[i].layer);
         if (outlineOf(builder, layers[i].layer).isValid()) {
-            addInverse(builder, inverses[i]);
-            report(builder.diagnostics(), layers[i], name, inverses[i].summary, !builder.soFar().nets.empty());
+            addInverse(builder, made[i].inverse);
+            if (!made[i].around.regions.empty()) {
+                builder.layer(layers[i].layer).clearedAround = builder.addShape(sketchOf(made[i].around.regions));
+            }
+            report(builder.diagnostics(), layers[i], name, made[i].inverse.summary, !builder.soFar().nets.empty());
         } else {
             builder.diagnostics().report(Severity::Error, layers[i].file, layers[i].line,
                                          name + " is negative, but the board has no outline; it stays empty");

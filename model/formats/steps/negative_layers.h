@@ -20,10 +20,14 @@ struct NegativeLayer {
     std::uint32_t line = 0;
 };
 
+/// Is the step one that the user looks at, or one that others hold copies of?
+enum class StepRole : std::uint8_t { Shown, Copied };
+
 /// Fills the layers, in this order: each is the outline of the layer or the board, without copies of other steps, minus
-/// what is painted. Its pieces have the nets of the plated holes and pads in them. What was found is reported; without
-/// an outline a layer stays empty. To be called when the profile and all holes are there. False: cancelled.
-[[nodiscard]] bool addNegativeLayers(DocumentBuilder& builder, std::span<const NegativeLayer> layers,
+/// what is painted, and minus what such copies clear around them (Layer::clearedAround, set here for copied steps). Its
+/// pieces have the nets of the plated holes and pads in them. What was found is reported; without an outline a layer
+/// stays empty. To be called when the profile and all holes are there. False: cancelled.
+[[nodiscard]] bool addNegativeLayers(DocumentBuilder& builder, std::span<const NegativeLayer> layers, StepRole role,
                                      StepProgress& progress);
 
 }  // namespace model::formats

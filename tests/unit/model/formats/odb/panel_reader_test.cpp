@@ -138,6 +138,31 @@ private slots:
         QVERIFY(layerOf(*d->steps[0], "bottom").counts[4] > 0);
     }
 
+    void whatACardsNegativeLayerClearsAroundItIsClearedOnThePanel() {
+        Folder folder;
+        folder.copyJob("panel");
+        std::string matrix = readFile(folder.path() / "matrix/matrix");
+        for (std::size_t at = matrix.find("POSITIVE"); at < matrix.find("DRILL"); at = matrix.find("POSITIVE", at)) {
+            matrix.replace(at, 8, "NEGATIVE");  // TOP and BOTTOM: one card is flipped
+        }
+        folder.write("matrix/matrix", matrix);
+        folder.write("steps/panel/layers/top/features", "UNITS=MM\n");
+        folder.write("steps/panel/layers/bottom/features", "UNITS=MM\n");
+        // A square brush along the lower edge of the card, half of it outside, and over both ends by half its width.
+        folder.write("steps/card/layers/top/features", "UNITS=MM\n$0 s1000\nL 0 0 6 0 0 P 0\n");
+        folder.write("steps/card/layers/bottom/features", "UNITS=MM\n");
+        const auto d = read(folder.path());
+        const auto copper = [&](const char* layer) {
+            return squareMillimetres(*d, ElementId{layerOf(*d, layer).elements.first});
+        };
+        const double around = 7.0 * 0.5 + 2 * 0.5 * 0.5;
+        QCOMPARE(copper("top"), 80.0 * 50.0 - 5 * 36.0 - 4 * around);
+        QCOMPARE(copper("bottom"), 80.0 * 50.0 - 5 * 36.0 - around);
+        const Document& card = *d->steps[0];
+        const ElementId plane{layerOf(card, "top").elements.first};
+        QCOMPARE(squareMillimetres(card, plane), 36.0 - 6.0 * 0.5);
+    }
+
     void oneStackHoldsForAllSteps() {
         Folder folder;
         folder.copyJob("panel");
