@@ -252,6 +252,7 @@ void LayerModel::setDefaults(std::vector<LayerAppearance> defaults) {
 
 void LayerModel::setBoardColours(const model::BoardColourChoice& chosen) {
     m_boardColours = chosen;
+    emit boardColoursChanged();
     emit stylesChanged();
 }
 

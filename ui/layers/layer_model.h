@@ -102,6 +102,8 @@ public:
     void toggleSolo(model::LayerId layer);
 
 signals:
+    /// Comes before `stylesChanged`: colours to begin with may follow from it (setDefaults).
+    void boardColoursChanged();
     /// Once per edit, however many layers it concerns.
     void stylesChanged();
     /// The user did this; what came with a board is none.

@@ -33,7 +33,7 @@ std::vector<render::LayerStyle> solidStyles(const model::Document& document,
                                             const std::vector<LayerAppearance>& appearances, render::Palette palette,
                                             const model::BoardColourChoice& chosen) {
     std::vector<render::LayerStyle> styles = toStyles(appearances);
-    const std::vector<LayerAppearance> untouched = defaultAppearances(document, palette);
+    const std::vector<LayerAppearance> untouched = defaultAppearances(document, palette, chosen);
     const std::vector<render::LayerStyle> material =
         render::defaultStyles(document, render::Appearance::Solid, palette, model::boardColours(document, chosen));
     for (std::size_t row = 0; row < styles.size(); ++row) {
@@ -51,10 +51,11 @@ std::vector<render::LayerStyle> solidStyles(const model::Document& document,
 std::vector<render::LayerStyle> flatStyles(const model::Document& document,
                                            const std::vector<LayerAppearance>& appearances) {
     std::vector<render::LayerStyle> styles = toStyles(appearances);
+    std::vector<render::LayerStyle> unveiled = styles;
     for (std::size_t row = 0; row < styles.size(); ++row) {
-        styles[row].isVisible = styles[row].isVisible && !isVeil(document.layers[row]);
+        unveiled[row].isVisible = styles[row].isVisible && !isVeil(document.layers[row]);
     }
-    return styles;
+    return std::ranges::any_of(unveiled, &render::LayerStyle::isVisible) ? unveiled : styles;
 }
 
 void putOnTop(std::vector<render::LayerStyle>& styles, const model::Document& document, model::LayerId layer) {
@@ -82,12 +83,15 @@ void putInContrast(std::vector<render::LayerStyle>& styles, std::span<const mode
     }
 }
 
-std::vector<LayerAppearance> defaultAppearances(const model::Document& document, render::Palette palette) {
+std::vector<LayerAppearance> defaultAppearances(const model::Document& document, render::Palette palette,
+                                                const model::BoardColourChoice& chosen) {
     std::vector<LayerAppearance> appearances;
     appearances.reserve(document.layers.size());
     const std::vector<render::LayerStyle> drawing = render::defaultStyles(document, render::Appearance::Flat, palette);
-    for (render::LayerStyle style : render::defaultStyles(document, render::Appearance::Solid, palette)) {
-        style.colour = drawing[appearances.size()].colour;
+    for (render::LayerStyle style :
+         render::defaultStyles(document, render::Appearance::Solid, palette, model::boardColours(document, chosen))) {
+        const std::size_t row = appearances.size();
+        style.colour = isVeil(document.layers[row]) ? style.colour : drawing[row].colour;
         appearances.push_back(toLook(style));
     }
     return appearances;

@@ -23,18 +23,28 @@ namespace {
 
 constexpr int kLargeWidth = 3840;  ///< proposed for pictures of any size
 
+std::vector<LayerAppearance> defaultsOf(FeatureContext& context, const model::Document& document) {
+    return defaultAppearances(document, context.settings.choice<render::Palette>(), context.layers.boardColours());
+}
+
+void takeDefaults(FeatureContext& context) {
+    if (const model::Document* document = context.layers.document()) {
+        context.layers.setDefaults(defaultsOf(context, *document));
+    }
+}
+
 void connectBoard(FeatureContext& context) {
     Workspace& workspace = context.workspace;
     BoardViews& views = context.views;
     QObject::connect(&workspace, &Workspace::boardRead, &context.layers, [&context](const LoadedBoard& board) {
-        context.layers.setDocument(board.document,
-                                   defaultAppearances(*board.document, context.settings.choice<render::Palette>()));
+        context.layers.setDocument(board.document, defaultsOf(context, *board.document));
     });
     QObject::connect(&workspace, &Workspace::boardShown, &views, [&context](const LoadedBoard& board) {
         context.views.show(board, context.layers.effectiveStyles());
     });
     QObject::connect(&workspace, &Workspace::restacked, &views,
                      [&views](const LoadedBoard& board) { views.setHeights(board.document); });
+    QObject::connect(&context.layers, &LayerModel::boardColoursChanged, &views, [&context] { takeDefaults(context); });
     QObject::connect(&context.layers, &LayerModel::stylesChanged, &views, [&context] {
         context.views.setBoardColours(context.layers.boardColours());
         context.views.setStyles(context.layers.effectiveStyles());
@@ -187,9 +197,7 @@ void connectAppearance(FeatureContext& context) {
         context.actions[ActionId::SafeColours].setChecked(palette == render::Palette::ColourBlindSafe);
         context.settings.choose(palette);
         context.views.setPalette(palette);
-        if (const LoadedBoard* board = context.workspace.board()) {
-            context.layers.setDefaults(defaultAppearances(*board->document, palette));
-        }
+        takeDefaults(context);
     };
     context.on(ActionId::SafeColours, [setPalette](bool isOn) {
         setPalette(isOn ? render::Palette::ColourBlindSafe : render::Palette::Standard);
