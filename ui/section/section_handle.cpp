@@ -39,7 +39,17 @@ SectionHandle::SectionHandle(BoardView& solid, SectionPlaneTool& plane, QObject*
 }
 
 std::optional<QPointF> SectionHandle::place() const {
-    return m_plane.isOn() ? onCanvas(m_plane.middle()) : std::nullopt;
+    return m_plane.isOn() ? onCanvas(foot()) : std::nullopt;
+}
+
+/// Where it stands on the plane.
+base::PointD SectionHandle::foot() const {
+    const QRectF canvas({}, m_view.controller().viewport());
+    const base::PointD middle = m_plane.middle();
+    const std::optional<QPointF> place = onCanvas(middle);
+    const std::optional<glm::vec3> seen = m_view.controller().boardPointAt(canvas.center());
+    const bool isInSight = place && canvas.contains(*place);
+    return isInSight || !seen ? middle : m_plane.nearestTo(m_view.position().toJob(*seen));
 }
 
 std::optional<QPointF> SectionHandle::onCanvas(base::PointD location) const {
@@ -50,7 +60,7 @@ std::optional<QPointF> SectionHandle::onCanvas(base::PointD location) const {
 
 /// Along the way forward. From the front, where that is no way on the canvas, up is forward.
 QPointF SectionHandle::pixelsPerNm() const {
-    const base::PointD from = m_plane.middle();
+    const base::PointD from = foot();
     const base::PointD forward = m_plane.forward();
     constexpr double kWay = 1e6;
     const double fromTheSide = 1.0 / m_view.controller().nmPerPixel();
@@ -87,7 +97,7 @@ bool SectionHandle::take(QEvent& event) {
 
 bool SectionHandle::press(const QMouseEvent& event) {
     if (!m_drag && event.button() == Qt::LeftButton && isAt(event.position())) {
-        m_drag = Drag{event.position(), m_plane.middle(), m_plane.forward(), pixelsPerNm()};
+        m_drag = Drag{event.position(), foot(), m_plane.forward(), pixelsPerNm()};
     }
     return m_drag.has_value();
 }

@@ -19,7 +19,8 @@ public:
     /// Is painted over `solid` and gets its mouse before the board does, while there is a plane. All must live as long.
     SectionHandle(BoardView& solid, SectionPlaneTool& plane, QObject* parent = nullptr);
 
-    /// Where it is on the canvas, in logical pixels; none without a plane, and behind the eye.
+    /// Where it is on the canvas, in logical pixels; none without a plane, and behind the eye. It stands in the middle
+    /// of the board, or where that is out of sight as near as possible to the middle of the view.
     [[nodiscard]] std::optional<QPointF> place() const;
 
 private:
@@ -38,6 +39,7 @@ private:
     void setHovered(bool isHovered);
     [[nodiscard]] bool isAt(QPointF position) const;
     [[nodiscard]] std::optional<QPointF> onCanvas(base::PointD location) const;
+    [[nodiscard]] base::PointD foot() const;
     [[nodiscard]] QPointF pixelsPerNm() const;
     void paint(QPainter& painter) const;
 

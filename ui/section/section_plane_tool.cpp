@@ -35,7 +35,8 @@ void SectionPlaneTool::setAsDesigned(bool isOn) {
 
 void SectionPlaneTool::setOn(bool isOn) {
     m_isOn = isOn && m_index != nullptr;
-    m_through = isOverBoard() ? *m_pointer : base::toDouble(m_origin);
+    const bool isPointed = m_isOn && m_pointer && isOver(board(), *m_pointer);
+    m_through = isPointed ? *m_pointer : seenMiddle();
     m_angle = 0.0;
     m_eighths = 0;
     m_isAlongLine = false;
@@ -43,13 +44,18 @@ void SectionPlaneTool::setOn(bool isOn) {
 }
 
 /// Beside the board a plane would cut nothing, or all of it away.
-bool SectionPlaneTool::isOverBoard() const {
-    if (!m_pointer || m_index == nullptr) {
-        return false;
-    }
-    const base::Box& board = boxOf(*m_index->board);
-    return m_pointer->x > board.min.x && m_pointer->x < board.max.x && m_pointer->y > board.min.y &&
-           m_pointer->y < board.max.y;
+bool SectionPlaneTool::isOver(const model::Document& board, base::PointD location) {
+    const base::Box& box = boxOf(board);
+    return location.x > box.min.x && location.x < box.max.x && location.y > box.min.y && location.y < box.max.y;
+}
+
+base::PointD SectionPlaneTool::seenMiddle() const {
+    const CameraController& camera = m_views.solid().controller();
+    const QRectF canvas({}, camera.viewport());
+    const std::optional<QPointF> middle = camera.screenOf({});
+    const std::optional<glm::vec3> seen = camera.boardPointAt(canvas.center());
+    const bool isInSight = middle && canvas.contains(*middle);
+    return isInSight || !seen ? base::toDouble(m_origin) : m_views.solid().position().toJob(*seen);
 }
 
 void SectionPlaneTool::cutAlong(base::PointD from, base::PointD to) {
@@ -100,9 +106,12 @@ void SectionPlaneTool::put(base::PointD through) {
 
 base::PointD SectionPlaneTool::middle() const {
     const base::Box& box = boxOf(board());
+    return nearestTo({(double{1} * box.min.x + box.max.x) / 2, (double{1} * box.min.y + box.max.y) / 2});
+}
+
+base::PointD SectionPlaneTool::nearestTo(base::PointD location) const {
     const base::PointD direction = this->direction();
-    const double along = ((double{1} * box.min.x + box.max.x) / 2 - m_through.x) * direction.x +
-                         ((double{1} * box.min.y + box.max.y) / 2 - m_through.y) * direction.y;
+    const double along = (location.x - m_through.x) * direction.x + (location.y - m_through.y) * direction.y;
     return {m_through.x + along * direction.x, m_through.y + along * direction.y};
 }
 

@@ -21,8 +21,8 @@ public:
     void setAsDesigned(bool isOn);
     /// Where the pointer is, nm of the board; none: beside the board.
     void pointAt(std::optional<base::PointD> location) { m_pointer = location; }
-    /// Cuts through the pointer, or through the middle of the board where that is not over it, what is in front of an
-    /// isometric view going; or makes the board whole again.
+    /// Cuts through the pointer, or where that is not over the board through its middle, or that of what is seen of it
+    /// if its own is out of sight; what is in front of an isometric view goes. Or makes the board whole again.
     void setOn(bool isOn);
     [[nodiscard]] bool isOn() const { return m_isOn; }
     /// Cuts through two places of the board; what is to the right on the way from one to the other goes.
@@ -39,10 +39,13 @@ public:
     /// towards what is left, of length 1.
     [[nodiscard]] const model::Document& board() const { return *m_index->board; }
     [[nodiscard]] base::PointD middle() const;
+    /// The place on it that is nearest to another one.
+    [[nodiscard]] base::PointD nearestTo(base::PointD location) const;
     [[nodiscard]] base::PointD forward() const;
 
 private:
-    [[nodiscard]] bool isOverBoard() const;
+    [[nodiscard]] static bool isOver(const model::Document& board, base::PointD location);
+    [[nodiscard]] base::PointD seenMiddle() const;
     [[nodiscard]] base::PointD direction() const;
     void apply();
 

@@ -171,6 +171,26 @@ private slots:
         QVERIFY(std::abs(heightOf(-0.05) - middle) < 0.01);
     }
 
+    void wherePartOfTheBoardIsSeenThePlaneAndItsArrowAreInSight() {
+        ui::CameraController& camera = window().views().solid().controller();
+        camera.look(render::NamedView::Top);
+        const render::CameraPose pose = camera.camera().pose();
+        const QRectF canvas({}, camera.viewport());
+        const auto& handle = window().find<ui::SectionHandle>();
+        const auto inSight = [&] { return handle.place() && canvas.contains(*handle.place()); };
+        camera.zoomAt(canvas.center() + QPointF(canvas.width() * 0.3, 0.0), 8.0F);
+        window().actions()[ActionId::SectionPlane].trigger();
+        QVERIFY(inSight());
+        const render::SectionPlane seen = window().views().solid().cut()->plane;
+        camera.setPose(pose);
+        QVERIFY(inSight());
+        camera.zoomAt(canvas.center() + QPointF(-canvas.width() * 0.3, 0.0), 8.0F);  // it runs along x
+        QVERIFY(inSight());
+        QCOMPARE(window().views().solid().cut()->plane.start, seen.start);
+        window().actions()[ActionId::SectionPlane].trigger();
+        camera.setPose(pose);
+    }
+
     void thePlaneIsDraggedByItsArrowAndStaysOnTheBoard() {
         window().views().setArrangement(ui::Arrangement::Solid);
         window().views().solid().controller().look(render::NamedView::Iso);
