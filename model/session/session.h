@@ -23,8 +23,8 @@
 ///
 ///     {"copperscope_session": 1, "job": "amp", "thickness_nm": {"TOP": 70000},
 ///      "views": [{"name": "U1", "step": "pcb", "layers": ["TOP"], "flat": {"target_mm": [1, 2, 0], "distance_mm": 30,
-///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true, "origin_nm": [50000000, 40000000]}, "solid": {…},
-///                 "nets": [["pcb", "CLK"]], "current": "TOP"},
+///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true, "origin_nm": [50000000, 40000000], "aspect": 1.6},
+///                 "solid": {…}, "nets": [["pcb", "CLK"]], "current": "TOP"},
 ///                {"name": "Clocks", "step": "pcb", "selection": {"nets": [["pcb", "CLK"]],
 ///                 "elements": [["TOP", "line", 0, 0, 1500000, 200000]]}}],
 ///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}],
@@ -47,6 +47,7 @@ struct Pose {
     double pitchDeg = 0.0;    ///< -90 looks straight down
     bool isParallel = false;
     std::optional<base::Point> origin{};  ///< the middle then, nm of the board; none: a file of an older version
+    std::optional<double> aspect{};       ///< width of the view through its height then; none: likewise
     bool operator==(const Pose&) const = default;
 };
 

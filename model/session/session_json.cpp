@@ -37,6 +37,8 @@ namespace {
 
 /// No camera is farther from a board, in mm.
 constexpr double kFarthest = 1e6;
+/// No view is so many times as wide as high, or as high as wide.
+constexpr double kLongest = 1000.0;
 
 double poseNumber(const Json& json) {
     return numberFrom(json, -kFarthest, kFarthest);
@@ -56,13 +58,22 @@ std::optional<base::Point> originFrom(const Json& pose) {
     return base::Point{coordinateFrom(origin[0]), coordinateFrom(origin[1])};
 }
 
+std::optional<double> aspectFrom(const Json& pose) {
+    return pose.contains("aspect") ? std::optional(numberFrom(pose.at("aspect"), 1.0 / kLongest, kLongest))
+                                   : std::nullopt;
+}
+
 Pose poseFrom(const Json& json) {
     const std::vector<double> target = listFrom(json.at("target_mm"), poseNumber);
     const double distance = poseNumber(json.at("distance_mm"));
     require(target.size() == 3 && distance > 0);
-    return {{target[0], target[1], target[2]}, distance,
-            poseNumber(json.at("yaw_deg")),    poseNumber(json.at("pitch_deg")),
-            json.at("parallel").get<bool>(),   originFrom(json)};
+    return {{target[0], target[1], target[2]},
+            distance,
+            poseNumber(json.at("yaw_deg")),
+            poseNumber(json.at("pitch_deg")),
+            json.at("parallel").get<bool>(),
+            originFrom(json),
+            aspectFrom(json)};
 }
 
 Json toJson(const Pose& pose) {
@@ -73,6 +84,9 @@ Json toJson(const Pose& pose) {
               {"parallel", pose.isParallel}};
     if (pose.origin) {
         json["origin_nm"] = {pose.origin->x, pose.origin->y};
+    }
+    if (pose.aspect) {
+        json["aspect"] = *pose.aspect;
     }
     return json;
 }

@@ -32,9 +32,12 @@ void CameraController::setViewport(QSizeF size, double pixelRatio) {
     m_pixelRatio = pixelRatio;
     if (m_isFitted) {
         fit();
-    } else {
-        emit moved();
+        return;
     }
+    if (m_restored && m_camera.pose() == m_restored->taken) {
+        seeAsMuch();
+    }
+    emit moved();
 }
 
 void CameraController::setBox(const glm::vec3& boxMin, const glm::vec3& boxMax) {
@@ -136,7 +139,7 @@ void CameraController::lift(float mm) {
     }
 }
 
-void CameraController::setPose(const render::CameraPose& pose) {
+void CameraController::place(const render::CameraPose& pose) {
     m_camera.setPose(pose);
     if (m_isPlan) {
         const bool isFromBelow = pose.pitch > 0.0F;
@@ -146,7 +149,24 @@ void CameraController::setPose(const render::CameraPose& pose) {
         straight.isOrthographic = true;
         m_camera.setPose(straight);
     }
+}
+
+void CameraController::setPose(const render::CameraPose& pose) {
+    place(pose);
     announceUserMove();
+}
+
+void CameraController::restore(const render::CameraPose& pose, float aspect) {
+    m_restored = Restored{pose, aspect, pose};
+    seeAsMuch();
+    announceUserMove();
+}
+
+void CameraController::seeAsMuch() {
+    render::CameraPose pose = m_restored->pose;
+    pose.distance *= std::max(m_restored->aspect / aspect(), 1.0F);
+    place(pose);
+    m_restored->taken = m_camera.pose();
 }
 
 void CameraController::zoomAt(QPointF position, float factor) {

@@ -76,6 +76,10 @@ public:
     void lift(float mm);
     /// Looks as told; a plan stays straight.
     void setPose(const render::CameraPose& pose);
+    /// The same with a pose of a viewport of that aspect (width through height): where this one is narrower, from so
+    /// far away that as much is seen across, also when the viewport changes until the camera moves.
+    void restore(const render::CameraPose& pose, float aspect);
+    [[nodiscard]] float aspect() const { return static_cast<float>(m_viewport.width() / m_viewport.height()); }
     /// Zooms by `factor` (> 1 is closer) and keeps the point of the board at `position` where it is on the screen, or
     /// beside the board the point of it that is nearest: a board that is seen stays in sight.
     void zoomAt(QPointF position, float factor);
@@ -157,6 +161,8 @@ private:
     bool dispatch(QEvent& event);
     void orbitBy(QPointF pixels);
     QPointF panBy(QPointF pixels);
+    void place(const render::CameraPose& pose);
+    void seeAsMuch();
     void announceUserMove();
     void focusAt(QPointF position);
     template <class Place>
@@ -165,7 +171,6 @@ private:
     [[nodiscard]] std::optional<QPointF> nearestSeen(QPointF position) const;
     [[nodiscard]] glm::vec2 ndcOf(QPointF position) const;
     [[nodiscard]] QPointF centre() const { return {m_viewport.width() / 2.0, m_viewport.height() / 2.0}; }
-    [[nodiscard]] float aspect() const { return static_cast<float>(m_viewport.width() / m_viewport.height()); }
     [[nodiscard]] float height() const { return static_cast<float>(m_viewport.height()); }
 
     render::Camera m_camera;
@@ -175,6 +180,12 @@ private:
     double m_pixelRatio = 1.0;
     QMarginsF m_margins;
     bool m_isFitted = true;
+    struct Restored {
+        render::CameraPose pose;
+        float aspect = 1.0F;
+        render::CameraPose taken;  ///< for the viewport that there is
+    };
+    std::optional<Restored> m_restored;
     bool m_isPlan = false;
     MouseHabits m_habits;
     std::vector<Taker> m_takers;

@@ -25,7 +25,8 @@ session::Pose poseOf(const CameraController& controller, base::Point origin) {
             glm::degrees(pose.yaw),
             glm::degrees(pose.pitch),
             pose.isOrthographic,
-            origin};
+            origin,
+            controller.aspect()};
 }
 
 /// On a board with this middle.
@@ -170,8 +171,12 @@ void SavedViewsFeature::goTo(int row) {
 }
 
 void SavedViewsFeature::setCameras(const session::Pose& flat, const session::Pose& solid) {
-    m_views.flat().controller().setPose(cameraPose(flat, origin()));
-    m_views.solid().controller().setPose(cameraPose(solid, origin()));
+    const auto put = [this](CameraController& controller, const session::Pose& pose) {
+        const auto aspect = static_cast<float>(pose.aspect.value_or(0.0));  // none is narrower
+        controller.restore(cameraPose(pose, origin()), aspect);
+    };
+    put(m_views.flat().controller(), flat);
+    put(m_views.solid().controller(), solid);
     m_orthographic.setChecked(m_views.solid().controller().camera().isOrthographic());
 }
 

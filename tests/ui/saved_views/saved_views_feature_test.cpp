@@ -127,6 +127,34 @@ private slots:
         QTRY_COMPARE(names(), QStringList{"By F2"});
     }
 
+    void whereThe2DViewIsNarrowerThanThenAllThatWasSeenIsSeen() {
+        ui::CameraController& flat = window().views().flat().controller();
+        const auto arrange = [&](ui::Arrangement arrangement) {
+            window().views().setArrangement(arrangement);
+            QTest::qWait(100);
+            QTRY_COMPARE(flat.viewport().toSize(), window().views().flat().size());
+        };
+        const auto widthSeen = [&] { return flat.nmPerPixel() * flat.viewport().width(); };
+        arrange(ui::Arrangement::Stacked);
+        flat.fit();
+        flat.zoomAtCentre(1.25F);
+        const double then = widthSeen();
+        const float wide = flat.aspect();
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        arrange(ui::Arrangement::SideBySide);
+        QVERIFY(flat.aspect() < 0.8F * wide);
+        flat.zoomAtCentre(3.0F);
+        const QPoint at = table().visualRect(table().model()->index(0, 0)).center();
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, at);
+        QTest::mouseDClick(table().viewport(), Qt::LeftButton, {}, at);
+        QVERIFY(std::abs(widthSeen() / then - 1.0) < 1e-3);
+        arrange(ui::Arrangement::Stacked);  // nobody has moved the camera
+        QVERIFY(std::abs(widthSeen() / then - 1.0) < 1e-3);
+        flat.zoomAtCentre(2.0F);
+        arrange(ui::Arrangement::SideBySide);
+        QVERIFY(widthSeen() < 0.5 * then);
+    }
+
     void whatIsForgottenComesBackByUndo() {
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);
         m_fixture->key(Qt::Key_B, Qt::ControlModifier);

@@ -271,6 +271,24 @@ private slots:
         }
     }
 
+    void camerasSayHowWideTheirViewWas() {
+        const Location location;
+        const auto views = [&](const std::string& aspect) {
+            const std::string pose = R"({"target_mm": [1, 2, 3], "distance_mm": 5, "yaw_deg": 0, "pitch_deg": 0, )"
+                                     R"("parallel": true)" +
+                                     aspect + "}";
+            location.write(R"({"copperscope_session": 1, "job": "everything", "views": [{"name": "a", "step": "pcb",)"
+                           R"("layers": [], "flat": )" +
+                           pose + R"(, "solid": )" + pose + "}]}");
+            return location.load().session.views;
+        };
+        QVERIFY(!views("").front().flat.aspect.has_value());
+        QCOMPARE(views(R"(, "aspect": 1.5)").front().solid.aspect.value_or(0.0), 1.5);
+        for (const char* wrong : {"0", "-1", "[1]", R"("1")", "1e9"}) {
+            QVERIFY2(views(std::string(R"(, "aspect": )") + wrong).empty(), wrong);
+        }
+    }
+
     void coloursOfTheBoardAreKept() {
         const Location location;
         const model::BoardColourChoice chosen{model::BoardColour::Purple, std::nullopt, model::SurfaceFinish::Tin};
