@@ -230,6 +230,7 @@ void SavedViewsFeature::keep(const LoadedBoard& next) {
     const LoadedBoard& board = *m_workspace.board();
     const SelectionModel& selection = m_workspace.selection();
     m_kept.reset();
+    m_stepBefore = isOtherStep(m_workspace, next) ? std::optional(desk()) : std::nullopt;
     if (!isReadAnew(m_workspace, next)) {
         return;
     }
@@ -285,6 +286,9 @@ void SavedViewsFeature::restoreDesk(const LoadedBoard& board) {
         m_workspace.setCurrentLayer(m_layers.soloLayer());
         setCameras(desk->flat, desk->solid);
         showUnit(unitNamed(desk->unit));
+    } else if (m_stepBefore) {
+        restoreLayers(*board.document, *m_stepBefore);
+        m_workspace.setCurrentLayer(m_layers.soloLayer());
     } else {
         showUnit(m_settings.choice<LengthUnit>());
     }

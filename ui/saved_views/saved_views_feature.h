@@ -46,7 +46,8 @@ private:
     [[nodiscard]] base::Point origin() const;
     /// Empty for none.
     [[nodiscard]] std::string nameOf(model::LayerId layer) const;
-    /// Keeps what is shown and selected if the next board is the same one, read anew.
+    /// Keeps what is shown and selected if the next board is the same one, read anew, and how layers are drawn if it is
+    /// another step of the job, which has the same ones.
     void keep(const LoadedBoard& next);
     void restoreKept(const LoadedBoard& board);
     void restoreLayers(const model::Document& board, const model::session::Desk& desk);
@@ -62,6 +63,7 @@ private:
     QAction& m_orthographic;
     ViewListModel m_list;
     std::optional<Kept> m_kept;
+    std::optional<model::session::Desk> m_stepBefore;  ///< of the same job
     PartWriter m_savedDesk;  ///< begun when the board was opened first: read anew, it keeps its cameras
     SavedList<model::session::SavedView> m_saved;
 };

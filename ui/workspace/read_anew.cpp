@@ -2,11 +2,22 @@
 
 namespace ui {
 
-bool isReadAnew(const Workspace& workspace, const LoadedBoard& next) {
+namespace {
+
+bool isSameJob(const Workspace& workspace, const LoadedBoard& next) {
     const LoadedBoard* board = workspace.board();
     return board != nullptr && board->request.path == next.request.path &&
-           board->request.member == next.request.member && board->format == next.format &&
-           workspace.isOpen(next.document->job.step);
+           board->request.member == next.request.member && board->format == next.format;
+}
+
+}  // namespace
+
+bool isReadAnew(const Workspace& workspace, const LoadedBoard& next) {
+    return isSameJob(workspace, next) && workspace.isOpen(next.document->job.step);
+}
+
+bool isOtherStep(const Workspace& workspace, const LoadedBoard& next) {
+    return isSameJob(workspace, next) && !workspace.isOpen(next.document->job.step);
 }
 
 }  // namespace ui

@@ -8,4 +8,7 @@ namespace ui {
 /// same format? What is shown of it then stays (decision 174).
 [[nodiscard]] bool isReadAnew(const Workspace& workspace, const LoadedBoard& next);
 
+/// Is it another step of that?
+[[nodiscard]] bool isOtherStep(const Workspace& workspace, const LoadedBoard& next);
+
 }  // namespace ui

@@ -1,5 +1,6 @@
 // Views are kept, renamed, forgotten and looked at again; Back and Forward walk through where one has been.
 
+#include <QComboBox>
 #include <QLineEdit>
 #include <QtTest>
 
@@ -257,6 +258,19 @@ private slots:
         QCOMPARE(window().layers().effectiveStyles()[0].colour, QColor(10, 20, 30));
         window().layers().restoreDefaults();
         QVERIFY(window().layers().effectiveStyles()[0].colour != QColor(10, 20, 30));
+    }
+
+    void anotherStepOfTheJobShowsTheSameLayers() {
+        m_fixture->restart();
+        QVERIFY(m_fixture->openAndWait(locations::kTestData + QStringLiteral("/odb/panel")));
+        const std::vector<std::string> before = window().layers().visibleNames();
+        window().layers().showOnly({"BOTTOM"});
+        const model::Document* panel = window().document();
+        QComboBox& box = *window().findChild<QComboBox*>("steps");
+        emit box.textActivated("CARD");
+        QTRY_VERIFY(window().document() != panel && window().document()->job.step == "CARD");
+        QCOMPARE(window().layers().visibleNames(), std::vector<std::string>{"BOTTOM"});
+        QVERIFY(before.size() > 1);
     }
 
     void aLayerShownAloneIsSavedToo() {
