@@ -43,8 +43,8 @@ constexpr Tone kTones[] = {
 constexpr QPalette::ColorRole kTextRoles[] = {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
                                               QPalette::HighlightedText};
 
-/// Fusion, whose empty check boxes and grooves of sliders vanish on a dark ground, with frames in the colour of the
-/// text.
+/// Fusion, whose empty check boxes, grooves of sliders and mark of a toolbar that has no room for all of its buttons
+/// vanish on a dark ground, with these in the colour of the text.
 class FramedBoxes : public QProxyStyle {
 public:
     FramedBoxes() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
@@ -55,6 +55,18 @@ public:
         if (element == PE_IndicatorCheckBox) {
             frame(option->rect, *option, *painter);
         }
+    }
+
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+        // Qt's own name for the button, whose picture is black.
+        if (element == CE_ToolButtonLabel && widget != nullptr &&
+            widget->objectName() == QLatin1String("qt_toolbar_ext_button")) {
+            painter->setPen(option->palette.color(QPalette::ButtonText));
+            painter->drawText(option->rect, Qt::AlignCenter, QStringLiteral("»"));
+            return;
+        }
+        QProxyStyle::drawControl(element, option, painter, widget);
     }
 
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
