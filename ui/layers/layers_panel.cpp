@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QStyleOptionToolButton>
 #include <QToolButton>
 #include <algorithm>
 #include <iterator>
@@ -20,11 +21,22 @@ namespace ui {
 
 namespace {
 
+/// Pixels of a button beside its text.
+constexpr int kButtonEdges = 8;
 /// In letters: what a name has at least, whatever the width of the panel.
 constexpr int kLeastName = 8;
 
+/// Leaves out the middle of a text it has no room for.
+class MenuButton : public QToolButton {
+    void initStyleOption(QStyleOptionToolButton* option) const override {
+        QToolButton::initStyleOption(option);
+        option->text =
+            fontMetrics().elidedText(option->text, Qt::ElideMiddle, width() - kButtonEdges, Qt::TextShowMnemonic);
+    }
+};
+
 QToolButton* menuButton(const char* name, const QString& text, const QString& tip) {
-    auto* button = new QToolButton;
+    auto* button = new MenuButton;
     button->setObjectName(QLatin1String(name));
     button->setText(text);
     button->setToolTip(tip);
