@@ -92,6 +92,7 @@ public:
 
     std::vector<StackupRow> build() {
         m_board = checked("(board)", m_facts.boardNm, kMostDielectric);
+        m_isBoardReplaced = m_board && isReplaced(*m_facts.boardNm, *m_board);
         findCopper();
         collectParts();
         fillUnknown();
@@ -159,6 +160,8 @@ private:
         return static_cast<Nm>(std::llround(inside));
     }
 
+    static bool isReplaced(double stated, Nm used) { return std::abs(stated - used) >= 1.0; }
+
     // ---- rows and what is known of them ----
 
     [[nodiscard]] bool isRow(std::size_t i) const { return isPhysical(m_layers[i]) && m_facts.layers[i].hasMaterial; }
@@ -210,6 +213,7 @@ private:
             part.isKnown = true;
         } else if (const std::optional<Nm> nm = part.stated) {
             part.row.thickness = *nm;
+            part.row.source = isReplaced(*stated, *nm) ? Source::Assumed : Source::Job;
             part.isKnown = true;
         }
         m_parts.push_back(std::move(part));
@@ -258,7 +262,8 @@ private:
         part.row.name = uniqueName(part.row.name);
         const ThicknessOverride* set = findOverride(part.row.name);
         part.row.thickness = set != nullptr ? set->thickness : m_board.value_or(kDefaultBoard);
-        part.row.source = set != nullptr ? Source::Session : m_board ? Source::Job : Source::Assumed;
+        const bool isStated = m_board && !m_isBoardReplaced;
+        part.row.source = set != nullptr ? Source::Session : isStated ? Source::Job : Source::Assumed;
         part.isKnown = true;
         report(Severity::Info, "there is one copper layer; " + where + " it lies a dielectric of " +
                                    inUm(part.row.thickness) +
@@ -332,7 +337,7 @@ private:
         const std::string layers = "the job gives no thickness for " + std::to_string(count) + " copper layer(s); ";
         const auto nm = static_cast<double>(share);
         if (areDielectricsKnown && !m_isAlone && nm >= kLeastCopperShare && nm <= kMostCopperShare) {
-            setAll(copper, share, Source::Derived);
+            setAll(copper, share, m_isBoardReplaced ? Source::Assumed : Source::Derived);
             report(Severity::Info, layers + "taken as " + inUm(nm) +
                                        " each, an even share of what the dielectrics leave of the board's " +
                                        inUm(*m_board));
@@ -348,7 +353,7 @@ private:
         const std::int64_t left = m_board.value_or(kDefaultBoard) - knownSum();
         const bool hasRoom = left >= count * kLeastDielectric;
         const std::int64_t share = hasRoom ? left / count : kLeastDielectric;
-        setAll(parts, share, m_board && hasRoom ? Source::Derived : Source::Assumed);
+        setAll(parts, share, m_board && !m_isBoardReplaced && hasRoom ? Source::Derived : Source::Assumed);
         const std::string unknown = std::to_string(count) + " dielectric(s) without a thickness in the job: taken as " +
                                     inUm(static_cast<double>(share)) + " each, ";
         if (!hasRoom) {
@@ -516,6 +521,7 @@ private:
     Diagnostics& m_diagnostics;
     double m_most;
     std::optional<Nm> m_board;                    ///< the job's, within bounds
+    bool m_isBoardReplaced = false;               ///< the job's own is absurd
     std::vector<Part> m_parts;                    ///< from the top
     std::unordered_map<std::string, int> m_used;  ///< how often a name was requested, in lower case
     std::size_t m_first = 0;

@@ -39,8 +39,9 @@ inline constexpr double kOunceTolerance = 0.035;
 ///
 /// What the user set counts most, then the job's own number; what is left of the job's board thickness is shared by
 /// those dielectrics (or, where all of them are known, copper layers) that have no number; defaults come last. Shares
-/// of copper follow from what the job says of dielectrics, not from what the user sets. What is implausible in the
-/// result is checked apart (model/board/stackup_checks.h).
+/// of copper follow from what the job says of dielectrics, not from what the user sets. What replaces an absurd number
+/// of the job, and shares of a board's thickness that is absurd, are Source::Assumed. What is implausible in the result
+/// is checked apart (model/board/stackup_checks.h).
 [[nodiscard]] Stackup buildStackup(std::vector<Layer>& layers, StackupFacts facts, Diagnostics& diagnostics);
 
 /// From the lowest to the highest face of copper and what lies between; the substrate of a single copper layer for

@@ -96,26 +96,44 @@ private:
 
     void checkSum() {
         const std::vector<std::size_t> rows = coreRows(std::vector<bool>(m_rows.size(), true));
-        const std::optional<double>& board = m_document.stackup.facts.boardNm;
-        if (!board || *board <= 0 || rows.size() < 2 ||
+        const std::optional<double> stated = statedBoard();
+        if (!stated || rows.size() < 2 ||
             !std::ranges::all_of(rows, [this](std::size_t row) { return isStated(row); })) {
             return;
         }
-        double sum = 0;
         double copper = 0;
         for (const std::size_t row : rows) {
-            sum += m_rows[row].thickness;
             copper += isCopper(row) ? m_rows[row].thickness : 0;
         }
-        const double stated = std::clamp(*board, kLeastThickness, kMostDielectric);
-        const double off = std::abs(sum - stated);
+        const double core = thicknessOf(rows);
+        const double all = core + thicknessOf(outerDielectrics(rows));
+        const double sum = std::abs(all - *stated) < std::abs(core - *stated) ? all : core;
+        const double off = std::abs(sum - *stated);
         if (off > kOunceTolerance * copper) {
             add(StackupCheck::Sum,
                 "copper and dielectrics add up to " + textOf(static_cast<Nm>(sum)) +
-                    ", but by the job's thickness of the board they would be " + textOf(static_cast<Nm>(stated)) +
-                    withMasks(stated) + "; the layers are used",
-                {}, off > 0.1 * stated ? Severity::Warning : Severity::Info);
+                    ", but by the job's thickness of the board they would be " + textOf(static_cast<Nm>(*stated)) +
+                    withMasks(*stated) + "; the layers are used",
+                {}, off > 0.1 * *stated ? Severity::Warning : Severity::Info);
         }
+    }
+
+    /// The job's, unless it is absurd: that is a message of its own.
+    [[nodiscard]] std::optional<double> statedBoard() const {
+        const std::optional<double>& board = m_document.stackup.facts.boardNm;
+        return board && *board >= kLeastThickness && *board <= kMostDielectric ? board : std::nullopt;
+    }
+
+    /// Films and the like that lie on the outer copper, as far as the job states them.
+    [[nodiscard]] std::vector<std::size_t> outerDielectrics(const std::vector<std::size_t>& core) const {
+        std::vector<std::size_t> outer;
+        for (std::size_t i = 0; i < m_rows.size(); ++i) {
+            const bool isOutside = i < core.front() || i > core.back();
+            if (isOutside && isDielectric(m_kinds[i]) && isStated(i)) {
+                outer.push_back(i);
+            }
+        }
+        return outer;
     }
 
     /// Some formats count the masks: what their readers have taken off is named, so that the job's number is there.

@@ -7,12 +7,14 @@
 #include "model/board/document.h"
 
 /// What of a stackup a fabricator would query, because no such material is made or the job contradicts itself. Only
-/// numbers that the job states, that follow from it or that the user set are looked at; what we assume is no finding.
+/// numbers that the job states, that follow from it or that the user set are looked at; what we assume is no finding,
+/// also where it replaces an absurd number of the job.
 ///
 /// | check | finds | limit, and where it comes from |
 /// |---|---|---|
 /// | Sum | copper and dielectric that do not add up to the job's own board thickness | 3.5 % of the copper
 /// |     | (kOunceTolerance); more than a tenth of the board is a warning: jobs often count the solder mask |
+/// |     | (dielectrics on the outer copper are added where that is nearer) | some jobs count them, others do not |
 /// | MaskThickness | a solder mask above 100 µm | dry film, the thickest kind, is sold up to 4 mil |
 /// | MaskSides | masks of top and bottom of which one is more than twice as thick | both are made in one process |
 /// | CopperThickness | copper outside of 5 to 480 µm | the foils of IPC-4562: 1/8 oz to 14 oz |

@@ -94,6 +94,30 @@ private slots:
                  "1.55 mm, with its solder masks 1.6 mm; the layers are used");
     }
 
+    void dielectricsOnTheOuterCopperCountIfTheJobCountsThem() {
+        const auto withFilms = [](double board) {
+            Rows rows = Rows().dielectric("F1", 12'700, "PREPREG");
+            const Rows inner = fourLayers();
+            for (const model::StackupRow& row : inner.document.stackup.rows) {
+                rows.document.stackup.rows.push_back(row);
+            }
+            return rows.dielectric("F2", 12'700, "PREPREG").board(board);
+        };
+        QCOMPARE(withFilms(1'530'400).found(), QStringList());
+        QCOMPARE(withFilms(1'505'000).found(), QStringList());
+        QVERIFY(withFilms(1'600'000).first().text.starts_with("Copper and dielectrics add up to 1.5304 mm, but"));
+        QVERIFY(withFilms(1'450'000).first().text.starts_with("Copper and dielectrics add up to 1.505 mm, but"));
+        Rows rows = withFilms(1'530'400);
+        rows.document.stackup.rows.front().source = Source::Assumed;
+        QCOMPARE(rows.found(), QStringList({"sum"}));
+    }
+
+    void anAbsurdThicknessOfTheBoardIsNotJudged() {
+        QCOMPARE(fourLayers().board(100).found(), QStringList());
+        QCOMPARE(fourLayers().board(1e12).found(), QStringList());
+        QCOMPARE(fourLayers().board(1'000).found(), QStringList({"sum"}));
+    }
+
     void masksThatNobodyMakes() {
         Rows rows = Rows().mask("SMT", 254'000).copper("TOP", 35'000).mask("SMB", 25'000, Source::Assumed);
         QCOMPARE(rows.found(), QStringList({"mask_thickness"}));

@@ -131,6 +131,26 @@ private slots:
         QVERIFY(findDiagnostic(stack.diagnostics, "layer bottom") != nullptr);
     }
 
+    void whatReplacesAnAbsurdNumberIsAssumedAndNotJudged() {
+        Stack stack;
+        stack.copper("top", 35'000).dielectric("d", 100).copper("mid", 100).dielectric("e", 300'000);
+        stack.copper("bottom", 35'000).build(370'200);
+        for (const std::size_t replaced : {std::size_t{1}, std::size_t{2}}) {
+            QCOMPARE(stack[replaced].thickness, 1'000);
+            QCOMPARE(stack[replaced].thicknessSource, Source::Assumed);
+        }
+        QCOMPARE(stack[3].thicknessSource, Source::Job);
+        QCOMPARE(model::copperWeightOf(stack.built.rows[2])->source, Source::Assumed);
+        QVERIFY(findDiagnostic(stack.diagnostics, "foils are") == nullptr);
+        QVERIFY(findDiagnostic(stack.diagnostics, "none is made that is thinner") == nullptr);
+        Stack board;
+        board.copper("top", 35'000).dielectric("d").copper("bottom", 35'000).build(1e12);
+        QCOMPARE(board[1].thicknessSource, Source::Assumed);
+        Stack single;
+        single.copper("top", 35'000).build(1e12);
+        QCOMPARE(single.built.rows[1].source, Source::Assumed);
+    }
+
     void negativeAndMissingNumbersAreNoThickness() {
         Stack stack;
         stack.copper("top", 0.0).dielectric("d", -5.0).copper("bottom", 35'000).build(1e12);
