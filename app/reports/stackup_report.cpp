@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <string_view>
 
 #include "model/board/holes.h"
 #include "model/board/stackup.h"
@@ -110,6 +111,12 @@ model::Source sourceOfInside(const DrillRow& row) {
     return row.isOpenAssumed ? model::Source::Assumed : model::Source::Job;
 }
 
+/// Null where nothing is told of what the plating leaves.
+ordered_json insideSourceJson(const DrillRow& row) {
+    const bool isTold = row.diameter > 0 && row.shape != std::string_view("area");
+    return isTold ? ordered_json(model::toString(sourceOfInside(row))) : ordered_json();
+}
+
 ordered_json drillJson(const model::Document& document, const DrillRow& row) {
     const model::Layer& layer = document.layer(row.layer);
     static const model::DrillTool kNone;
@@ -125,7 +132,7 @@ ordered_json drillJson(const model::Document& document, const DrillRow& row) {
             {"diameter_nm", row.diameter},
             {"inside_nm", row.open},
             {"open_nm", row.open},
-            {"inside_source", row.diameter > 0 ? ordered_json(model::toString(sourceOfInside(row))) : ordered_json()},
+            {"inside_source", insideSourceJson(row)},
             {"length_nm", sizeOrNull(row.length)},
             {"tool", row.tool != nullptr ? ordered_json(tool.number) : ordered_json()},
             {"other_tools", row.otherTools},

@@ -21,9 +21,9 @@ void printStackup(const model::Document& document);
 /// `drills` of `info --json`: a row per layer, kind and size: {"layer", "add_type", "from", "to", "span", "kind",
 /// "plated", "shape", "diameter_nm", "inside_nm" (also "open_nm", its old name), "inside_source", "length_nm",
 /// "tool", "other_tools", "process", "bit", "finished_nm", "drill_nm", "count"}. The source is "assumed" where no tool
-/// says how thick the plating is, and null of areas. The length is null of round holes; `tool` and what comes from
-/// it are null where no tool of the layer fits or the job does not say; "other_tools" are the numbers of those that fit
-/// as well.
+/// says how thick the plating is, and null of areas, whose diameter and length are the sides of their box and whose
+/// inside is 0. The length is null of round holes; `tool` and what comes from it are null where no tool of the layer
+/// fits or the job does not say; "other_tools" are the numbers of those that fit alike.
 [[nodiscard]] nlohmann::ordered_json drillsJson(const model::Document& document,
                                                 const std::vector<model::DrillRow>& rows);
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -15,8 +17,26 @@ namespace {
 
 constexpr Nm kSizeTolerance = 1'000;
 
+/// Of what no drill makes the tolerance would be more than the size.
 bool isNear(Nm a, Nm b) {
-    return a > 0 && std::abs(std::int64_t{a} - b) <= kSizeTolerance;
+    return a > 0 && std::abs(std::int64_t{a} - b) <= std::min(kSizeTolerance, b / 10);
+}
+
+/// By how much the nearer one of the tool's sizes differs.
+std::int64_t differenceOf(const DrillTool& tool, Nm size) {
+    const auto from = [size](Nm known) {
+        return known > 0 ? std::abs(std::int64_t{known} - size) : std::numeric_limits<std::int64_t>::max();
+    };
+    return std::min(from(tool.finishedSize), from(tool.drillSize));
+}
+
+bool isArea(const DrillRow& hole) {
+    return hole.shape == std::string_view("area");
+}
+
+/// Has it a width that a tool would have?
+bool isDrilled(const DrillRow& hole) {
+    return hole.diameter > 0 && !isArea(hole);
 }
 
 bool isLaser(const DrillTool* tool) {
@@ -61,15 +81,25 @@ HoleSpan layerSpan(const Document& document, const Layer& layer) {
 }
 
 bool isMicro(const Document& document, const Layer& layer, const DrillRow& hole) {
-    const bool isNarrow = hole.diameter > 0 && hole.diameter <= kMostMicrovia;
+    const bool isNarrow = isDrilled(hole) && hole.diameter <= kMostMicrovia;
     return (isLaser(hole.tool) || isNarrow || hole.isCalledMicrovia) &&
            !isCopperBetween(document, layer.spanTop, layer.spanBottom);
 }
 
-/// Of a track that a hole is, with its round ends, or the longer side of the box around an area. Ends are whole
-/// nanometres: slots that are alike differ by a few.
-Nm lengthOf(const Document& document, ElementId hole) {
+/// Ends are whole nanometres: slots that are alike differ by a few.
+Nm toStep(double length) {
     constexpr double kStep = 100.0;
+    return static_cast<Nm>(std::lround(length / kStep) * std::lround(kStep));
+}
+
+/// The shorter side of the box around an area.
+Nm areaWidth(const Document& document, std::size_t hole) {
+    const Box box = document.boxOf(ElementId{hole});
+    return toStep(static_cast<double>(std::min(box.width(), box.height())));
+}
+
+/// Of a track that a hole is, with its round ends, or the longer side of the box around an area.
+Nm lengthOf(const Document& document, ElementId hole) {
     const std::uint32_t row = document.elements.geometry[hole.row()];
     double length = 0.0;
     switch (document.elements.kind[hole.row()]) {
@@ -98,7 +128,7 @@ Nm lengthOf(const Document& document, ElementId hole) {
             break;
         }
     }
-    return static_cast<Nm>(std::lround(length / kStep) * std::lround(kStep));
+    return toStep(length);
 }
 
 bool isCalledMicrovia(const Document& document, ElementId hole) {
@@ -124,7 +154,7 @@ DrillRow measured(const Document& document, std::size_t element) {
         case ElementKind::Line: set("slot", document.lines[row].width, document.lines[row].innerWidth); break;
         case ElementKind::Arc: set("slot", document.arcs[row].width, document.arcs[row].innerWidth); break;
         case ElementKind::Trail: set("path", document.trails[row].width, document.trails[row].innerWidth); break;
-        case ElementKind::Area: set("area", 0, 0); break;
+        case ElementKind::Area: set("area", areaWidth(document, element), 0); break;
     }
     out.length = lengthOf(document, ElementId{element});
     out.layer = document.elements.layer[element];
@@ -155,32 +185,36 @@ bool hasBothSizes(const DrillTool& tool, const DrillRow& hole) {
 }
 
 /// Of the tools that fit, the one of the same plating counts first: plated and non-plated holes of one size have two.
-/// Then both sizes, which the reader takes from the tool where it knows them, then whether it is for vias.
-int rankOf(const DrillTool& tool, const DrillRow& hole) {
+/// Then both sizes, which the reader takes from the tool where it knows them, then how near its size is, then whether
+/// it is for vias. The greater one fits better.
+using Rank = std::tuple<bool, bool, std::int64_t, bool>;
+
+Rank rankOf(const DrillTool& tool, const DrillRow& hole) {
     const bool isPlated = hole.kind != HoleKind::NonPlated;
     const bool isSamePlating = model::isPlated(tool.plating) == isPlated;
     const bool isSameUse = (tool.plating == Plating::Via) == (hole.kind == HoleKind::Via);
-    return fits(tool, hole.diameter)
-               ? 1 + (isSamePlating ? 4 : 0) + (hasBothSizes(tool, hole) ? 2 : 0) + (isSamePlating && isSameUse ? 1 : 0)
-               : 0;
+    return {isSamePlating, hasBothSizes(tool, hole), -differenceOf(tool, hole.diameter), isSamePlating && isSameUse};
 }
 
 /// Of tools that fit alike the first one is the tool.
 void setTool(const std::vector<const DrillTool*>& tools, DrillRow& hole) {
-    int best = 0;
+    Rank best;
     for (const DrillTool* tool : tools) {
-        const int rank = hole.diameter > 0 ? rankOf(*tool, hole) : 0;
-        if (rank > best) {
+        if (!isDrilled(hole) || !fits(*tool, hole.diameter)) {
+            continue;
+        }
+        const Rank rank = rankOf(*tool, hole);
+        if (hole.tool == nullptr || rank > best) {
             best = rank;
             hole.tool = tool;
             hole.otherTools.clear();
-        } else if (rank > 0 && rank == best && tool->number != hole.tool->number) {
+        } else if (rank == best && tool->number != hole.tool->number) {
             hole.otherTools.push_back(tool->number);
         }
     }
     const auto saysPlating = [&hole](const DrillTool* tool) { return hasBothSizes(*tool, hole); };
     hole.isOpenAssumed =
-        hole.kind != HoleKind::NonPlated && hole.diameter > 0 && std::ranges::none_of(tools, saysPlating);
+        hole.kind != HoleKind::NonPlated && isDrilled(hole) && std::ranges::none_of(tools, saysPlating);
 }
 
 int toolNumberOf(const DrillRow& row) {
@@ -271,15 +305,14 @@ bool fits(const DrillTool& tool, Nm size) {
 }
 
 const DrillTool* findTool(std::span<const DrillTool> tools, Nm size, bool isPlated) {
+    const auto rankOf = [&](const DrillTool& tool) {
+        return std::tuple(model::isPlated(tool.plating) == isPlated, isNear(tool.finishedSize, size),
+                          -differenceOf(tool, size));
+    };
     const DrillTool* best = nullptr;
-    int bestRank = 0;
     for (const DrillTool& tool : tools) {
-        const int rank = fits(tool, size) ? 1 + (isNear(tool.finishedSize, size) ? 1 : 0) +
-                                                (model::isPlated(tool.plating) == isPlated ? 2 : 0)
-                                          : 0;
-        if (rank > bestRank) {
+        if (fits(tool, size) && (best == nullptr || rankOf(tool) > rankOf(*best))) {
             best = &tool;
-            bestRank = rank;
         }
     }
     return best;

@@ -33,25 +33,26 @@ inline constexpr const char* kViaType = "via_type";
 inline constexpr const char* kMicroviaType = "micro";
 
 /// Does a hole of this size come from the tool? Tool and symbol sizes are rounded apart, for example 7.988 mil and
-/// 202.9 µm, so 1 µm is forgiven.
+/// 202.9 µm, so 1 µm is forgiven, but no more than a tenth of the size.
 [[nodiscard]] bool fits(const DrillTool& tool, Nm size);
 /// The tool for a hole of this size: one that fits and is of that plating, else any that fits; finished sizes count
-/// before drilled ones. nullptr if there is none.
+/// before drilled ones, then the nearest one counts. nullptr if there is none.
 [[nodiscard]] const DrillTool* findTool(std::span<const DrillTool> tools, Nm size, bool isPlated);
 
-/// Holes that are the same to a fabricator. Which of several tools that fit alike drills which hole is not known.
+/// Holes that are the same to a fabricator. Of the tools that fit, the nearest one in size is theirs; which of several
+/// that are equally near drills which hole is not known.
 struct DrillRow {
     LayerId layer;
     HoleSpan span = HoleSpan::Through;
     HoleKind kind = HoleKind::NonPlated;
     const char* shape = "round";      ///< "round", "slot" (one straight or curved track), "path" (a rout), "area"
-    Nm diameter = 0;                  ///< as drilled, or width of a slot or path; 0 for areas
-    Nm open = 0;                      ///< what the plating leaves; as drilled for NPTHs
+    Nm diameter = 0;                  ///< as drilled, or width of a slot or path; shorter side of an area's box
+    Nm open = 0;                      ///< what the plating leaves; as drilled for NPTHs; 0 for areas
     bool isOpenAssumed = false;       ///< no tool says how thick the plating is, so a reader assumed it
     Nm length = 0;                    ///< of all but round holes, as drilled and over their ends; to 100 nm
     const DrillTool* tool = nullptr;  ///< in Document::tools; none if no tool of the layer fits
     bool isCalledMicrovia = false;    ///< by the job, which the element's attribute kViaType says
-    std::vector<int> otherTools;      ///< numbers of tools that fit as well: some of the holes may be theirs
+    std::vector<int> otherTools;      ///< numbers of tools that fit alike: some of the holes may be theirs
     std::uint32_t count = 0;
 };
 

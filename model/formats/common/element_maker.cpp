@@ -13,6 +13,9 @@ namespace model::formats {
 
 namespace {
 
+/// Lasers drill 25 µm and more.
+constexpr Nm kLeastHole = 5'000;
+
 /// What a stroke draws in the text's own system.
 PolygonSet sweptBy(const TextStroke& stroke) {
     ShapeSketch pen;
@@ -52,7 +55,11 @@ Hole ElementMaker::drill(const ElementSource& source, Nm size, DocumentBuilder::
     }
     if (hole.isBarrelAssumed) {
         report(Severity::Info, source,
-               "the tools do not say how thick the copper in plated holes is; taken as 25 µm inside of the hole");
+               "the job does not say how thick the copper in plated holes is; taken as 25 µm inside of the hole");
+    }
+    if (size > 0 && size < kLeastHole) {
+        report(Severity::Warning, source,
+               "the hole is less than 5 µm wide, which nothing drills; the job may mean another unit");
     }
     if (hole.isContradicted) {
         report(Severity::Warning, source,

@@ -8,7 +8,7 @@
 
 namespace model::formats {
 
-/// How thick the copper in a plated hole is taken to be where the tools do not say: 25 µm, the usual class 2 to 3
+/// How thick the copper in a plated hole is taken to be where the job does not say: 25 µm, the usual class 2 to 3
 /// value. The drilled size is then the one that is drawn.
 inline constexpr Nm kPlating = 25'000;
 

@@ -3,9 +3,11 @@
 #include "model/board/holes.h"
 
 #include <QtTest>
+#include <array>
 #include <set>
 
 #include "model/board/document_builder.h"
+#include "model/geometry/outlines.h"
 
 using model::BoardElement;
 using model::Document;
@@ -116,6 +118,38 @@ private slots:
         QCOMPARE(model::toolsText(rows[0]), std::string("1, 2"));
     }
 
+    /// Sizes of a DipTrace job: 39.3701 and 39.4003 mil, both within what is forgiven.
+    void theNearestToolIsTheOne() {
+        Step step;
+        step.tool(1, 1'000'001).tool(2, 1'000'768).tool(3, 1'000'768);
+        step.builder.beginLayer(step.through);
+        DocumentBuilder::Origin origin;
+        origin.flags = kViaFlags;
+        for (const Nm size : {1'000'001, 1'000'400, 1'000'768}) {
+            step.builder.addCircle({{0, 0}, size, size}, origin);
+        }
+        const auto board = step.builder.finish();
+        std::vector<std::pair<Nm, std::string>> tools;
+        for (const DrillRow& row : model::drillTable(*board)) {
+            tools.emplace_back(row.diameter, model::toolsText(row));
+        }
+        QCOMPARE(tools,
+                 (std::vector<std::pair<Nm, std::string>>{{1'000'001, "1"}, {1'000'400, "2, 3"}, {1'000'768, "2, 3"}}));
+    }
+
+    void aNearerToolOfTheOtherPlatingIsNotPreferred() {
+        Step step;
+        model::DrillTool bare;
+        bare.layer = step.through;
+        bare.number = 9;
+        bare.plating = model::Plating::NonPlated;
+        bare.drillSize = bare.finishedSize = 300'000;
+        step.builder.addTool(bare);
+        step.tool(1, 300'500).holes(step.through, 300'000, 1);
+        const auto board = step.builder.finish();
+        QCOMPARE(textOf(*board, model::drillTable(*board)), Texts{"through via 300 #1 x 1"});
+    }
+
     void runsOfToolsAreShort() {
         model::DrillTool tool;
         tool.number = 4;
@@ -172,6 +206,30 @@ private slots:
             lengths.emplace_back(row.length, row.count);
         }
         QCOMPARE(lengths, (std::vector<std::pair<Nm, std::uint32_t>>{{3'741'600, 1}, {4'000'000, 2}, {5'000'000, 1}}));
+    }
+
+    void areasAreToldApartByTheSidesOfTheirBox() {
+        Step step;
+        step.tool(1, 1'100'000).builder.beginLayer(step.through);
+        DocumentBuilder::Origin origin;
+        origin.flags = kViaFlags;
+        const auto add = [&](Nm width, Nm height, double turn) {
+            model::ShapeSketch sketch;
+            model::addBox(sketch, width, height, false);
+            return step.builder.addArea({step.builder.addShape(sketch), {{0, 0}, turn, false}}, origin);
+        };
+        add(1'100'000, 1'800'000, 0.0);
+        add(1'100'002, 1'800'000, 90.0);
+        add(1'000'000, 1'800'000, 0.0);
+        const auto board = step.builder.finish();
+        std::vector<std::array<Nm, 3>> sizes;
+        for (const DrillRow& row : model::drillTable(*board)) {
+            QCOMPARE(row.shape, "area");
+            QVERIFY(row.tool == nullptr && !row.isOpenAssumed && row.open == 0);
+            sizes.push_back({row.diameter, row.length, static_cast<Nm>(row.count)});
+            QCOMPARE(model::holesOf(*board, std::span(&row, 1)).size(), std::size_t{row.count});
+        }
+        QCOMPARE(sizes, (std::vector<std::array<Nm, 3>>{{1'000'000, 1'800'000, 1}, {1'100'000, 1'800'000, 2}}));
     }
 
     void holesOfCopiesOfCopiesAreCounted() {

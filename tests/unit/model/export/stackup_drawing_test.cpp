@@ -176,6 +176,18 @@ private slots:
         }
     }
 
+    void areasAreNoDiameters() {
+        const odb_testing::Folder job;
+        odb_testing::writeSmallJob(job, "UNITS=MM\n$0 r1000\nP 5 5 0 P 0 0\n");
+        job.write("matrix/matrix", odb_testing::matrixOf({{"SIGNAL", "TOP"}, {"SIGNAL", "BOT"}, {"ROUT", "CUT"}}));
+        job.write("steps/board/layers/cut/features",
+                  "UNITS=MM\nS P 0\nOB 20 20 I\nOS 40 20\nOS 40 50\nOS 20 50\nOS 20 20\nOE\nSE\n");
+        const auto drawing = model::drawStackup(*odb_testing::read(job.path()), {1000.0, 10.0, true});
+        QCOMPARE(drawing.bores.size(), std::size_t{1});
+        QCOMPARE(drawing.bores[0].count, 1U);
+        QCOMPARE(drawing.bores[0].most, 0);
+    }
+
     void zonesStandSideBySideWithTheLayersTheyHave() {
         const auto document = board("rigid_flex");
         const StackupDrawing drawing = model::drawStackup(*document, {1000.0, 10.0, true});

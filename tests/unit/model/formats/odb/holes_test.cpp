@@ -230,10 +230,33 @@ private slots:
         QCOMPARE(model::findTool(tools, 500'000, false), &tools[0]);
         QCOMPARE(model::findTool(tools, 400'500, true), &tools[1]);
         QVERIFY(model::findTool(tools, 700'000, true) == nullptr);
+        const std::vector<DrillTool> near = {tool(kPlated, 500'000, 0), tool(kPlated, 500'700, 0),
+                                             tool(kNonPlated, 500'400, 0)};
+        QCOMPARE(model::findTool(near, 500'700, true), &near[1]);
+        QCOMPARE(model::findTool(near, 500'400, true), &near[1]);
+        QCOMPARE(model::findTool(near, 500'100, true), &near[0]);
+        QCOMPARE(model::findTool(near, 500'400, false), &near[2]);
         QVERIFY(!model::fits(tool(kPlated, 0, 0), 0));
+        QVERIFY(!model::fits(tool(kPlated, 600, 0), 10));  // sizes that somebody wrote in another unit
+        QVERIFY(model::fits(tool(kPlated, 20'900, 0), 20'000));
     }
 
     // ---- whole boards ----
+
+    /// KiCad 10 writes vias as `r0.010`.
+    void holesThatNothingDrillsAreReported() {
+        odb_testing::Folder folder;
+        folder.copyJob("drills");
+        const auto through = [&](const char* symbol) {
+            folder.write("steps/board/layers/through/features",
+                         std::string("UNITS=MM\n$0 ") + symbol + "\nP 4 4 0 P 0 0\n");
+            return odb_testing::read(folder.path());
+        };
+        const auto board = through("r0.010");
+        const model::Diagnostic* found = findDiagnostic(board->diagnostics, "which nothing drills");
+        QVERIFY(found != nullptr && found->line == 3U && found->severity == model::Severity::Warning);
+        QVERIFY(findDiagnostic(through("r25")->diagnostics, "which nothing drills") == nullptr);
+    }
 
     void spansInEitherDirection() {
         odb_testing::Folder folder;

@@ -227,7 +227,8 @@ private slots:
         QCOMPARE(kindOf(*d, rout), ElementKind::Trail);
         QCOMPARE(flagsOf(*d, rout), int{model::kHole});
         QVERIFY(findDiagnostic(d->diagnostics, "taken as plated") != nullptr);
-        QVERIFY(findDiagnostic(d->diagnostics, "copper in plated holes is; taken as 25 µm") != nullptr);
+        QVERIFY(findDiagnostic(d->diagnostics, "the job does not say how thick the copper in plated holes is") !=
+                nullptr);
         QCOMPARE(d->tools.size(), std::size_t{2});
         QCOMPARE(d->tools[0].layer, d->findLayer("drill"));
     }
