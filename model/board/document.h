@@ -130,6 +130,7 @@ struct LayerFacts {
     Material material;
     Material below;
     bool hasMaterial = true;  ///< false: the layer marks an area or a process step, or draws nothing of what it is
+    bool isAssumed = false;   ///< `thicknessNm` is no number of the job, but what its program takes without one
 };
 
 /// A thickness the user sets over what the job says; `layer` is the name of a StackupRow.

@@ -184,7 +184,8 @@ private:
         const Layer& layer = m_layers[i];
         const bool isCopper = layer.isBoardCopper();
         const bool isCore = isCopper || (isBoardDielectric(layer) && isWithin(i));
-        StackupRow row{layer.name, LayerId{i}, layer.type, 0, 0, Source::Job, m_facts.layers[i].material};
+        const Source source = m_facts.layers[i].isAssumed ? Source::Assumed : Source::Job;
+        StackupRow row{layer.name, LayerId{i}, layer.type, 0, 0, source, m_facts.layers[i].material};
         addPart({std::move(row), isCopper, isCore, false}, statedThickness(i), std::min(most, m_most));
     }
 
@@ -213,7 +214,7 @@ private:
             part.isKnown = true;
         } else if (const std::optional<Nm> nm = part.stated) {
             part.row.thickness = *nm;
-            part.row.source = isReplaced(*stated, *nm) ? Source::Assumed : Source::Job;
+            part.row.source = isReplaced(*stated, *nm) ? Source::Assumed : part.row.source;
             part.isKnown = true;
         }
         m_parts.push_back(std::move(part));

@@ -34,6 +34,9 @@ namespace {
 constexpr double kOutlineJoint = 10'000.0;  ///< ends of an outline that are joined
 constexpr double kSameEnd = 1'000.0;        ///< further apart they are reported
 constexpr int kNewestKnown = 20'260'206;    ///< that of KiCad 10
+/// KiCad's own masks on boards without a stackup; its copper is as thick as ours.
+constexpr Nm kMaskWithoutStackup = 10'000;
+static_assert(kDefaultCopper == 35'000);
 
 /// Items that draw nothing.
 constexpr std::array<std::string_view, 15> kSilent = {"paper",          "page",
@@ -145,6 +148,7 @@ private:
             m_generator += " " + item.text(1);
         } else if (head == "general") {
             m_thickness = length(item, "thickness");
+            m_thicknessLine = item.find("thickness").line();
         } else if (head == "layers") {
             m_layersText = "(kicad_pcb " + std::string(item.source()) + ")";
         } else if (head == "setup") {
@@ -347,15 +351,37 @@ private:
         job.info.generator = m_generator;
         job.info.version = versionName(m_canvas.settings().version);
         job.info.units = "MM";
-        if (m_thickness <= 0.0) {
-            return;
+        if (m_thickness > 0.0 && !m_canvas.layers().hasStackup()) {
+            assumeStackup();
         }
-        double masks = 0.0;
-        for (const formats::DrawnLayer& layer : job.layers) {
-            masks += layer.type == LayerType::SolderMask ? layer.facts.thicknessNm.value_or(kDefaultMask) : 0.0;
+        if (m_thickness > 0.0) {
+            job.boardNm = m_thickness - notOfTheBoard();
         }
-        // KiCad's thickness counts the masks, also those that will be assumed for want of a stackup.
-        job.boardNm = m_thickness - masks;
+    }
+
+    /// As KiCad does, in its exports too (BOARD_STACKUP::BuildDefaultStackupList). Copper without a thickness is as it
+    /// has it anyhow, and dielectrics without one share the rest.
+    void assumeStackup() {
+        for (formats::DrawnLayer& layer : m_canvas.job().layers) {
+            if (layer.type == LayerType::SolderMask) {
+                layer.facts.thicknessNm = kMaskWithoutStackup;
+                layer.facts.isAssumed = true;
+            }
+        }
+        m_canvas.report(Severity::Info, m_thicknessLine,
+                        "the board has no stackup; as KiCad does, copper is taken as 35 µm and each solder mask as 10 "
+                        "µm thick, and the dielectrics share evenly what they leave of the board's thickness");
+    }
+
+    /// What KiCad's thickness of a board counts and that of a document does not: the masks, also those that will be
+    /// assumed, and where a single copper layer has no stackup its copper, as only its substrate counts.
+    [[nodiscard]] double notOfTheBoard() {
+        const bool isAlone = m_canvas.layers().copper().size() == 1 && !m_canvas.layers().hasStackup();
+        double sum = isAlone ? kDefaultCopper : 0.0;
+        for (const formats::DrawnLayer& layer : m_canvas.job().layers) {
+            sum += layer.type == LayerType::SolderMask ? layer.facts.thicknessNm.value_or(kDefaultMask) : 0.0;
+        }
+        return sum;
     }
 
     Canvas m_canvas;
@@ -369,8 +395,9 @@ private:
     std::map<std::string, std::string, std::less<>> m_classes;
     bool m_hasClasses = false;
     bool m_isSettled = false;
-    double m_thickness = 0.0;
-    double m_leastWeb = 0.0;  ///< of solder mask
+    double m_thickness = 0.0;           ///< of the board, masks included
+    std::uint32_t m_thicknessLine = 0;  ///< where it is said
+    double m_leastWeb = 0.0;            ///< of solder mask
 };
 
 }  // namespace

@@ -425,7 +425,18 @@ void Footprints::draw(const Item& footprint) {
         packages.pop_back();
         m_canvas.step().components.back().package = found->second;
     }
+    reportFlipped();
     reportSharedName();
+}
+
+/// The first one says it for all.
+void Footprints::reportFlipped() {
+    const DrawnComponent& last = m_canvas.step().components.back();
+    if (last.side == LayerSide::Bottom && !std::exchange(m_hasFlipped, true)) {
+        m_canvas.report(Severity::Info, last.line,
+                        "footprints on the back are stored as seen through the board; they were flipped, and their "
+                        "parts' rotations with them: 180° more than KiCad says, clockwise as seen from below");
+    }
 }
 
 /// Drawings that are footprints, and parts that nobody has numbered yet, share their names as a rule.

@@ -19,6 +19,9 @@ void addEdges(const Graphic& graphic, std::vector<ChainEdge>& edges);
 /// Draws footprints, with a component and its package for each. What they draw on Edge.Cuts is part of the board's
 /// outline and goes to `outline`. The body of a package is the largest outline that its fabrication layer draws
 /// (shapes/largest_outline.h), else its courtyard's.
+///
+/// Packages are as seen from the top, so what lies on the back is flipped over its horizontal axis; the part is then
+/// mirrored, and turned clockwise as seen from below by 180° more than the file's angle. The first one is reported.
 class Footprints {
 public:
     /// All must live as long as this.
@@ -29,6 +32,7 @@ public:
     void draw(const Item& footprint);
 
 private:
+    void reportFlipped();
     void reportSharedName();
 
     Canvas& m_canvas;
@@ -36,6 +40,7 @@ private:
     std::vector<ChainEdge>& m_outline;
     std::unordered_map<std::string, std::int32_t> m_packages;  ///< by all that they hold
     std::unordered_set<std::string> m_designators;             ///< of footprints with pads
+    bool m_hasFlipped = false;                                 ///< has one on the back been reported?
 };
 
 }  // namespace model::kicad

@@ -68,9 +68,9 @@ private slots:
         QCOMPARE(job.boardNm, std::optional(1.58e6));
     }
 
-    /// Without a stackup the masks are assumed; they are in the thickness all the same.
+    /// Without a stackup the masks are as thick as KiCad has them; they are in the thickness all the same.
     void theThicknessOfTheBoardHasItsMasks() {
-        QCOMPARE(boardWith("(general (thickness 1.6))").boardNm, std::optional(1.6e6 - 2.0 * model::kDefaultMask));
+        QCOMPARE(boardWith("(general (thickness 1.6))").boardNm, std::optional(1.6e6 - 2.0 * 10'000));
     }
 
     void padsLieWhereTheirFootprintPutsThem() {
