@@ -85,14 +85,14 @@ QString ClearanceModel::summary() const {
     if (m_rules.rules.empty()) {
         return found();
     }
-    const QString all =
-        tr("%1; tolerance of limits %2").arg(found(), lengthText(static_cast<double>(m_rules.tolerance), unit()));
-    return m_shownRule ? tr("%1; %2").arg(shownText(), all) : all;
+    // The verdict comes first: a narrow panel cuts the end.
+    const QString verdict = m_shownRule ? tr("%1; %2").arg(found(), shownText()) : found();
+    return tr("%1; tolerance of limits %2").arg(verdict, lengthText(static_cast<double>(m_rules.tolerance), unit()));
 }
 
 QString ClearanceModel::shownText() const {
     const auto shown = std::ranges::count(m_locations, *m_shownRule, [](const Location& p) { return p.found.rule; });
-    return tr("Shown: %L1 of %L2, of “%3” alone")
+    return tr("shown: %L1 of %L2, of “%3” alone")
         .arg(shown)
         .arg(m_locations.size())
         .arg(QString::fromStdString(model::titleOf(m_rules.rules[*m_shownRule])));

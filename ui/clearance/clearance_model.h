@@ -65,14 +65,14 @@ public:
     /// What the locations break; without rules for a search without them.
     [[nodiscard]] const model::RuleTable& rules() const { return m_rules; }
     [[nodiscard]] int rankOf(int row) const override;
-    /// "Smallest spacing 0.1 mm; 12 locations", "…; at least 500 locations" of those that are cut, of rules with the
-    /// verdict, their tolerance and which of them is shown alone, or that no search was made yet.
+    /// "Smallest spacing 0.1 mm; 12 locations", "…; at least 500 locations" of those that are cut, of rules the verdict
+    /// first, then which of them is shown alone and their tolerance, or that no search was made yet.
     [[nodiscard]] QString summary() const;
 
 private:
     /// The summary without the tolerance.
     [[nodiscard]] QString found() const;
-    /// "Shown: 16 of 3,050, of “track width” alone"
+    /// "shown: 16 of 3,050, of “track width” alone"
     [[nodiscard]] QString shownText() const;
     [[nodiscard]] QString foundOf(std::span<const Location> locations) const;
     [[nodiscard]] int rows() const override { return static_cast<int>(m_locations.size()); }

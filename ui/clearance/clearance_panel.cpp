@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "ui/clearance/notes_area.h"
 #include "ui/common/elided_label.h"
 #include "ui/common/panel_parts.h"
 #include "ui/common/sorted_rows.h"
@@ -31,6 +32,7 @@ constexpr double kMapReachesUm[] = {20,  25,  30,  40,   50,   60,   80,   100, 
 constexpr double kFirstMapReachUm = 500;
 constexpr int kWhereLetters = 12;  ///< a choice has room for at least so many
 constexpr int kNarrowLines = 35;   ///< in heights of a line: a panel that is narrower is a column
+constexpr int kSummaryLines = 2;   ///< so that the verdict is whole in a column
 
 QSlider* sliderTo(int least, int most, const char* name, const QString& tip) {
     auto* slider = new QSlider(Qt::Horizontal);
@@ -68,13 +70,10 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
                      tr("The map is coloured up to this distance; what is farther is darkened a little"))),
       m_mapReach(new QLabel),
       m_mapText(new ElidedLabel),
-      m_notes(new QLabel),
+      m_notes(new NotesArea),
       m_searchRow(searchRow(actions)),
       m_sliderRow(sliderRow(actions)),
       m_tables(new QSplitter) {
-    m_notes->setObjectName(QStringLiteral("notes"));
-    m_notes->setWordWrap(true);
-    m_notes->hide();
     m_rows = &m_table->makeSortable();
     addWaiverCommands();
     m_table->horizontalHeader()->moveSection(ClearanceModel::Waived, ClearanceModel::Layer);  // beside the rule
@@ -142,6 +141,7 @@ QBoxLayout* ClearancePanel::searchRow(const ActionSet& actions) {
     waivers->setObjectName(QStringLiteral("waivers"));
     waivers->setPopupMode(QToolButton::InstantPopup);
     m_summary->setObjectName(QStringLiteral("summary"));
+    m_summary->setMostLines(kSummaryLines);
     auto* choices = new QHBoxLayout;
     choices->addWidget(m_what);
     choices->addWidget(m_where, 1);
@@ -297,7 +297,6 @@ void ClearancePanel::showMap(const QString& text) {
 
 void ClearancePanel::setNotes(const QString& notes) {
     m_notes->setText(notes);
-    m_notes->setVisible(!notes.isEmpty());
 }
 
 void ClearancePanel::setUnit(LengthUnit unit) {

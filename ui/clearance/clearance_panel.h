@@ -16,6 +16,8 @@ class QSplitter;
 namespace ui {
 
 class ActionSet;
+class ElidedLabel;
+class NotesArea;
 class SortedRows;
 class TableView;
 
@@ -39,7 +41,7 @@ public:
     /// How far the lens reaches, and the end of the map's colours, nm.
     [[nodiscard]] double lensReach() const;
     [[nodiscard]] double mapReach() const;
-    /// What was not measured, in plain words; empty ones take no room.
+    /// What was not measured, in plain words; empty ones take no room, many ones that of a few lines.
     void setNotes(const QString& notes);
     /// What the lens and the map show, beside their sliders.
     void showLens(const QString& text);
@@ -97,7 +99,7 @@ private:
     LengthUnit m_unit = LengthUnit::Millimetre;
     QComboBox* m_what;
     QComboBox* m_where;
-    QLabel* m_summary;
+    ElidedLabel* m_summary;
     TableView* m_table;
     TableView* m_ruleTable;
     QAction* m_openRules;
@@ -112,7 +114,7 @@ private:
     QSlider* m_map;
     QLabel* m_mapReach;
     QLabel* m_mapText;
-    QLabel* m_notes;
+    NotesArea* m_notes;
     QBoxLayout* m_searchRow;
     QBoxLayout* m_sliderRow;
     QSplitter* m_tables;

@@ -26,6 +26,37 @@ private slots:
         QCOMPARE(toolTip(), m_label->text());
     }
 
+    void severalLinesAreBrokenBetweenWordsAndTheLastIsCut() {
+        label(120);
+        m_label->setMostLines(2);
+        const int line = m_label->fontMetrics().lineSpacing();
+        QVERIFY(m_label->hasHeightForWidth());
+        QCOMPARE(m_label->heightForWidth(1000), line);
+        QCOMPARE(m_label->heightForWidth(120), 2 * line);
+        QCOMPARE(m_label->heightForWidth(20), 2 * line);
+        QCOMPARE(m_label->shown(), m_label->text());
+        QVERIFY(toolTip().isEmpty());
+        m_label->setText(m_label->text() + "; and much more, which two lines have no room for");
+        QVERIFY2(m_label->shown().startsWith("12 locations, spacing"), qPrintable(m_label->shown()));
+        QVERIFY(m_label->shown().endsWith(QStringLiteral("…")));
+        QCOMPARE(toolTip(), m_label->text());
+    }
+
+    /// In a layout it takes them where its width asks for them.
+    void aLabelOfSeveralLinesGrowsWithThem() {
+        label(120);
+        m_label->setMostLines(2);
+        QWidget panel;
+        auto* row = new QHBoxLayout(&panel);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->addWidget(m_label.get());
+        m_label->show();
+        QCOMPARE(row->heightForWidth(120), 2 * m_label->fontMetrics().lineSpacing());
+        m_label->setText("12");
+        QCOMPARE(row->heightForWidth(120), m_label->fontMetrics().lineSpacing());
+        m_label->setParent(nullptr);
+    }
+
     void itDoesNotWidenWhatItLiesIn() {
         label(60);
         QWidget panel;
