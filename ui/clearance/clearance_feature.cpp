@@ -99,6 +99,10 @@ void ClearanceFeature::connectCommands(FeatureContext& context) {
         });
     };
     on(ActionId::SearchClearances, [this](bool) { search(); });
+    on(ActionId::CheckRules, [this](bool) {
+        m_panel->showRules();
+        search();
+    });
     on(ActionId::Lens, [this](bool isOn) { m_lens.setOn(isOn); });
     on(ActionId::ClearanceMap, [this](bool isOn) { m_distances.setOn(isOn); });
     context.on(ActionId::EditRules, this, [this, &window = context.window] { editRules(window); });

@@ -77,13 +77,15 @@ SearchBox::CommandFit SearchBox::fitOf(const ActionSpec& spec, const QString& te
         return std::ranges::all_of(words, [&](const QString& word) { return in.contains(word, Qt::CaseInsensitive); });
     };
     const QString name = m_actions[spec.id].text().remove('&');
+    const QString words = ActionSet::tr(spec.words);
     const QString inMenu = menuTitle(spec.menu).remove('&') + ' ' + name;
-    const QString all = inMenu + ' ' + m_actions[spec.id].statusTip();
-    return name.contains(text, Qt::CaseInsensitive) ? CommandFit::Phrase
-           : hasAllWords(name)                      ? CommandFit::Name
-           : hasAllWords(inMenu)                    ? CommandFit::Menu
-           : hasAllWords(all)                       ? CommandFit::Tip
-                                                    : CommandFit::None;
+    const QString all = inMenu + ' ' + m_actions[spec.id].statusTip() + ' ' + words;
+    return words.split(' ', Qt::SkipEmptyParts).contains(text, Qt::CaseInsensitive) ? CommandFit::Word
+           : name.contains(text, Qt::CaseInsensitive)                               ? CommandFit::Phrase
+           : hasAllWords(name + ' ' + words)                                        ? CommandFit::Name
+           : hasAllWords(inMenu)                                                    ? CommandFit::Menu
+           : hasAllWords(all)                                                       ? CommandFit::Tip
+                                                                                    : CommandFit::None;
 }
 
 void SearchBox::listCommands(const QString& text, bool areAlone) {

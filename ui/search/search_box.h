@@ -37,13 +37,13 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    /// Where the words of a text are, the best first: in the name as they stand, each somewhere in the name, in menu
-    /// and name, in what the command does too.
-    enum class CommandFit { Phrase, Name, Menu, Tip, None };
+    /// Where the words of a text are, the best first: it is one of the command's other words, they are in the name as
+    /// they stand, each somewhere in name and other words, in menu and name, in what the command does too.
+    enum class CommandFit { Word, Phrase, Name, Menu, Tip, None };
 
     void update();
     [[nodiscard]] CommandFit fitOf(const ActionSpec& spec, const QString& text) const;
-    /// By name; alone in the list, also by their menu and what they do.
+    /// By name and other words; alone in the list, also by their menu and what they do.
     void listCommands(const QString& text, bool areAlone);
     void addCommand(const ActionSpec& spec);
     void take();

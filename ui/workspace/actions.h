@@ -37,8 +37,8 @@ enum class ActionId {
     BottomCopper, NoCurrentLayer, RestoreLayers, SafeColours,
     ColourNet, ChooseNetColour, HideNet, IsolateNet, ShowAllNets, ClearNetColours,
     CheckNets, InferNets, ExaggerateCopper, ExportStackup, SearchClearances, NextClearance, PreviousClearance,
-    EditRules, ExportClearances, Lens, ClearanceMap, DrawSection, SectionAlongNet, OpenAlongSection, SaveSection,
-    ExportSection,
+    CheckRules, EditRules, ExportClearances, Lens, ClearanceMap, DrawSection, SectionAlongNet, OpenAlongSection,
+    SaveSection, ExportSection,
     MeasurePoints, MeasureObjects, MeasureAngle, MeasureLines, MeasureRadius, MeasureLength, MeasureSpacing,
     ShowMeasurements, DeleteMeasurements, ExportMeasurements,
     ClearSelection, ShowSelection, SelectComponent, SelectPin, SaveSelection, HighlightNet, AddNet, DimOthers, FollowInSolid,
@@ -79,7 +79,8 @@ struct ActionSpec {
     const char* text;       ///< for ActionSet::tr, with & before the mnemonic
     const char* shortcuts;  ///< portable text, several separated by blanks; "Ctrl+K,D" are two keys one after the other
     const char* tip;
-    unsigned flags = 0;  ///< as below
+    unsigned flags = 0;      ///< as below
+    const char* words = "";  ///< others that people look for it by, for ActionSet::tr, separated by blanks
 };
 inline constexpr unsigned kCheckable = 1U;
 inline constexpr unsigned kNewGroup = 2U;  ///< a separator goes before it

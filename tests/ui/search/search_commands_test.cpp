@@ -42,19 +42,44 @@ private slots:
     }
 
     void commandsAreFoundByTheirMenuAndByWordsInAnyOrder() {
-        const auto rows = [&](const char* text) {
-            box().open(text);
-            QStringList all;
-            for (int row = 0; row < box().list().count(); ++row) {
-                all += box().list().item(row)->text().section("    ", 0, 0);
-            }
-            return all;
-        };
         QCOMPARE(rows(">theme").mid(0, 3), (QStringList{"System", "Dark", "Light"}));
         QCOMPARE(rows(">keys kicad"), QStringList{"KiCad"});
         QCOMPARE(rows(">net highlight").front(), "Highlight net");
         QCOMPARE(rows(">no such command"), QStringList{"Nothing is called no such command"});
         QTest::keyClick(&box().line(), Qt::Key_Escape);
+    }
+
+    /// As other programs call what they do, among all there is and among commands alone.
+    void everydayWordsFindCommands_data() {
+        QTest::addColumn<QStringList>("commands");
+        QTest::newRow("measure") << QStringList{
+            "Point to point", "Clearance (edge to edge)", "Angle of three points", "Angle of two lines",
+            "Radius",         "Net path length"};
+        QTest::newRow("distance") << QStringList{"Point to point", "Clearance (edge to edge)"};
+        QTest::newRow("drc") << QStringList{"Check rules"};
+        QTest::newRow("rule") << QStringList{"Check rules"};
+        QTest::newRow("Mirror") << QStringList{"Flip board"};
+        QTest::newRow("print") << QStringList{"Export…"};
+    }
+    void everydayWordsFindCommands() {
+        QFETCH(const QStringList, commands);
+        const QString word = QTest::currentDataTag();
+        for (const QString& before : {QString(), QStringLiteral(">")}) {
+            const QStringList found = rows(before + word);
+            for (const QString& command : commands) {
+                QVERIFY2(found.contains(command), qPrintable(found.join(", ")));
+            }
+        }
+        QCOMPARE(rows('>' + word).front(), commands.front());
+        QVERIFY(rows('>' + word + ' ' + commands.front().section(' ', 0, 0)).contains(commands.front()));
+        QTest::keyClick(&box().line(), Qt::Key_Escape);
+    }
+
+    void anEverydayWordIsTypedAndDone() {
+        m_fixture->key(Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyClicks(&box().line(), "distance");
+        QTest::keyClick(&box().line(), Qt::Key_Return);
+        QVERIFY(window().actions()[ui::ActionId::MeasurePoints].isChecked());
     }
 
     void theBillOfMaterialsIsFound() {
@@ -70,6 +95,15 @@ private slots:
 private:
     TestWindow& window() { return m_fixture->window(); }
     ui::SearchBox& box() { return window().searchBox(); }
+    /// What is listed for a text.
+    QStringList rows(const QString& text) {
+        box().open(text);
+        QStringList all;
+        for (int row = 0; row < box().list().count(); ++row) {
+            all += box().list().item(row)->text().section("    ", 0, 0);
+        }
+        return all;
+    }
 
     std::unique_ptr<WindowFixture> m_fixture;
 };
