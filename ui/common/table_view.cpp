@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QResizeEvent>
 #include <QScrollBar>
 #include <algorithm>
 #include <utility>
@@ -166,6 +167,17 @@ void TableView::widen(int column) {
 void TableView::showEvent(QShowEvent* event) {
     QTableView::showEvent(event);
     measure();
+}
+
+/// The sizes are those of the viewport.
+void TableView::resizeEvent(QResizeEvent* event) {
+    const QRect row = visualRect(currentIndex());
+    const int before = event->oldSize().height();
+    const bool wasInSight = row.isValid() && row.bottom() >= 0 && row.top() < before;
+    QTableView::resizeEvent(event);
+    if (wasInSight && event->size().height() < before) {
+        goToRow(currentIndex());
+    }
 }
 
 void TableView::goToRow(const QModelIndex& index) {

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] std::vector<int> selectedRows() const;
     void choose(const QModelIndex& index);
     /// Makes it the current one and scrolls to its row. Not sideways: what lies to the left stays in sight, as it does
-    /// after clicks.
+    /// after clicks. A current row that is in sight stays so when the table becomes smaller.
     void goToRow(const QModelIndex& index);
     /// What every menu of a row ends with.
     void addCopying(QMenu& menu);
@@ -66,6 +66,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void timerEvent(QTimerEvent* event) override;
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
     [[nodiscard]] QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,

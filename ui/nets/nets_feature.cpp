@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/nets/hidden_nets_badge.h"
+#include "ui/workspace/read_anew.h"
 
 namespace ui {
 
@@ -52,9 +53,11 @@ void NetsFeature::connectPanel(FeatureContext& context) {
     connect(m_panel, &NetsPanel::showRequested, &m_workspace, &Workspace::showNets);
     connect(&m_nets, &NetModel::failed, &m_workspace, &Workspace::reportError);
     connect(&m_workspace, &Workspace::unitChanged, m_panel, &NetsPanel::setUnit);
+    connect(&m_workspace, &Workspace::boardLeaves, this,
+            [this](const LoadedBoard& next) { m_isReadAnew = isReadAnew(m_workspace, next); });
     connect(&m_workspace, &Workspace::boardOpened, this, [this](const LoadedBoard& board) {
         m_editing.setBoard(board);
-        m_panel->setBoard(board.document, board.nets);
+        m_panel->setBoard(board.document, board.nets, m_isReadAnew);
     });
 }
 

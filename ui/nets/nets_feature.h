@@ -40,6 +40,7 @@ private:
     HighlightHistory m_highlights;
     NetModel m_nets;
     NetsPanel* m_panel;
+    bool m_isReadAnew = false;  ///< the board that comes
 };
 
 }  // namespace ui

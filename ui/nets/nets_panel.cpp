@@ -81,7 +81,10 @@ NetsPanel::NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styl
     connect(m_kind, &QComboBox::currentIndexChanged, this, &NetsPanel::applyFilter);
     connect(m_group, &QComboBox::currentIndexChanged, this, &NetsPanel::applyGrouping);
     connect(m_group, &QComboBox::activated, this, [this] { m_isGroupingChosen = true; });
-    connect(m_step, &QComboBox::currentIndexChanged, this, &NetsPanel::applyStep);
+    connect(m_step, &QComboBox::currentIndexChanged, this, [this] {
+        m_isToBegin = true;
+        applyStep();
+    });
     connect(&model, &NetModel::arranged, this, &NetsPanel::onArranged);
     connect(&selection, &SelectionModel::netsChanged, &model, [this] { m_model.setHighlighted(m_selection.nets()); });
     connect(&selection, &SelectionModel::netsChanged, this, &NetsPanel::onSelectionChanged);
@@ -239,7 +242,9 @@ void NetsPanel::chooseColour(std::vector<model::BoardNet> nets) {
     dialog->open();
 }
 
-void NetsPanel::setBoard(std::shared_ptr<const model::Document> board, Statistics statistics) {
+void NetsPanel::setBoard(std::shared_ptr<const model::Document> board, Statistics statistics, bool isReadAnew) {
+    m_isToBegin = !isReadAnew;
+    m_isToScroll = true;
     m_board = std::move(board);
     m_statistics = std::move(statistics);
     const QSignalBlocker blocker(m_step);
@@ -324,6 +329,9 @@ void NetsPanel::applyGrouping() {
 void NetsPanel::onArranged() {
     m_summary->setText(tr("%L1 of %L2").arg(m_model.shown()).arg(m_model.total()));
     showInTable();
+    if (std::exchange(m_isToBegin, false)) {
+        m_table->scrollToTop();
+    }
     if (std::exchange(m_isToScroll, false)) {
         scrollToSelected();
     }

@@ -34,8 +34,9 @@ public:
     NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styles, const ActionSet& actions,
               QWidget* parent = nullptr);
 
-    /// The selection must be of this board already.
-    void setBoard(std::shared_ptr<const model::Document> board, Statistics statistics);
+    /// The selection must be of this board already. The table begins at its top, or at the net of the selection that
+    /// is restored; of a board that `isReadAnew` it stays where it is without one.
+    void setBoard(std::shared_ptr<const model::Document> board, Statistics statistics, bool isReadAnew);
     void setUnit(LengthUnit unit);
     /// Whether the table follows the net of what is selected in the views.
     void setFollows(bool isOn) { m_follows = isOn; }
@@ -96,7 +97,8 @@ private:
     bool m_isSyncing = false;   ///< the table is being changed to show what is highlighted
     bool m_isFitting = false;   ///< the width of the names
     bool m_isNameSet = false;   ///< that width, by the user
-    bool m_isToScroll = false;  ///< to the net of the selection, once the rows are arranged
+    bool m_isToBegin = false;   ///< at the top, once the rows are arranged
+    bool m_isToScroll = false;  ///< to the net of the selection, likewise
     bool m_follows = true;
     bool m_showsChosen = false;
     bool m_isGroupingChosen = false;  ///< by the user

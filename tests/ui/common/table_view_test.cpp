@@ -3,6 +3,7 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QLocale>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -143,6 +144,30 @@ private slots:
         QCOMPARE(numbers.index(0, 1).data(Qt::ToolTipRole).toString(), QStringLiteral("a name"));
         const QString tip = numbers.index(0, 2).data(Qt::ToolTipRole).toString();
         QVERIFY2(tip.contains("7") && tip.contains("mm") && tip.contains("275.59"), qPrintable(tip));
+    }
+
+    void theCurrentRowStaysInSightWhenTheTableBecomesSmaller() {
+        Numbers numbers(200);
+        TableView table(numbers);
+        table.resize(300, 400);
+        table.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&table));
+        table.goToRow(numbers.index(150, 1));  // the last one in sight
+        const auto isInSight = [&] {
+            const QRect row = table.visualRect(table.currentIndex());
+            return row.top() >= 0 && row.bottom() < table.viewport()->height();
+        };
+        QVERIFY(isInSight());
+        for (const int height : {250, 150}) {
+            table.resize(300, height);
+            QTRY_VERIFY(table.viewport()->height() < height);
+            QVERIFY2(isInSight(), qPrintable(QString::number(height)));
+        }
+        table.resize(300, 400);
+        table.scrollToTop();
+        table.resize(300, 150);
+        QTRY_VERIFY(table.viewport()->height() < 150);
+        QVERIFY2(table.verticalScrollBar()->value() == 0, "the user has left it");
     }
 
     void theEnterThatEndsAnEditChoosesNoRow() {
