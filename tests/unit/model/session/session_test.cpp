@@ -61,6 +61,17 @@ Measurement measuredLength() {
     return length;
 }
 
+/// Of a session with one view whose poses say `more`.
+std::vector<SavedView> viewsWith(const Location& location, const std::string& more) {
+    const std::string pose = R"({"target_mm": [1, 2, 3], "distance_mm": 5, "yaw_deg": 0, "pitch_deg": 0, )"
+                             R"("parallel": true)" +
+                             more + "}";
+    location.write(R"({"copperscope_session": 1, "job": "everything", "views": [{"name": "a", "step": "pcb",)"
+                   R"("layers": [], "flat": )" +
+                   pose + R"(, "solid": )" + pose + "}]}");
+    return location.load().session.views;
+}
+
 }  // namespace
 
 class SessionTest : public QObject {
@@ -249,43 +260,20 @@ private slots:
         QVERIFY(found.ignored.empty());
     }
 
-    /// Those of older versions have none.
-    void camerasSayWhereTheMiddleOfTheBoardWas() {
+    /// Those of older versions have neither.
+    void camerasSayWhereTheMiddleOfTheBoardWasAndHowWideTheirViewWas() {
         const Location location;
-        const auto views = [&](const std::string& origin) {
-            const std::string pose = R"({"target_mm": [1, 2, 3], "distance_mm": 5, "yaw_deg": 0, "pitch_deg": 0, )"
-                                     R"("parallel": true)" +
-                                     origin + "}";
-            location.write(R"({"copperscope_session": 1, "job": "everything", "views": [{"name": "a", "step": "pcb",)"
-                           R"("layers": [], "flat": )" +
-                           pose + R"(, "solid": )" + pose + "}]}");
-            return location.load().session.views;
-        };
-        QCOMPARE(views("").size(), std::size_t{1});
-        QVERIFY(!views("").front().flat.origin.has_value());
-        const std::vector<SavedView> found = views(R"(, "origin_nm": [5000000, -7])");
+        QCOMPARE(viewsWith(location, "").size(), std::size_t{1});
+        QVERIFY(!viewsWith(location, "").front().flat.origin && !viewsWith(location, "").front().flat.aspect);
+        const std::vector<SavedView> found = viewsWith(location, R"(, "origin_nm": [5000000, -7], "aspect": 1.5)");
         QCOMPARE(found.size(), std::size_t{1});
         QVERIFY(found.front().solid.origin == std::optional(model::Point{5'000'000, -7}));
+        QCOMPARE(found.front().solid.aspect.value_or(0.0), 1.5);
         for (const char* wrong : {"7", "[1]", "[1, 2, 3]", "[0.5, 0]", R"(["1", 0])", "[1, 1000000000000000000]"}) {
-            QVERIFY2(views(std::string(R"(, "origin_nm": )") + wrong).empty(), wrong);
+            QVERIFY2(viewsWith(location, std::string(R"(, "origin_nm": )") + wrong).empty(), wrong);
         }
-    }
-
-    void camerasSayHowWideTheirViewWas() {
-        const Location location;
-        const auto views = [&](const std::string& aspect) {
-            const std::string pose = R"({"target_mm": [1, 2, 3], "distance_mm": 5, "yaw_deg": 0, "pitch_deg": 0, )"
-                                     R"("parallel": true)" +
-                                     aspect + "}";
-            location.write(R"({"copperscope_session": 1, "job": "everything", "views": [{"name": "a", "step": "pcb",)"
-                           R"("layers": [], "flat": )" +
-                           pose + R"(, "solid": )" + pose + "}]}");
-            return location.load().session.views;
-        };
-        QVERIFY(!views("").front().flat.aspect.has_value());
-        QCOMPARE(views(R"(, "aspect": 1.5)").front().solid.aspect.value_or(0.0), 1.5);
         for (const char* wrong : {"0", "-1", "[1]", R"("1")", "1e9"}) {
-            QVERIFY2(views(std::string(R"(, "aspect": )") + wrong).empty(), wrong);
+            QVERIFY2(viewsWith(location, std::string(R"(, "aspect": )") + wrong).empty(), wrong);
         }
     }
 
