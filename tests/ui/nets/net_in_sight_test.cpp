@@ -45,7 +45,7 @@ private slots:
         find("NET150");
         QTRY_VERIFY(details().isVisible());
         const model::Document* before = window().document();
-        m_fixture->key(Qt::Key_F5);
+        window().actions()[ui::ActionId::Reload].trigger();
         QTRY_VERIFY(window().document() != before && !window().loader().isLoading());
         QTRY_VERIFY(nets().isArranged() && nets().rowCount() >= 200);
         QCOMPARE(window().selection().nets().size(), std::size_t{1});
