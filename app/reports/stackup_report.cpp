@@ -111,10 +111,10 @@ model::Source sourceOfInside(const DrillRow& row) {
     return row.isOpenAssumed ? model::Source::Assumed : model::Source::Job;
 }
 
-/// Null where nothing is told of what the plating leaves.
+/// Null of holes of which only a box is known, and of those without a size.
 ordered_json insideSourceJson(const DrillRow& row) {
-    const bool isTold = row.diameter > 0 && row.shape != std::string_view("area");
-    return isTold ? ordered_json(model::toString(sourceOfInside(row))) : ordered_json();
+    const bool isKnown = row.diameter > 0 && row.shape != std::string_view("area");
+    return isKnown ? ordered_json(model::toString(sourceOfInside(row))) : ordered_json();
 }
 
 ordered_json drillJson(const model::Document& document, const DrillRow& row) {

@@ -253,7 +253,6 @@ void LayerModel::setDefaults(std::vector<LayerAppearance> defaults) {
 void LayerModel::setBoardColours(const model::BoardColourChoice& chosen) {
     m_boardColours = chosen;
     emit boardColoursChanged();
-    emit stylesChanged();
 }
 
 void LayerModel::restoreDefaults() {

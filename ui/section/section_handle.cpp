@@ -47,9 +47,11 @@ base::PointD SectionHandle::foot() const {
     const QRectF canvas({}, m_view.controller().viewport());
     const base::PointD middle = m_plane.middle();
     const std::optional<QPointF> place = onCanvas(middle);
+    if (place && canvas.contains(*place)) {
+        return middle;
+    }
     const std::optional<glm::vec3> seen = m_view.controller().boardPointAt(canvas.center());
-    const bool isInSight = place && canvas.contains(*place);
-    return isInSight || !seen ? middle : m_plane.nearestTo(m_view.position().toJob(*seen));
+    return seen ? m_plane.nearestTo(m_view.position().toJob(*seen)) : middle;
 }
 
 std::optional<QPointF> SectionHandle::onCanvas(base::PointD location) const {

@@ -21,7 +21,7 @@ namespace ui {
                                                           const std::vector<LayerAppearance>& appearances,
                                                           render::Palette palette,
                                                           const model::BoardColourChoice& chosen);
-/// For the 2D view: without laminate and lacquer, which would veil all layers below, unless nothing else is visible.
+/// For the 2D view: without substrate and solder mask, which would veil all layers below, unless nothing else is visible.
 [[nodiscard]] std::vector<render::LayerStyle> flatStyles(const model::Document& document,
                                                          const std::vector<LayerAppearance>& appearances);
 /// In 2D this layer is drawn over the others, and the holes through it over that; none: nothing changes.

@@ -91,20 +91,6 @@ std::vector<std::optional<Remainder>> remainders(const Document& document, std::
     return left;
 }
 
-/// What the positive elements cover, each by itself.
-RegionBoolean visible(const Document& document, std::span<const std::uint8_t> negatives) {
-    std::vector<std::optional<Remainder>> left = remainders(document, negatives);
-    RegionBoolean all;
-    for (std::size_t i = 0; i < left.size(); ++i) {
-        if (left[i]) {
-            all.append(std::move(left[i]->left));
-        } else if (negatives[i] == 0) {
-            all.append(regionsOf(document, ElementId{i}));
-        }
-    }
-    return all;
-}
-
 /// More regions than this are not tested pair by pair.
 constexpr std::size_t kMostPairwise = 64;
 
@@ -350,29 +336,33 @@ std::vector<PieceNet> netsOf(const PolygonSet& pieces, std::span<const NetVote> 
     return nets;
 }
 
-Inverse inverseOf(const std::vector<EdgeLoops>& base, const Document& painted, std::span<const std::uint8_t> negatives,
+RegionBoolean visibleOf(const Document& document, std::span<const std::uint8_t> negatives) {
+    std::vector<std::optional<Remainder>> left = remainders(document, negatives);
+    RegionBoolean all;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        if (left[i]) {
+            all.append(std::move(left[i]->left));
+        } else if (negatives[i] == 0) {
+            all.append(regionsOf(document, ElementId{i}));
+        }
+    }
+    return all;
+}
+
+Inverse inverseOf(const std::vector<EdgeLoops>& base, const RegionBoolean& visible, const Document& painted,
                   std::span<const NetVote> votes) {
-    const RegionBoolean shown = visible(painted, negatives);
-    const RegionBoolean pieces = differenceOf(base, shown.regions);
+    const RegionBoolean pieces = differenceOf(base, visible.regions);
     const std::vector<PieceNet> nets = netsOf(polygonsOf(pieces.regions), votes);
     const OutlineSources sources(painted);
     Inverse inverse;
     inverse.summary.pieces = pieces.regions.size();
-    inverse.summary.isExact = shown.isExact && pieces.isExact;
+    inverse.summary.isExact = visible.isExact && pieces.isExact;
     for (std::size_t i = 0; i < nets.size(); ++i) {
         inverse.pieces.push_back(pieceOf(pieces.regions[i], nets[i].net, sources));
         inverse.summary.withoutNet += nets[i].net.isValid() ? 0 : 1;
         inverse.summary.withSeveralNets += nets[i].hasOtherVotes ? 1 : 0;
     }
     return inverse;
-}
-
-RegionBoolean visibleAround(const std::vector<EdgeLoops>& base, const Document& painted,
-                            std::span<const std::uint8_t> negatives) {
-    const RegionBoolean shown = visible(painted, negatives);
-    RegionBoolean around = differenceOf(shown.regions, base);
-    around.isExact = around.isExact && shown.isExact;
-    return around;
 }
 
 void addInverse(DocumentBuilder& builder, const Inverse& inverse) {
@@ -385,7 +375,7 @@ void addInverse(DocumentBuilder& builder, const Inverse& inverse) {
 
 ShapeSketch regionOf(const Document& painted, std::span<const std::uint8_t> negatives, Diagnostics& diagnostics,
                      std::string_view file) {
-    RegionBoolean shown = visible(painted, negatives);
+    RegionBoolean shown = visibleOf(painted, negatives);
     if (!keepApart(shown.regions)) {
         const bool areExact = shown.isExact;
         shown = unionOf(shown.regions);

@@ -68,12 +68,11 @@ struct Inverse {
     InverseSummary summary;
 };
 
-/// Base minus everything that `painted` leaves visible.
-[[nodiscard]] Inverse inverseOf(const std::vector<EdgeLoops>& base, const Document& painted,
-                                std::span<const std::uint8_t> negatives, std::span<const NetVote> votes);
-/// What of that lies outside of the base.
-[[nodiscard]] RegionBoolean visibleAround(const std::vector<EdgeLoops>& base, const Document& painted,
-                                          std::span<const std::uint8_t> negatives);
+/// What all positive elements leave visible, each by itself.
+[[nodiscard]] RegionBoolean visibleOf(const Document& painted, std::span<const std::uint8_t> negatives);
+/// Base minus what `painted` leaves visible (visibleOf).
+[[nodiscard]] Inverse inverseOf(const std::vector<EdgeLoops>& base, const RegionBoolean& visible,
+                                const Document& painted, std::span<const NetVote> votes);
 /// Adds the pieces to the builder's current layer, a painted Area each.
 void addInverse(DocumentBuilder& builder, const Inverse& inverse);
 

@@ -67,10 +67,11 @@ Filled filled(const DocumentBuilder& builder, const NegativeLayer& layer, StepRo
     const Document& painted = layer.painted->soFar();
     const RegionBoolean base = baseOf(builder, layer.layer);
     Filled made;
-    made.inverse = inverseOf(base.regions, painted, layer.negatives, votesOn(board, layer.layer, painted));
+    RegionBoolean visible = visibleOf(painted, layer.negatives);
+    made.inverse = inverseOf(base.regions, visible, painted, votesOn(board, layer.layer, painted));
     if (role == StepRole::Copied) {
-        const std::vector<EdgeLoops> outline = areaOutlines(board.shapes, outlineOf(builder, layer.layer));
-        made.around = visibleAround(outline, painted, layer.negatives);
+        visible.append({clearedAroundCopies(board, layer.layer), true});  // may reach beyond this step, too
+        made.around = differenceOf(visible.regions, areaOutlines(board.shapes, outlineOf(builder, layer.layer)));
     }
     made.inverse.summary.isExact = made.inverse.summary.isExact && base.isExact && made.around.isExact;
     return made;
