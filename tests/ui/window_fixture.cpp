@@ -23,12 +23,20 @@ bool differ(QRgb a, QRgb b) {
            std::abs(qBlue(a) - qBlue(b)) > kVisible;
 }
 
-std::unique_ptr<ui::GpuContext> makeContext() {
-    base::Result<std::unique_ptr<ui::GpuContext>> context = ui::GpuContext::create();
-    if (!context) {
-        qFatal("%s", context.error().text.c_str());
+/// The one of the process. Goes with its QApplication, for what a window has left on the device is reported then.
+std::shared_ptr<ui::GpuContext> sharedContext() {
+    static std::shared_ptr<ui::GpuContext> s_context;
+    if (s_context == nullptr) {
+        qAddPostRoutine([] { s_context.reset(); });
     }
-    return std::move(*context);
+    if (s_context == nullptr || s_context->device().isLost()) {
+        base::Result<std::unique_ptr<ui::GpuContext>> context = ui::GpuContext::create();
+        if (!context) {
+            qFatal("%s", context.error().text.c_str());
+        }
+        s_context = std::move(*context);
+    }
+    return s_context;
 }
 
 }  // namespace
@@ -77,7 +85,9 @@ bool TestWindow::awaitWork() const {
 }
 
 WindowFixture::WindowFixture(const ui::Loader::Work& work)
-    : m_settings(m_folder.filePath("settings.ini")), m_context(makeContext()) {
+    : m_settings(m_folder.filePath("settings.ini")),
+      m_context(sharedContext()),
+      m_errorsBefore(m_context->validationErrors()) {
     m_settings.setKnowsOfSoftwareDevice();  // as in every run but the first: what is shown once takes no room
     restart(work);
 }
@@ -174,7 +184,7 @@ void WindowFixture::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
 }
 
 std::uint32_t validationErrorsOnClosing(std::unique_ptr<WindowFixture>& fixture) {
-    const std::uint32_t errors = fixture->context().validationErrors();
+    const std::uint32_t errors = fixture->validationErrors();
     fixture.reset();
     return errors;
 }

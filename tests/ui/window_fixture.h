@@ -94,8 +94,9 @@ public:
     [[nodiscard]] ui::ViewCube& viewCube() const { return find<ui::ViewCube>(); }
 };
 
-/// A workbench window with a device and settings of its own, shown on the platform's display. Without Vulkan surfaces
-/// (the offscreen platform) its canvas draws through memory.
+/// A workbench window with settings of its own, shown on the platform's display. Without Vulkan surfaces (the offscreen
+/// platform) its canvas draws through memory. Windows of one process share a device, as they do in the program; one
+/// that was lost is not handed on.
 class WindowFixture {
 public:
     explicit WindowFixture(const ui::Loader::Work& work = ui::loadBoard);
@@ -115,6 +116,8 @@ public:
     [[nodiscard]] TestWindow& window() { return *m_window; }
     [[nodiscard]] ui::Settings& settings() { return m_settings; }
     [[nodiscard]] ui::GpuContext& context() { return *m_context; }
+    /// Errors the validation layer has reported since the window is there.
+    [[nodiscard]] std::uint32_t validationErrors() const { return m_context->validationErrors() - m_errorsBefore; }
     [[nodiscard]] QString folder() const { return m_folder.path(); }
     /// The canvas drawn to memory.
     [[nodiscard]] QImage picture();
@@ -126,7 +129,8 @@ public:
 private:
     QTemporaryDir m_folder;
     ui::Settings m_settings;
-    std::unique_ptr<ui::GpuContext> m_context;
+    std::shared_ptr<ui::GpuContext> m_context;
+    std::uint32_t m_errorsBefore;  ///< of the validation layer, in the windows before
     std::unique_ptr<TestWindow> m_window;
 };
 
