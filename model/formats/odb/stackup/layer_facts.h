@@ -23,11 +23,16 @@ public:
     [[nodiscard]] std::optional<double> number(std::string_view name, double scale = 1.0) const;
     /// The same, but a value beyond these bounds is a mistake of the writer, which is reported.
     [[nodiscard]] std::optional<double> numberWithin(std::string_view name, double least, double most) const;
+    /// The thickness of what is printed or laid on: nothing, which is reported, where it is too thin or thick for
+    /// `what`. Nanometres.
+    [[nodiscard]] std::optional<double> thicknessWithin(std::string_view name, double least, double most,
+                                                        const std::string& what) const;
     [[nodiscard]] std::string_view text(std::string_view name) const { return m_block.value(name); }
+    /// "attribute NAME is WHAT; CONSEQUENCE", at the line of the attribute.
+    void report(Severity severity, std::string_view name, std::string_view what,
+                std::string_view consequence = "it is ignored") const;
 
 private:
-    void report(std::string_view name, std::string_view what) const;
-
     Block m_block;
     Unit m_unit;
     std::string_view m_path;
@@ -36,7 +41,9 @@ private:
 
 /// What the attributes of a layer say about its build (odb-notes, Stack). On copper .layer_dielectric and
 /// .dielectric_constant are about the dielectric under it; .copper_weight is ounces per square foot in inch files and
-/// µm in mm files. Zero is "not set"; numbers that no material has are reported and left out.
+/// µm in mm files, but for KiCad 10's, where they are ounces too, which is reported. On solder mask, silkscreen and
+/// paste .layer_dielectric is their own thickness. Zero is "not set"; numbers that no material has are reported and
+/// left out.
 [[nodiscard]] LayerFacts factsOf(const AttributeList& attributes, const MatrixLayer& layer);
 
 /// The .board_thickness of a file, in nm; nothing if there is no such file or it does not say.

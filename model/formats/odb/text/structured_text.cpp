@@ -1,19 +1,18 @@
 #include "model/formats/odb/text/structured_text.h"
 
+#include <algorithm>
+
 #include "model/formats/odb/text/records.h"
 
 namespace model::odb {
 
-std::string_view Block::value(std::string_view key) const {
-    for (const Setting& setting : settings) {
-        if (equalsIgnoringCase(setting.key, key)) {
-            return setting.value;
-        }
-    }
-    return {};
-}
-
 namespace {
+
+const Setting* find(const std::vector<Setting>& settings, std::string_view key) {
+    const auto found =
+        std::ranges::find_if(settings, [key](const Setting& setting) { return equalsIgnoringCase(setting.key, key); });
+    return found == settings.end() ? nullptr : &*found;
+}
 
 /// "NAME {" gives NAME; anything else gives nothing.
 std::string_view blockName(std::string_view line) {
@@ -31,10 +30,20 @@ void addSetting(Block& block, std::string_view line, std::uint32_t number, std::
                            "the line is neither KEY=value nor a block; it was left out");
         return;
     }
-    block.settings.push_back({trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1))});
+    block.settings.push_back({trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)), number});
 }
 
 }  // namespace
+
+std::string_view Block::value(std::string_view key) const {
+    const Setting* setting = find(settings, key);
+    return setting == nullptr ? std::string_view() : setting->value;
+}
+
+std::uint32_t Block::lineOf(std::string_view key) const {
+    const Setting* setting = find(settings, key);
+    return setting == nullptr ? 0 : setting->line;
+}
 
 StructuredText parseStructured(std::string_view text, std::string_view path, Diagnostics& diagnostics) {
     StructuredText parsed;

@@ -12,6 +12,7 @@ namespace model::odb {
 struct Setting {
     std::string_view key;
     std::string_view value;  ///< without the blanks around it
+    std::uint32_t line = 0;
 };
 
 /// A `NAME {` … `}` block, or the settings of the file outside all blocks.
@@ -22,6 +23,8 @@ struct Block {
 
     /// Value of the first setting with this key (case does not matter); empty if there is none.
     [[nodiscard]] std::string_view value(std::string_view key) const;
+    /// Its line; 0 if there is none.
+    [[nodiscard]] std::uint32_t lineOf(std::string_view key) const;
 };
 
 /// The structured syntax of matrix, stephdr, tools, info and attrlist files. Views point into the text.

@@ -60,10 +60,79 @@ private slots:
         }
     }
 
-    void printAndPasteHaveNoUsableThickness() {
+    /// KiCad 10 writes ounces into mm files, and beside them how thick the copper is.
+    void weightsThatNoCopperHasInMicrometresAreOunces() {
         model::Diagnostics diagnostics;
-        QVERIFY(!facts(LayerType::SilkScreen, ".layer_dielectric=0.01\n.copper_weight=1\n", diagnostics).thicknessNm);
-        QVERIFY(!facts(LayerType::SolderPaste, ".layer_dielectric=0.0001\n", diagnostics).thicknessNm);
+        const auto kicad =
+            facts(LayerType::Signal, "UNITS=MM\n.layer_dielectric=0.0350\n.copper_weight=1.0\n", diagnostics);
+        QCOMPARE(*kicad.thicknessNm, 35'000.0);
+        QCOMPARE(*kicad.material.copperOz, 1.0);
+        QVERIFY(!kicad.belowNm);
+        const auto* entry = findDiagnostic(diagnostics, "taken as ounces");
+        QVERIFY(entry != nullptr && entry->severity == model::Severity::Info);
+        QCOMPARE(entry->line, 3U);
+        const auto under =
+            facts(LayerType::Signal, "UNITS=MM\n.layer_dielectric=0.2\n.copper_weight=0.5\n", diagnostics);
+        QCOMPARE(*under.thicknessNm, 17'400.0);
+        QCOMPARE(*under.belowNm, 200'000.0);
+        const auto thin = facts(LayerType::Signal, "UNITS=MM\n.copper_weight=5\n", diagnostics);
+        QCOMPARE(*thin.thicknessNm, 5'000.0);
+        QVERIFY(!thin.material.copperOz);
+    }
+
+    void printAndPasteSpeakOfThemselves() {
+        model::Diagnostics diagnostics;
+        const auto thickness = [&](LayerType type, const char* text) {
+            return facts(type, text, diagnostics).thicknessNm;
+        };
+        QCOMPARE(*thickness(LayerType::SilkScreen, ".layer_dielectric=0.0008\n.copper_weight=1\n"), 20'320.0);
+        QCOMPARE(*thickness(LayerType::SolderPaste, "UNITS=MM\n.layer_dielectric=0.12\n"), 120'000.0);
+        QVERIFY(!thickness(LayerType::SilkScreen, ".layer_dielectric=0\n"));
+        QVERIFY(diagnostics.entries().empty());
+    }
+
+    /// 2.54 µm are Altium's "nothing known"; 254 µm are what a real job has on its dielectrics, too.
+    void printAndPasteThatCannotBeAreReported_data() {
+        QTest::addColumn<int>("type");
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<QString>("message");
+        const int print = static_cast<int>(LayerType::SilkScreen);
+        const int paste = static_cast<int>(LayerType::SolderPaste);
+        QTest::newRow("thin print") << print << "0.0001"
+                                    << "too thin for silkscreen";
+        QTest::newRow("thick print") << print << "0.01"
+                                     << "too thick for silkscreen";
+        QTest::newRow("thin paste") << paste << "0.0001"
+                                    << "too thin for solder paste";
+        QTest::newRow("thick paste") << paste << "0.1"
+                                     << "too thick for solder paste";
+        QTest::newRow("negative") << print << "-0.001"
+                                  << "too thin for silkscreen";
+    }
+    void printAndPasteThatCannotBeAreReported() {
+        QFETCH(int, type);
+        QFETCH(QString, value);
+        QFETCH(QString, message);
+        model::Diagnostics diagnostics;
+        const std::string text = "UNITS=INCH\n.layer_dielectric=" + value.toStdString() + "\n";
+        QVERIFY(!facts(static_cast<LayerType>(type), text.c_str(), diagnostics).thicknessNm);
+        const auto* entry = findDiagnostic(diagnostics, message.toStdString());
+        QVERIFY(entry != nullptr && entry->severity == model::Severity::Info);
+        QCOMPARE(entry->file, std::string("attrlist"));
+        QCOMPARE(entry->line, 2U);
+    }
+
+    void silkscreenIsAsThickAsItsLayerSays() {
+        odb_testing::Folder folder;
+        odb_testing::writeSmallJob(folder, "UNITS=MM\n$0 r100\nP 1 1 0 P 0 0\n");
+        folder.write("matrix/matrix", odb_testing::matrixOf({{"SILK_SCREEN", "PRINT"}, {"SIGNAL", "TOP"}}));
+        folder.write("steps/board/layers/print/features", "UNITS=MM\n$0 r100\nP 1 1 0 P 0 0\n");
+        folder.write("steps/board/layers/print/attrlist", "UNITS=MM\n.layer_dielectric=0.012\n");
+        const auto document = odb_testing::read(folder.path());
+        const model::Layer& print = odb_testing::layerOf(*document, "PRINT");
+        QCOMPARE(print.thickness, 12'000);
+        QCOMPARE(print.thicknessSource, model::Source::Job);
+        QVERIFY(findDiagnostic(document->diagnostics, "surface layers is assumed: silk screen") == nullptr);
     }
 
     void zeroAndAirAreNotSet() {
