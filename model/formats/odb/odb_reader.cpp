@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "model/formats/common/archive.h"
+#include "model/formats/odb/elements/tool_units.h"
 #include "model/formats/odb/job_builder.h"
 #include "model/formats/odb/job_info.h"
 #include "model/formats/odb/repeated_drills.h"
@@ -167,6 +168,7 @@ base::Result<std::shared_ptr<const Document>> readJob(const formats::Archive& ar
     if (!readSteps(job, steps, progress)) {
         return cancelled();
     }
+    fitToolUnits(job, steps);
     setRepeatedDrillsAside(matrix, steps, diagnostics);
     describe(builder.job(), info, *tree, steps, name);
     builder.times().parseMs = reading.milliseconds();

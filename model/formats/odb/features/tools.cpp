@@ -1,5 +1,7 @@
 #include "model/formats/odb/features/tools.h"
 
+#include <string>
+
 #include "model/formats/odb/text/records.h"
 #include "model/formats/odb/text/structured_text.h"
 
@@ -8,9 +10,9 @@ namespace model::odb {
 namespace {
 
 /// FINISH_SIZE -1 is "unknown"; so is everything else that is no size.
-base::Nm sizeOf(std::string_view text, Unit unit) {
+base::Nm sizeOf(std::string_view text, std::int64_t nmPerUnit) {
     const std::optional<double> value = parseReal(text);
-    const std::optional<base::Nm> size = value ? toLength(*value, symbolNm(unit)) : std::nullopt;
+    const std::optional<base::Nm> size = value ? toLength(*value, nmPerUnit) : std::nullopt;
     return size.value_or(0) > 0 ? *size : 0;
 }
 
@@ -21,17 +23,46 @@ Plating platingOf(std::string_view type) {
                                   : Plating::NotSaid;
 }
 
-DrillTool toolOf(const Block& block, Unit unit) {
+DrillTool toolOf(const Block& block, std::int64_t nmPerUnit) {
     DrillTool tool;
     tool.number = parseInteger(block.value("NUM")).value_or(0);
     tool.plating = platingOf(block.value("TYPE"));
     tool.process = toUtf8(block.value("TYPE2"));
     tool.bit = toUtf8(block.value("BIT"));
-    tool.finishedSize = sizeOf(block.value("FINISH_SIZE"), unit);
-    tool.drillSize = sizeOf(block.value("DRILL_SIZE"), unit);
-    tool.minTolerance = sizeOf(block.value("MIN_TOL"), unit);
-    tool.maxTolerance = sizeOf(block.value("MAX_TOL"), unit);
+    tool.finishedSize = sizeOf(block.value("FINISH_SIZE"), nmPerUnit);
+    tool.drillSize = sizeOf(block.value("DRILL_SIZE"), nmPerUnit);
+    tool.minTolerance = sizeOf(block.value("MIN_TOL"), nmPerUnit);
+    tool.maxTolerance = sizeOf(block.value("MAX_TOL"), nmPerUnit);
     return tool;
+}
+
+ToolUnit statedUnit(const StructuredText& parsed) {
+    const bool isInch = parseUnit(parsed.top.value("UNITS")).value_or(Unit::Inch) == Unit::Inch;
+    return isInch ? ToolUnit::Mil : ToolUnit::Micrometre;
+}
+
+std::int64_t nmPer(ToolUnit unit) {
+    switch (unit) {
+        case ToolUnit::Micrometre: return symbolNm(Unit::Millimetre);
+        case ToolUnit::Inch: return coordinateNm(Unit::Inch);
+        case ToolUnit::Millimetre: return coordinateNm(Unit::Millimetre);
+        default: return symbolNm(Unit::Inch);
+    }
+}
+
+const char* nameOf(ToolUnit unit) {
+    constexpr const char* kNames[] = {"", "mil", "µm", "inches", "mm"};
+    return kNames[static_cast<std::size_t>(unit)];
+}
+
+/// At the line that states the unit, or else at the first tool.
+void reportUnit(const StructuredText& parsed, ToolUnit stated, ToolUnit unit, std::string_view path,
+                Diagnostics& diagnostics) {
+    const std::uint32_t first = parsed.blocks.empty() ? 0 : parsed.blocks.front().line;
+    const std::uint32_t line = parsed.top.lineOf("UNITS");
+    diagnostics.report(Severity::Info, path, line > 0 ? line : first,
+                       std::string("no hole has the size of a tool in ") + nameOf(stated) + ", but all do in " +
+                           nameOf(unit) + "; sizes of tools are taken as " + nameOf(unit));
 }
 
 void reportOdd(const DrillTool& tool, std::string_view path, std::uint32_t line, Diagnostics& diagnostics) {
@@ -48,16 +79,21 @@ void reportOdd(const DrillTool& tool, std::string_view path, std::uint32_t line,
 
 }  // namespace
 
-std::vector<DrillTool> parseTools(std::string_view text, std::string_view path, Diagnostics& diagnostics) {
+std::vector<DrillTool> parseTools(std::string_view text, std::string_view path, Diagnostics& diagnostics,
+                                  ToolUnit unit) {
     const StructuredText parsed = parseStructured(text, path, diagnostics);
-    const Unit unit = parseUnit(parsed.top.value("UNITS")).value_or(Unit::Inch);
+    const ToolUnit stated = statedUnit(parsed);
+    unit = unit == ToolUnit::Stated ? stated : unit;
+    if (unit != stated) {
+        reportUnit(parsed, stated, unit, path, diagnostics);
+    }
     std::vector<DrillTool> tools;
     for (const Block& block : parsed.blocks) {
         if (!equalsIgnoringCase(block.name, "TOOLS") && !equalsIgnoringCase(block.name, "TOOL")) {
             diagnostics.report(Severity::Info, path, block.line, "unknown kind of block; it was left out");
             continue;
         }
-        tools.push_back(toolOf(block, unit));
+        tools.push_back(toolOf(block, nmPer(unit)));
         reportOdd(tools.back(), path, block.line, diagnostics);
     }
     return tools;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -8,8 +9,17 @@
 
 namespace model::odb {
 
-/// The TOOLS blocks of a drill layer; DrillTool::layer is left open. Sizes are mil or µm by the file's own UNITS; a
-/// file without UNITS means mil, whatever the features are in (odb-notes, Units).
-[[nodiscard]] std::vector<DrillTool> parseTools(std::string_view text, std::string_view path, Diagnostics& diagnostics);
+/// In what the sizes of a tools file are.
+enum class ToolUnit : std::uint8_t {
+    Stated,  ///< mil or µm by the file's own UNITS; without these mil, whatever the features are in (odb-notes, Units)
+    Mil,
+    Micrometre,
+    Inch,
+    Millimetre
+};
+
+/// The TOOLS blocks of a drill layer; DrillTool::layer is left open. A unit that is not the stated one is reported.
+[[nodiscard]] std::vector<DrillTool> parseTools(std::string_view text, std::string_view path, Diagnostics& diagnostics,
+                                                ToolUnit unit = ToolUnit::Stated);
 
 }  // namespace model::odb

@@ -243,6 +243,52 @@ private slots:
 
     // ---- whole boards ----
 
+    void toolsThatFitInAnotherUnitAloneAreTakenSo_data() {
+        QTest::addColumn<QString>("tools");
+        QTest::addColumn<QString>("symbols");
+        QTest::addColumn<Nm>("size");
+        QTest::addColumn<QString>("unit");
+        const auto sizes = [](const char* units, const char* a, const char* b) {
+            return QString(
+                       "THICKNESS=0\n%1TOOLS {\n NUM=1\n TYPE=VIA\n DRILL_SIZE=%2\n}\n"
+                       "TOOLS {\n NUM=2\n TYPE=PLATED\n DRILL_SIZE=%3\n}\n")
+                .arg(units, a, b);
+        };
+        const QString plain = "$0 r200\n$1 oval1000x1700\n";
+        QTest::newRow("as stated") << sizes("UNITS=MM\n", "200", "1000") << plain << 200'000 << "";
+        QTest::newRow("mm, as KiCad 10") << sizes("UNITS=MM\n", "0.20", "1.0") << plain << 200'000 << "mm";
+        QTest::newRow("inches") << sizes("UNITS=INCH\n", "0.010", "0.040") << "$0 r254\n$1 r1016\n"
+                                << 254'000 << "inches";
+        QTest::newRow("µm without UNITS") << sizes("", "200", "1000") << plain << 200'000 << "µm";
+        QTest::newRow("mil in a file of mm") << sizes("UNITS=MM\n", "10", "40") << "$0 r254\n$1 r1016\n"
+                                             << 254'000 << "mil";
+        QTest::newRow("one hole fits in none") << sizes("UNITS=MM\n", "0.20", "1.0") << "$0 r200\n$1 r700\n"
+                                               << 200 << "";
+    }
+    void toolsThatFitInAnotherUnitAloneAreTakenSo() {
+        QFETCH(QString, tools);
+        QFETCH(QString, symbols);
+        QFETCH(Nm, size);
+        QFETCH(QString, unit);
+        odb_testing::Folder folder;
+        folder.copyJob("drills");
+        folder.write("steps/board/layers/through/features",
+                     "UNITS=MM\n" + symbols.toStdString() + "P 4 4 0 P 0 0\nP 8 8 1 P 0 0\n");
+        folder.write("steps/board/layers/through/tools", tools.toStdString());
+        const auto document = odb_testing::read(folder.path());
+        const auto through = document->findLayer("THROUGH");
+        const auto first = std::ranges::find(document->tools, through, &DrillTool::layer);
+        QVERIFY(first != document->tools.end());
+        QCOMPARE(first->drillSize, size);
+        const model::Diagnostic* found = findDiagnostic(document->diagnostics, "sizes of tools are taken as");
+        QCOMPARE(found != nullptr, !unit.isEmpty());
+        if (found != nullptr) {
+            QVERIFY(found->text.ends_with("taken as " + unit.toStdString()));
+            QCOMPARE(found->file, std::string("steps/board/layers/through/tools"));
+            QCOMPARE(found->line, 2U);  // where UNITS is, or else the first tool
+        }
+    }
+
     /// KiCad 10 writes vias as `r0.010`.
     void holesThatNothingDrillsAreReported() {
         odb_testing::Folder folder;
