@@ -62,7 +62,8 @@ struct DrawnSymbol {
 /// dielectrics, mask, paste, silkscreen), then the rest.
 struct DrawnLayer {
     std::string name;
-    std::string file;  ///< for "file and line"
+    std::string file;        ///< for "file and line"
+    std::uint32_t line = 0;  ///< where `file` lists the layer, 1-based; 0: the file is the layer's own
     LayerType type = LayerType::Other;
     LayerContext context = LayerContext::Board;
     LayerSide side = LayerSide::None;

@@ -91,12 +91,8 @@ private:
     bool addNegatives() {
         std::vector<NegativeLayer> negatives;
         for (const std::size_t row : m_parts.layers.order()) {
-            const DrawnSource source = sourceOf(row);
-            if (m_parts.job.layers[row].isNegative && source.features.empty()) {
-                m_builder.beginLayer(source.layer);
-                m_parts.progress.layerDone();
-            } else if (m_parts.job.layers[row].isNegative) {
-                negatives.push_back(paintNegative(source, holesOf(row)));
+            if (m_parts.job.layers[row].isNegative) {
+                negatives.push_back(paintNegative(row));
             }
         }
         const StepRole role = m_isShown ? StepRole::Shown : StepRole::Copied;
@@ -105,6 +101,7 @@ private:
         }
         for (const NegativeLayer& layer : negatives) {
             m_copies.reportNegativesOfCopies(layer.layer, layer.file);
+            m_copies.reportClearedNeighbours(layer.layer);
         }
         return true;
     }
@@ -149,12 +146,16 @@ private:
         addPainted(m_builder, scratch.soFar(), negatives, source.path);
     }
 
-    NegativeLayer paintNegative(const DrawnSource& source, const std::optional<HoleRules>& holes) {
+    NegativeLayer paintNegative(std::size_t row) {
+        const DrawnSource source = sourceOf(row);
         NegativeLayer layer;
         layer.layer = source.layer;
-        layer.painted = std::make_unique<DocumentBuilder>();
-        layer.negatives = paint(*layer.painted, source, holes);
         layer.file = std::string(source.path);
+        layer.line = m_parts.job.layers[row].line;
+        if (!source.features.empty()) {
+            layer.painted = std::make_unique<DocumentBuilder>();
+            layer.negatives = paint(*layer.painted, source, holesOf(row));
+        }
         return layer;
     }
 

@@ -242,6 +242,7 @@ public:
         }
         setSpans(rows);
         for (const std::size_t row : m_order) {
+            m_layers[row].drawn.line = m_layers[row].line;
             ordered.push_back(std::move(m_layers[row].drawn));
         }
         return rows;

@@ -150,12 +150,8 @@ private:
     bool buildNegatives() {
         std::vector<formats::NegativeLayer> negatives;
         for (const std::size_t row : m_layers.order()) {
-            const bool isNegative = m_matrix.layers[row].isNegative;
-            if (isNegative && m_step.layers[row].features.isPresent()) {
+            if (m_matrix.layers[row].isNegative) {
                 negatives.push_back(paintNegative(row));
-            } else if (isNegative) {
-                m_builder.beginLayer(m_layers.id(row));
-                m_parts.progress.layerDone();
             }
         }
         const formats::StepRole role = m_isChosen ? formats::StepRole::Shown : formats::StepRole::Copied;
@@ -164,6 +160,7 @@ private:
         }
         for (const formats::NegativeLayer& layer : negatives) {
             m_copies.reportNegativesOfCopies(layer.layer, m_step.layers[m_layers.rowOf(layer.layer)].features.path);
+            m_copies.reportClearedNeighbours(layer.layer);
         }
         return true;
     }
@@ -212,10 +209,12 @@ private:
     formats::NegativeLayer paintNegative(std::size_t row) {
         formats::NegativeLayer layer;
         layer.layer = m_layers.id(row);
-        layer.painted = std::make_unique<DocumentBuilder>();
-        layer.negatives = paint(*layer.painted, row);
         layer.file = "matrix/matrix";
         layer.line = m_matrix.layers[row].line;
+        if (m_step.layers[row].features.isPresent()) {
+            layer.painted = std::make_unique<DocumentBuilder>();
+            layer.negatives = paint(*layer.painted, row);
+        }
         return layer;
     }
 

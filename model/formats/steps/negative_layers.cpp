@@ -62,6 +62,26 @@ struct Filled {
     RegionBoolean around;  ///< cleared outside of the step's outline
 };
 
+/// What of `cleared` lies outside of the step's outline, or all of it where there is none.
+RegionBoolean outsideOf(const DocumentBuilder& builder, LayerId layer, RegionBoolean cleared) {
+    const ShapeId outline = outlineOf(builder, layer);
+    if (!outline.isValid() || cleared.regions.empty()) {
+        return cleared;
+    }
+    RegionBoolean outside = differenceOf(cleared.regions, areaOutlines(builder.soFar().shapes, outline));
+    outside.isExact = outside.isExact && cleared.isExact;
+    return outside;
+}
+
+/// The layer stays empty, so all that is left of it is what copies clear beyond this step.
+Filled handedOn(const DocumentBuilder& builder, const NegativeLayer& layer, StepRole role) {
+    Filled made;
+    if (role == StepRole::Copied) {
+        made.around = outsideOf(builder, layer.layer, {clearedAroundCopies(builder.soFar(), layer.layer), true});
+    }
+    return made;
+}
+
 Filled filled(const DocumentBuilder& builder, const NegativeLayer& layer, StepRole role) {
     const Document& board = builder.soFar();
     const Document& painted = layer.painted->soFar();
@@ -71,7 +91,7 @@ Filled filled(const DocumentBuilder& builder, const NegativeLayer& layer, StepRo
     made.inverse = inverseOf(base.regions, visible, painted, votesOn(board, layer.layer, painted));
     if (role == StepRole::Copied) {
         visible.append({clearedAroundCopies(board, layer.layer), true});  // may reach beyond this step, too
-        made.around = differenceOf(visible.regions, areaOutlines(board.shapes, outlineOf(builder, layer.layer)));
+        made.around = outsideOf(builder, layer.layer, std::move(visible));
     }
     made.inverse.summary.isExact = made.inverse.summary.isExact && base.isExact && made.around.isExact;
     return made;
@@ -87,13 +107,39 @@ void report(Diagnostics& diagnostics, const NegativeLayer& layer, const std::str
     }
 }
 
+void add(DocumentBuilder& builder, const NegativeLayer& layer, const Filled& made) {
+    const std::string name = "layer " + builder.layer(layer.layer).name;
+    builder.beginLayer(layer.layer);
+    addInverse(builder, made.inverse);
+    if (!made.around.regions.empty()) {
+        builder.layer(layer.layer).clearedAround = builder.addShape(sketchOf(made.around.regions));
+    }
+    if (layer.painted == nullptr) {
+        if (!made.around.isExact) {
+            builder.diagnostics().report(Severity::Info, layer.file, layer.line,
+                                         name +
+                                             ": what copies clear around them has straight edges within 1 µm, as its "
+                                             "arcs could not be kept");
+        }
+        return;
+    }
+    if (outlineOf(builder, layer.layer).isValid()) {
+        report(builder.diagnostics(), layer, name, made.inverse.summary, !builder.soFar().nets.empty());
+    } else {
+        builder.diagnostics().report(Severity::Error, layer.file, layer.line,
+                                     name + " is negative, but the board has no outline; it stays empty");
+    }
+}
+
 }  // namespace
 
 bool addNegativeLayers(DocumentBuilder& builder, std::span<const NegativeLayer> layers, StepRole role,
                        StepProgress& progress) {
     std::vector<Filled> made(layers.size());
     base::parallelFor(layers.size(), [&](std::size_t i) {
-        if (!progress.isCancelled() && outlineOf(builder, layers[i].layer).isValid()) {
+        if (!progress.isCancelled() && layers[i].painted == nullptr) {
+            made[i] = handedOn(builder, layers[i], role);
+        } else if (!progress.isCancelled() && outlineOf(builder, layers[i].layer).isValid()) {
             made[i] = filled(builder, layers[i], role);
         }
         progress.layerDone();
@@ -102,18 +148,7 @@ bool addNegativeLayers(DocumentBuilder& builder, std::span<const NegativeLayer> 
         return false;
     }
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        const std::string name = "layer " + builder.layer(layers[i].layer).name;
-        builder.beginLayer(layers[i].layer);
-        if (outlineOf(builder, layers[i].layer).isValid()) {
-            addInverse(builder, made[i].inverse);
-            if (!made[i].around.regions.empty()) {
-                builder.layer(layers[i].layer).clearedAround = builder.addShape(sketchOf(made[i].around.regions));
-            }
-            report(builder.diagnostics(), layers[i], name, made[i].inverse.summary, !builder.soFar().nets.empty());
-        } else {
-            builder.diagnostics().report(Severity::Error, layers[i].file, layers[i].line,
-                                         name + " is negative, but the board has no outline; it stays empty");
-        }
+        add(builder, layers[i], made[i]);
     }
     return true;
 }

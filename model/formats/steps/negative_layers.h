@@ -14,9 +14,9 @@ namespace model::formats {
 /// What the features of a layer draw that is drawn as what is not copper (Layer::isNegative).
 struct NegativeLayer {
     LayerId layer;
-    std::unique_ptr<DocumentBuilder> painted;
-    std::vector<std::uint8_t> negatives;  ///< an entry per element of `painted` (painting.h)
-    std::string file;                     ///< for messages on the layer
+    std::unique_ptr<DocumentBuilder> painted;  ///< none: the step does not draw on it
+    std::vector<std::uint8_t> negatives;       ///< an entry per element of `painted` (painting.h)
+    std::string file;                          ///< for messages on the layer
     std::uint32_t line = 0;
 };
 
@@ -26,7 +26,8 @@ enum class StepRole : std::uint8_t { Shown, Copied };
 /// Fills the layers, in this order: each is the outline of the layer or the board, without copies of other steps, minus
 /// what is painted, and minus what such copies clear around them (Layer::clearedAround, set here for copied steps). Its
 /// pieces have the nets of the plated holes and pads in them. What was found is reported; without an outline a layer
-/// stays empty. To be called when the profile and all holes are there. False: cancelled.
+/// stays empty. So does one that the step does not draw on, which hands on what its copies clear. To be called when the
+/// profile and all holes are there. False: cancelled.
 [[nodiscard]] bool addNegativeLayers(DocumentBuilder& builder, std::span<const NegativeLayer> layers, StepRole role,
                                      StepProgress& progress);
 

@@ -8,6 +8,7 @@
 #include "model/base/parallel.h"
 #include "model/board/copies.h"
 #include "model/board/holes.h"
+#include "model/formats/steps/cleared_neighbours.h"
 
 namespace model::formats {
 
@@ -59,6 +60,7 @@ void StepCopies::add() {
             location->second = m_builder.addStep(step);
         }
         m_builder.addInstance({location->second, copy.placement, copy.isFlipped});
+        m_lines.push_back(copy.line);
         if (copy.isFlipped) {
             reportOneSided(copy, *step);
         }
@@ -124,6 +126,17 @@ void StepCopies::reportNegativesOfCopies(LayerId layer, std::string_view file) {
                 Severity::Warning, file, own.elements.line[i],
                 "a copy of another step with negative features lies over this one; they take nothing away from it");
         }
+    }
+}
+
+void StepCopies::reportClearedNeighbours(LayerId layer) {
+    const Document& board = m_builder.soFar();
+    if (const std::optional<std::size_t> copy = firstClearingNeighbours(board, layer)) {
+        m_builder.diagnostics().report(
+            Severity::Warning, m_path, m_lines[*copy],
+            "layer " + board.layer(layer).name +
+                " is negative: what a copy clears around it lies over copper of the copy beside it and is not taken "
+                "away there");
     }
 }
 

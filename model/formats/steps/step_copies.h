@@ -59,6 +59,9 @@ public:
     void reportOwnNegatives(LayerId layer, std::string_view file, const Document& painted,
                             std::span<const std::uint8_t> negatives);
     void reportNegativesOfCopies(LayerId layer, std::string_view file);
+    /// Copies of a step share its document, so what a negative layer of a copy clears around it is not taken away from
+    /// the copy beside it; where it lies over copper there, that is reported.
+    void reportClearedNeighbours(LayerId layer);
 
 private:
     [[nodiscard]] bool isInRange(const PlannedCopy& copy, const Document& step);
@@ -70,6 +73,7 @@ private:
     const StepDocuments& m_documents;
     std::string_view m_path;
     HasNegatives m_hasNegatives;
+    std::vector<std::uint32_t> m_lines;  ///< by Document::instances: where the job says so
 };
 
 /// The messages of a step that is placed as copies, as they read on the board: its elements are not the board's, so

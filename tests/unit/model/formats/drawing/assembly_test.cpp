@@ -132,6 +132,18 @@ private slots:
         QVERIFY(findMessage(*d, "1 of 2 pieces have a net") != nullptr);
     }
 
+    void messagesOnNegativeLayersHaveTheLineOfTheLayer() {
+        DrawnJob job = boardOfTwoLayers();
+        job.layers[1].isNegative = true;
+        job.layers[1].line = 7;
+        draw(job.steps[0], 1, pad(addRound(job.steps[0], kMm), mm(20, 20)));
+        const auto d = assembled(job);
+        const model::Diagnostic* message = findMessage(*d, "Layer BOTTOM is negative");
+        QVERIFY(message != nullptr);
+        QCOMPARE(message->file, std::string("job.txt"));
+        QCOMPARE(message->line, 7U);
+    }
+
     void negativeLayersKeepTheirOrder() {
         DrawnJob job = boardOfTwoLayers();
         job.layers[0].isNegative = job.layers[1].isNegative = true;

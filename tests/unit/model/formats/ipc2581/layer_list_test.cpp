@@ -56,6 +56,15 @@ private slots:
         }
         QVERIFY(!reports(*job, "straight edges"));
     }
+
+    /// Also once they are in physical order: T, N, B.
+    void layersKnowTheirLine() {
+        const auto job =
+            parse(fileWith({}, {}, "\n\n<Layer name='N' layerFunction='PLANE' side='INTERNAL' polarity='NEGATIVE'/>"));
+        QVERIFY(job->layers[layerNamed(*job, "N")].isNegative);
+        QCOMPARE(job->layers[layerNamed(*job, "N")].line, 3U);
+        QCOMPARE(job->layers[layerNamed(*job, "B")].line, 1U);
+    }
 };
 
 QTEST_APPLESS_MAIN(LayerListTest)

@@ -8,6 +8,19 @@ using model::ElementId;
 using model::LayerId;
 using model::Point;
 
+namespace {
+
+/// TOP and BOTTOM: one card is flipped.
+void makeCopperNegative(const Folder& folder) {
+    std::string matrix = readFile(folder.path() / "matrix/matrix");
+    for (std::size_t at = matrix.find("POSITIVE"); at < matrix.find("DRILL"); at = matrix.find("POSITIVE", at)) {
+        matrix.replace(at, 8, "NEGATIVE");
+    }
+    folder.write("matrix/matrix", matrix);
+}
+
+}  // namespace
+
 class PanelReaderTest : public QObject {
     Q_OBJECT
 
@@ -141,11 +154,7 @@ private slots:
     void whatACardsNegativeLayerClearsAroundItIsClearedOnThePanel() {
         Folder folder;
         folder.copyJob("panel");
-        std::string matrix = readFile(folder.path() / "matrix/matrix");
-        for (std::size_t at = matrix.find("POSITIVE"); at < matrix.find("DRILL"); at = matrix.find("POSITIVE", at)) {
-            matrix.replace(at, 8, "NEGATIVE");  // TOP and BOTTOM: one card is flipped
-        }
-        folder.write("matrix/matrix", matrix);
+        makeCopperNegative(folder);
         folder.write("steps/panel/layers/top/features", "UNITS=MM\n");
         folder.write("steps/panel/layers/bottom/features", "UNITS=MM\n");
         // A square brush along the lower edge of the card, half of it outside, and over both ends by half its width.
@@ -161,6 +170,54 @@ private slots:
         const Document& card = *d->steps[0];
         const ElementId plane{layerOf(card, "top").elements.first};
         QCOMPARE(squareMillimetres(card, plane), 36.0 - 6.0 * 0.5);
+    }
+
+    /// The card between has no features on the layer. What its coupons clear beside them goes beyond it by 8 mm.
+    void whatInnerCopiesClearIsHandedOnByACardThatDrawsNothing() {
+        Folder folder;
+        folder.copyJob("panel");
+        makeCopperNegative(folder);
+        std::filesystem::remove_all(folder.path() / "steps/card/layers/top");
+        folder.write("steps/panel/layers/top/features", "UNITS=MM\n");
+        folder.write("steps/panel/layers/bottom/features", "UNITS=MM\n");
+        folder.write("steps/card/layers/bottom/features", "UNITS=MM\n");
+        folder.write("steps/coupon/profile", "UNITS=MM\nS P 0\nOB 0 0 I\nOS 1 0\nOS 1 1\nOS 0 1\nOS 0 0\nOE\nSE\n");
+        folder.write("steps/coupon/layers/top/features", "UNITS=MM\n$0 s1000\nL 0.5 0.5 10.5 0.5 0 P 0\n");
+        const auto d = read(folder.path());
+        const auto copper = [&](const char* layer) {
+            return squareMillimetres(*d, ElementId{layerOf(*d, layer).elements.first});
+        };
+        QCOMPARE(copper("top"), 80.0 * 50.0 - 5 * 36.0 - 4 * 2 * 8.0);
+        QCOMPARE(copper("bottom"), 80.0 * 50.0 - 5 * 36.0 - 2 * 8.0);
+        const Document& card = d->steps[0]->steps.empty() ? *d->steps[1] : *d->steps[0];
+        QCOMPARE(layerOf(card, "top").elements.count, 0U);
+    }
+
+    /// A brush from one card to the next, which lies 20 mm to the right.
+    void whatACopyClearsOverTheOneBesideItIsReported_data() {
+        QTest::addColumn<QString>("brush");
+        QTest::addColumn<bool>("isOver");
+        QTest::newRow("over its copper") << "L 0 3 22 5 0 P 0" << true;
+        QTest::newRow("over what that one clears itself") << "L 0 3 22 3 0 P 0" << false;
+        QTest::newRow("as far as its edge") << "L 0 3 19.5 5 0 P 0" << false;
+        QTest::newRow("beside it") << "L 0 0 6 0 0 P 0" << false;
+    }
+    void whatACopyClearsOverTheOneBesideItIsReported() {
+        QFETCH(QString, brush);
+        QFETCH(bool, isOver);
+        Folder folder;
+        folder.copyJob("panel");
+        makeCopperNegative(folder);
+        folder.write("steps/card/layers/top/features", "UNITS=MM\n$0 s1000\n" + brush.toStdString() + "\n");
+        const auto d = read(folder.path());
+        const model::Diagnostic* found = findDiagnostic(d->diagnostics, "over copper of the copy beside it");
+        QCOMPARE(found != nullptr, isOver);
+        if (isOver) {
+            QVERIFY(found->text.starts_with("Layer TOP is negative"));
+            QCOMPARE(found->file, std::string("steps/panel/stephdr"));
+            QCOMPARE(found->line, 2U);
+            QCOMPARE(found->severity, model::Severity::Warning);
+        }
     }
 
     void oneStackHoldsForAllSteps() {
