@@ -139,8 +139,9 @@ void PartList::place(const PlacementFile& file, std::string_view path, const Pad
         const auto x = toNm(part.position.x * fit->factor + fit->shift.x);
         const auto y = toNm(part.position.y * fit->factor + fit->shift.y);
         if (!x || !y) {
-            diagnostics.report(Severity::Warning, path, part.line,
-                               "a component is placed beyond any board (1.07 m); its place was left out");
+            diagnostics.report(
+                Severity::Warning, path, part.line,
+                "a component is placed beyond any board, more than 1.07 m from the origin; its place was left out");
             continue;
         }
         if (const auto [place, isNew] = places.try_emplace(part.refdes, part.position);

@@ -187,7 +187,8 @@ void DrillParser::repeat(const DrillValues& parts) {
         m_slotStart = {m_slotStart.x + dx, m_slotStart.y + dy};
         if (!toNm(m_position.x) || !toNm(m_position.y)) {
             return report(Severity::Warning,
-                          "a repetition of a hole goes beyond any board (1.07 m); the rest of it is left out");
+                          "a repetition of a hole goes beyond any board, more than 1.07 m from the origin; the rest of "
+                          "it is left out");
         }
         const bool isSlot = m_last == Last::Slot;
         add(isSlot ? DrawnKind::Line : DrawnKind::Pad, isSlot ? m_slotStart : m_position, m_position, {});
@@ -226,7 +227,8 @@ void DrillParser::repeatPattern(const DrillValues& parts) {
             m_image.features.push_back(feature);
         } else {
             report(Severity::Warning,
-                   "a repeated pattern of holes goes beyond any board (1.07 m); what lies there is left out");
+                   "a repeated pattern of holes goes beyond any board, more than 1.07 m from the origin; what lies "
+                   "there is left out");
         }
     }
     m_patternBegin = m_patternEnd;

@@ -313,7 +313,8 @@ void ImageParser::repeatFrame(const Frame& frame) {
             const auto ox = toNm(x * frame.dx);
             const auto oy = toNm(y * frame.dy);
             if (!ox || !oy) {
-                report(Severity::Warning, "a repeated step lies beyond any board (1.07 m); it is left out");
+                report(Severity::Warning,
+                       "a repeated step lies beyond any board, more than 1.07 m from the origin; it is left out");
                 break;  // those above lie farther yet
             }
             addMoved(frame.features, {*ox, *oy});
@@ -359,7 +360,8 @@ void ImageParser::finish() {
         const std::size_t gone =
             std::erase_if(m_image.features, [&](DrawnFeature& feature) { return !m_mover.move(feature, turned); });
         if (gone > 0) {
-            report(Severity::Warning, "what the image draws beyond any board (1.07 m) is left out");
+            report(Severity::Warning,
+                   "what the image draws beyond any board, more than 1.07 m from the origin, is left out");
         }
     }
 }
