@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
-#include <string_view>
 
 #include "model/board/holes.h"
 #include "model/board/stackup.h"
@@ -113,8 +112,7 @@ model::Source sourceOfInside(const DrillRow& row) {
 
 /// Null of holes of which only a box is known, and of those without a size.
 ordered_json insideSourceJson(const DrillRow& row) {
-    const bool isKnown = row.diameter > 0 && row.shape != std::string_view("area");
-    return isKnown ? ordered_json(model::toString(sourceOfInside(row))) : ordered_json();
+    return model::hasDrilledSize(row) ? ordered_json(model::toString(sourceOfInside(row))) : ordered_json();
 }
 
 ordered_json drillJson(const model::Document& document, const DrillRow& row) {

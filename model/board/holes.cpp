@@ -30,15 +30,6 @@ std::int64_t differenceOf(const DrillTool& tool, Nm size) {
     return std::min(from(tool.finishedSize), from(tool.drillSize));
 }
 
-bool isArea(const DrillRow& hole) {
-    return hole.shape == std::string_view("area");
-}
-
-/// Has it a width that a tool would have?
-bool isDrilled(const DrillRow& hole) {
-    return hole.diameter > 0 && !isArea(hole);
-}
-
 bool isLaser(const DrillTool* tool) {
     return tool != nullptr && (tool->process == "LASER" || tool->process == "PHOTO");
 }
@@ -81,7 +72,7 @@ HoleSpan layerSpan(const Document& document, const Layer& layer) {
 }
 
 bool isMicro(const Document& document, const Layer& layer, const DrillRow& hole) {
-    const bool isNarrow = isDrilled(hole) && hole.diameter <= kMostMicrovia;
+    const bool isNarrow = hasDrilledSize(hole) && hole.diameter <= kMostMicrovia;
     return (isLaser(hole.tool) || isNarrow || hole.isCalledMicrovia) &&
            !isCopperBetween(document, layer.spanTop, layer.spanBottom);
 }
@@ -200,7 +191,7 @@ Rank rankOf(const DrillTool& tool, const DrillRow& hole) {
 void setTool(const std::vector<const DrillTool*>& tools, DrillRow& hole) {
     Rank best;
     for (const DrillTool* tool : tools) {
-        if (!isDrilled(hole) || !fits(*tool, hole.diameter)) {
+        if (!hasDrilledSize(hole) || !fits(*tool, hole.diameter)) {
             continue;
         }
         const Rank rank = rankOf(*tool, hole);
@@ -214,7 +205,7 @@ void setTool(const std::vector<const DrillTool*>& tools, DrillRow& hole) {
     }
     const auto saysPlating = [&hole](const DrillTool* tool) { return hasBothSizes(*tool, hole); };
     hole.isOpenAssumed =
-        hole.kind != HoleKind::NonPlated && isDrilled(hole) && std::ranges::none_of(tools, saysPlating);
+        hole.kind != HoleKind::NonPlated && hasDrilledSize(hole) && std::ranges::none_of(tools, saysPlating);
 }
 
 int toolNumberOf(const DrillRow& row) {
@@ -271,6 +262,10 @@ HoleSpan spanOf(const Document& document, const Layer& layer, const DrillRow& ho
 const char* toString(HoleSpan span) {
     constexpr const char* kNames[] = {"through", "blind", "buried", "micro", "backdrill"};
     return kNames[static_cast<std::size_t>(span)];
+}
+
+bool hasDrilledSize(const DrillRow& row) {
+    return row.diameter > 0 && row.shape != std::string_view("area");
 }
 
 std::string toolsText(const DrillRow& row) {

@@ -56,6 +56,8 @@ struct DrillRow {
     std::uint32_t count = 0;
 };
 
+/// Is its diameter the size of a drill or router? Not that of an area, nor of a path that says where and not how wide.
+[[nodiscard]] bool hasDrilledSize(const DrillRow& row);
 /// The numbers of the tools of a row for people: "1", "1, 2", "1-7, 12, …"; empty if it has none. KiCad 9 lists a tool
 /// for every hole.
 [[nodiscard]] std::string toolsText(const DrillRow& row);

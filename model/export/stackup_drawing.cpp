@@ -53,7 +53,7 @@ const StackupBand* bandOf(const Document& document, const StackupDrawing& drawin
 
 void addHoles(const DrillRow& row, StackupBarrel& bore) {
     bore.count += row.count;
-    if (row.diameter > 0 && row.shape != std::string_view("area")) {
+    if (hasDrilledSize(row)) {
         bore.least = bore.least == 0 ? row.diameter : std::min(bore.least, row.diameter);
         bore.most = std::max(bore.most, row.diameter);
     }

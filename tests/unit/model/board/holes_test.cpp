@@ -203,6 +203,7 @@ private slots:
         std::vector<std::pair<Nm, std::uint32_t>> lengths;
         for (const DrillRow& row : rows) {
             QCOMPARE(row.shape, "slot");
+            QVERIFY(hasDrilledSize(row));
             lengths.emplace_back(row.length, row.count);
         }
         QCOMPARE(lengths, (std::vector<std::pair<Nm, std::uint32_t>>{{3'741'600, 1}, {4'000'000, 2}, {5'000'000, 1}}));
@@ -225,7 +226,7 @@ private slots:
         std::vector<std::array<Nm, 3>> sizes;
         for (const DrillRow& row : model::drillTable(*board)) {
             QCOMPARE(row.shape, "area");
-            QVERIFY(row.tool == nullptr && !row.isOpenAssumed && row.open == 0);
+            QVERIFY(row.tool == nullptr && !row.isOpenAssumed && row.open == 0 && !hasDrilledSize(row));
             sizes.push_back({row.diameter, row.length, static_cast<Nm>(row.count)});
             QCOMPARE(model::holesOf(*board, std::span(&row, 1)).size(), std::size_t{row.count});
         }
