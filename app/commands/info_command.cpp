@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <optional>
 
 #include "app/common/console_progress.h"
@@ -10,6 +11,7 @@
 #include "app/reports/info_json.h"
 #include "app/reports/stackup_report.h"
 #include "model/board/diagnostic_facts.h"
+#include "model/board/layers.h"
 #include "model/clearance/clearance.h"
 #include "model/formats/common/read_options.h"
 #include "model/formats/gerber/layer_proposals.h"
@@ -23,6 +25,22 @@ using model::Layer;
 using model::StepCheck;
 
 namespace {
+
+/// Components inside a rigid-flex board, by the layer that they stand on.
+void printMounted(const Document& document) {
+    std::map<model::LayerId, std::size_t> counts;
+    for (const model::Body& body : document.bodies) {
+        ++counts[model::mountingLayerOf(document, body)];
+    }
+    counts.erase(model::LayerId{});
+    std::string text;
+    for (const auto& [layer, count] : counts) {
+        text += (text.empty() ? "" : ", ") + std::to_string(count) + " on " + document.layer(layer).name;
+    }
+    if (!text.empty()) {
+        std::printf("inside      %s\n", text.c_str());
+    }
+}
 
 void printJob(const Document& document, const std::string& format) {
     const model::JobInfo& job = document.job;
@@ -38,6 +56,7 @@ void printJob(const Document& document, const std::string& format) {
                 base::toMm(static_cast<double>(document.board.width())),
                 base::toMm(static_cast<double>(document.board.height())), base::toMm(document.boardThickness));
     std::printf("nets        %zu\ncomponents  %zu\n", document.nets.size(), document.components.size());
+    printMounted(document);
     for (const PlacedStep& placed : placedSteps(document)) {
         std::printf("copies      %llu x %s with %zu nets and %zu components\n",
                     static_cast<unsigned long long>(placed.copies), placed.step->job.step.c_str(),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/board/layers.h"
 #include "model/clearance/clearance.h"
 #include "model/index/pin_names.h"
 #include "model/nets/net_inference.h"
@@ -122,6 +123,12 @@ ordered_json bodyJson(const model::Body* body) {
     return {{"element", body->element.value}, {"height_nm", body->height}, {"source", model::toString(body->source)}};
 }
 
+/// Null on the outermost layer of a side, and for a component without a body.
+ordered_json mountingLayerJson(const Document& document, const model::Body* body) {
+    const model::LayerId layer = body != nullptr ? model::mountingLayerOf(document, *body) : model::LayerId{};
+    return layer.isValid() ? ordered_json(document.layer(layer).name) : ordered_json();
+}
+
 ordered_json componentsJson(const Document& document) {
     std::vector<const model::Body*> bodies(document.components.size());
     for (const model::Body& body : document.bodies) {
@@ -134,6 +141,7 @@ ordered_json componentsJson(const Document& document) {
                         {"part", component.part},
                         {"package", component.package.isValid() ? document.packages[component.package.row()].name : ""},
                         {"side", model::toString(component.side)},
+                        {"mounting_layer", mountingLayerJson(document, bodies[row])},
                         {"x_nm", component.placement.origin.x},
                         {"y_nm", component.placement.origin.y},
                         {"clockwise_deg", component.placement.clockwiseDeg},

@@ -136,6 +136,10 @@ std::vector<bool> silkscreenPrints(const Document& document) {
     return prints;
 }
 
+LayerId mountingLayerOf(const Document& document, const Body& body) {
+    return document.layer(document.elements.layer[body.element.row()]).spanTop;
+}
+
 std::vector<bool> layersOf(const Document& document, LayerPreset preset) {
     const std::vector<bool> prints = silkscreenPrints(document);
     std::vector<bool> layers;

@@ -40,6 +40,10 @@ inline constexpr std::size_t kLayerGroupCount = static_cast<std::size_t>(LayerGr
 /// The first copper layer, or the last one; none on boards without copper. On a board with one it is both.
 [[nodiscard]] LayerId outerCopper(const Document& document, LayerSide face);
 
+/// The inner copper or dielectric that a body stands on, in a zone of a rigid-flex board that lacks what lies outside
+/// of it; none: it stands on the outermost layer of its side.
+[[nodiscard]] LayerId mountingLayerOf(const Document& document, const Body& body);
+
 /// Layers that belong together.
 enum class LayerPreset : std::uint8_t {
     All,

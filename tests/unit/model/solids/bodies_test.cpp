@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include "model/board/layers.h"
 #include "model/board/stackup.h"
 #include "model/geometry/outlines.h"
 #include "model/solids/restack.h"
@@ -340,6 +341,14 @@ private slots:
             const auto body = std::ranges::find(d->bodies, ComponentId{component}, &model::Body::component);
             return d->heightsOf(body->element);
         };
+        const auto mountingLayer = [&](std::size_t component) {
+            const auto body = std::ranges::find(d->bodies, ComponentId{component}, &model::Body::component);
+            const model::LayerId layer = mountingLayerOf(*d, *body);
+            return layer.isValid() ? d->layer(layer).name : std::string();
+        };
+        QCOMPARE(mountingLayer(0), std::string());
+        QCOMPARE(mountingLayer(1), std::string("l2"));
+        QCOMPARE(mountingLayer(2), std::string("l3"));
         const Layer& l2 = d->layer(d->findLayer("l2"));
         const Layer& l3 = d->layer(d->findLayer("l3"));
         QCOMPARE(heights(0).bottom, d->boardThickness + 20'000);
