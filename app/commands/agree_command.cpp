@@ -22,8 +22,8 @@ using nlohmann::ordered_json;
 namespace {
 
 /// What two jobs that agree may still differ in.
-constexpr std::array kNeverCompared = {"board thickness and stackup", "values of parts, and which are not placed",
-                                       "nets of copper that no pin is on"};
+constexpr std::array kNeverCompared = {"materials, and thicknesses of solder mask, paste and silkscreen",
+                                       "values of parts, and which are not placed", "nets of copper that no pin is on"};
 
 /// What only comparisons use that --aspects leaves out would do nothing.
 base::Status checkEffects(const AgreeArguments& arguments, const model::AgreementRequest& request) {

@@ -29,7 +29,7 @@ struct AgreeArguments {
 /// JSON: {"a", "b", "agree", "compared", "complete", "shift_nm": [x, y], "comparisons": [{"aspect", "verdict",
 /// "layers": [a, b] or null, "counts": [a, b] or null, "note", "area_nm2": [a, b], "only_nm2": [a, b], "share",
 /// "box_nm": [x0, y0, x1, y1] or null, "differing", "differences": [{"text", "at_nm": [x, y] or null}]}]}; the areas of
-/// layers and outlines only.
+/// layers and outlines only. `counts` of the stackup are copper layers.
 [[nodiscard]] Outcome runAgree(const AgreeArguments& arguments);
 
 }  // namespace app

@@ -6,14 +6,16 @@
 #include "model/agreement/layer_agreement.h"
 #include "model/agreement/net_agreement.h"
 #include "model/agreement/part_agreement.h"
+#include "model/agreement/stackup_agreement.h"
 #include "model/geometry/vectors.h"
 
 namespace model {
 
 namespace {
 
-constexpr std::array<const char*, kAspectCount> kAspectNames{
-    "copper", "solder-mask", "solder-paste", "silkscreen", "outline", "holes", "parts", "pins", "nets", "net-names"};
+constexpr std::array<const char*, kAspectCount> kAspectNames{"copper",  "solder-mask", "solder-paste", "silkscreen",
+                                                             "outline", "holes",       "parts",        "pins",
+                                                             "nets",    "net-names",   "stackup"};
 
 /// Where more holes, or pins of boards without holes, lie on those of the first board.
 Point shiftBetween(const Document& a, const Document& b, const FlatBoard& ours, const FlatBoard& theirs, Nm reach) {
@@ -84,6 +86,7 @@ base::Result<Agreement> compareBoards(const Document& a, const Document& b, cons
     for (Comparison& nets : compareNets(ours, theirs, matched, reach, request)) {
         tables.push_back(std::move(nets));
     }
+    tables.push_back(compareStackups(a, b, request));
     progress.beginPhase("Comparing layers");
     ASSIGN_OR_RETURN(agreement.comparisons, compareLayers(a, b, agreement.shift, request, progress));
     std::ranges::move(tables, std::back_inserter(agreement.comparisons));

@@ -20,14 +20,15 @@ enum class Aspect : std::uint8_t {
     SolderPaste,
     Silkscreen,
     Outline,
-    Holes,    ///< location and size within 1 µm (slots: two pixels), plating, the copper they pass
-    Parts,    ///< by reference designator: location within 1 µm, side, rotation
-    Pins,     ///< of the parts that both have: name, where both name it, and location within 1 µm
-    Nets,     ///< pins and pads that are one net in one job are one net in the other
-    NetNames  ///< nets of the same pins and pads have the same name
+    Holes,     ///< location and size within 1 µm (slots: two pixels), plating, the copper they pass
+    Parts,     ///< by reference designator: location within 1 µm, side, rotation
+    Pins,      ///< of the parts that both have: name, where both name it, and location within 1 µm
+    Nets,      ///< pins and pads that are one net in one job are one net in the other
+    NetNames,  ///< nets of the same pins and pads have the same name
+    Stackup    ///< thicknesses of copper, of the dielectric between, and of both together
 };
-inline constexpr std::size_t kAspectCount = 10;
-[[nodiscard]] const char* toString(Aspect aspect);  ///< "copper", "solder-mask", … "net-names"
+inline constexpr std::size_t kAspectCount = 11;
+[[nodiscard]] const char* toString(Aspect aspect);  ///< "copper", "solder-mask", … "stackup"
 [[nodiscard]] std::optional<Aspect> aspectNamed(std::string_view name);
 
 enum class Accord : std::uint8_t {
@@ -47,7 +48,7 @@ struct Comparison {
     Aspect aspect = Aspect::Copper;
     Accord accord = Accord::Agree;
     std::array<std::string, 2> layers;         ///< names in either job; empty where there is none
-    std::array<std::size_t, 2> counts{};       ///< how many holes, parts, pins or nets either job has
+    std::array<std::size_t, 2> counts{};       ///< how many holes, parts, pins, nets or copper layers either job has
     std::optional<RegionDifference> region{};  ///< of layers and outlines
     std::string note{};
     std::optional<double> farthest{};       ///< of holes, parts and pins: largest distance between two of a pair, nm

@@ -200,8 +200,10 @@ private slots:
         QCOMPARE(agreement->shift, model::Point());
         std::size_t lists = 0;
         for (const model::Comparison& comparison : agreement->comparisons) {
-            if (comparison.aspect == model::Aspect::Nets || comparison.aspect == model::Aspect::NetNames) {
-                QVERIFY2(comparison.accord == model::Accord::NotCompared, textOf(comparison));  // all pads are N/C
+            if (comparison.aspect == model::Aspect::Nets || comparison.aspect == model::Aspect::NetNames ||
+                comparison.aspect == model::Aspect::Stackup) {
+                // All pads are N/C, and no thickness is stated.
+                QVERIFY2(comparison.accord == model::Accord::NotCompared, textOf(comparison));
             } else if (comparison.layers[0] == "F_Silkscreen") {
                 QVERIFY(comparison.region && !comparison.region->box.isEmpty());
                 QVERIFY2(kWords.holds(comparison.region->box.min) && kWords.holds(comparison.region->box.max),
@@ -211,7 +213,7 @@ private slots:
             }
             lists += comparison.counts[0] > 0 && comparison.counts[0] == comparison.counts[1] ? 1 : 0;
         }
-        QCOMPARE(lists, std::size_t{3});  // holes, parts, pins
+        QCOMPARE(lists, std::size_t{4});  // holes, parts, pins, copper layers
         QCOMPARE(other->components.size(), first->components.size());
         for (std::size_t row = 0; row < first->components.size(); ++row) {
             const model::Component& part = first->components[row];

@@ -19,7 +19,7 @@ private slots:
     void jobsOfOneBoardAgree() {
         const Outcome same = copperscope({"agree", locations::kSample, locations::kSample});
         QVERIFY2(same.exitCode == 0, same.err.constData());
-        QVERIFY(same.out.contains("The jobs agree.") && same.out.contains("Never compared: board thickness"));
+        QVERIFY(same.out.contains("The jobs agree.") && same.out.contains("Never compared: materials"));
         const QString breakout = QString::fromStdString((locations::boards() / "opencellular_breakout.tgz").string());
         const Outcome other = copperscope({"agree", locations::kSample, breakout, "--json", "--worst", "1"});
         QCOMPARE(other.exitCode, 4);
@@ -142,6 +142,26 @@ private slots:
         QCOMPARE(copperscope(QStringList{"agree", "--aspects", "colour"} + both).exitCode, 1);
         QCOMPARE(copperscope(QStringList{"agree", "--tolerance", "3 apples"} + both).exitCode, 1);
         QCOMPARE(copperscope({"agree", both[0], "nowhere.tgz"}).exitCode, 2);
+    }
+
+    void aThickerLayerDiffersInTheStackup() {
+        const QTemporaryDir folder;
+        QStringList both;
+        for (const QByteArray um : {"35", "70"}) {
+            const std::filesystem::path job = folder.filePath(um).toStdString();
+            std::filesystem::copy(std::filesystem::path(locations::kTestData) / "odb" / "drills", job,
+                                  std::filesystem::copy_options::recursive);
+            both += QString::fromStdString(job.string());
+            QFile file(both.back() + "/steps/board/layers/l1/attrlist");
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write("UNITS=MM\n.copper_weight=" + um + "\n") > 0);
+        }
+        const Outcome run = copperscope(QStringList{"agree", "--json", "--aspects", "stackup"} + both);
+        QCOMPARE(run.exitCode, 4);
+        const QJsonObject stackup = QJsonDocument::fromJson(run.out)["comparisons"][0].toObject();
+        QCOMPARE(stackup["aspect"].toString(), QString("stackup"));
+        QCOMPARE(stackup["differences"][0]["text"].toString(),
+                 QString::fromUtf8("copper L1 is 35.0 µm thick in A, 70.0 µm in B"));
+        QCOMPARE(copperscope(QStringList{"agree", "--aspects", "copper,holes"} + both).exitCode, 0);
     }
 };
 

@@ -104,10 +104,12 @@ class AgreementTest : public QObject {
 
 private slots:
     void aBoardAgreesWithItself() {
-        const Agreement agreement = compared(board(), board());
+        DrawnJob job = board();
+        job.boardNm = 1.6e6;
+        const Agreement agreement = compared(job, job);
         QVERIFY(agreement.isAgreed());
         QCOMPARE(agreement.shift, Point());
-        QCOMPARE(agreement.comparisons.size(), std::size_t{8});  // TOP, MASK TOP, outline, holes … net names
+        QCOMPARE(agreement.comparisons.size(), std::size_t{9});  // TOP, MASK TOP, outline, holes … stackup
         for (const Comparison& comparison : agreement.comparisons) {
             QVERIFY2(comparison.accord == Accord::Agree, toString(comparison.aspect));
         }
