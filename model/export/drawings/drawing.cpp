@@ -26,6 +26,25 @@ RegionPaint paintOf(const Document& document, ElementId element, const DrawnLaye
                                                                                            : RegionPaint::Filled;
 }
 
+/// As large as there is room for it along the longer side of its body, but no larger than print on boards.
+DrawnName nameIn(const Box& body, const std::string& text) {
+    constexpr double kMost = 1.5e6;
+    constexpr double kOfLength = 0.9;
+    constexpr double kOfWidth = 0.7;
+    constexpr double kTall = 1.2;  // nearly square bodies are read to the right
+    const auto width = static_cast<double>(body.width());
+    const auto height = static_cast<double>(body.height());
+    const double letters = kNameLetterWidth * static_cast<double>(text.size());
+    DrawnName name;
+    name.text = text;
+    name.centre = {static_cast<double>(body.min.x) + 0.5 * width, static_cast<double>(body.min.y) + 0.5 * height};
+    name.isUpright = height > kTall * width;
+    const double along = name.isUpright ? height : width;
+    const double across = name.isUpright ? width : height;
+    name.height = std::min({kMost, kOfWidth * across, kOfLength * along / letters});
+    return name;
+}
+
 /// Draws what of a document's layer lies on a layer of the board.
 class Drawer {
 public:
@@ -134,7 +153,20 @@ private:
             drawSome(drawn, step, {range.first + i, std::min(kAtOnce, range.count - i)}, placements);
             RETURN_IF_ERROR(stateOfWork());
         }
+        addNames(step, layer, placements);
         return base::Done{};
+    }
+
+    /// Those of the components whose bodies lie on a layer of a step.
+    void addNames(std::uint32_t step, LayerId layer, const std::vector<Placement>& placements) {
+        const Document& document = *m_tree.steps[step];
+        for (const Body& body : document.bodies) {
+            const bool isHere = body.component.isValid() && document.elements.layer[body.element.row()] == layer;
+            const std::string refdes = isHere ? document.components[body.component.row()].refdes : "";
+            for (std::size_t i = 0; i < placements.size() && !refdes.empty(); ++i) {
+                m_form.addName(nameIn(placements[i].boxOf(document.boxOf(body.element)), refdes));
+            }
+        }
     }
 
     void drawSome(const DrawnLayer& layer, std::uint32_t step, Range elements,

@@ -12,7 +12,8 @@
 #include "model/text/file_writer.h"
 
 /// Layers of a board as drawings for others, true to scale: what dxf_drawing.h, svg_drawing.h and pdf_drawing.h have in
-/// common. Elements are drawn as designed, those of all copies of steps included; arcs stay arcs.
+/// common. Elements are drawn as designed, those of all copies of steps included; arcs stay arcs. Bodies of components
+/// have their designators in them.
 namespace model {
 
 struct DrawingOptions {
@@ -59,6 +60,16 @@ enum class RegionPaint : std::uint8_t {
     Contour  ///< a thin line along its edge; only on layers that have contours
 };
 
+/// The designator of a component, for its body: one line of letters.
+struct DrawnName {
+    std::string text;        ///< UTF-8, not empty
+    PointD centre;           ///< nm
+    double height = 0.0;     ///< of the letters with what is above and below them, nm
+    bool isUpright = false;  ///< it reads upwards, else to the right
+};
+inline constexpr double kNameLetterWidth = 0.6;  ///< of its height; most letters are narrower
+inline constexpr double kNameBaseline = 0.36;    ///< below the centre, of its height: capitals are 0.72 high
+
 /// A kind of file. Regions are in the coordinates of the board, nm, y up.
 class DrawingForm {
 public:
@@ -66,6 +77,7 @@ public:
     virtual void begin(const Drawing& drawing) = 0;
     virtual void beginLayer(const DrawnLayer& layer) = 0;
     virtual void addRegion(const EdgeLoops& region, RegionPaint paint) = 0;
+    virtual void addName(const DrawnName& name) = 0;  ///< legible as the page or picture is seen
     virtual void endLayer() = 0;
     virtual void end() = 0;
 };

@@ -30,6 +30,11 @@ constexpr unsigned kPaperSpace = 0x1B;
 constexpr unsigned kFirstFree = 0x100;
 constexpr const char* kBehindAll = "7FFFFFFF";  // the next free handle, for programs that add to the drawing
 
+// Of texts.
+constexpr int kCentred = 1;
+constexpr int kMiddle = 2;
+constexpr double kCapitals = 2 * kNameBaseline;  // their height, which DXF states, of that of all letters
+
 /// Groups of a code and a value, each on a line of its own.
 class Groups {
 public:
@@ -114,6 +119,15 @@ public:
                 addPolyline(loop);
             }
         }
+    }
+
+    void addName(const DrawnName& name) override {
+        beginEntity("TEXT", "AcDbText");
+        addPlace(10, name.centre);
+        m_out.mm(40, kCapitals * name.height).text(1, dxfText(name.text)).number(50, name.isUpright ? 90 : 0);
+        m_out.number(72, kCentred);
+        addPlace(11, name.centre);
+        m_out.text(100, "AcDbText").number(73, kMiddle);
     }
 
     void endLayer() override {}
@@ -212,9 +226,12 @@ private:
         m_out.text(100, subclass);
     }
 
+    void addPlace(int code, PointD at) { m_out.mm(code, at.x).mm(code + 10, at.y).number(code + 20, 0); }
+
     void addCircle(const Edge& circle) {
         beginEntity("CIRCLE", "AcDbCircle");
-        m_out.mm(10, circle.centre.x).mm(20, circle.centre.y).number(30, 0).mm(40, circle.radius);
+        addPlace(10, circle.centre);
+        m_out.mm(40, circle.radius);
     }
 
     void addPolyline(std::span<const Edge> loop) {

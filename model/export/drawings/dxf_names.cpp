@@ -16,19 +16,25 @@ namespace {
 
 constexpr std::string_view kForbidden = "<>/\\\":;?*|=`,";
 
-std::string allowed(std::string_view name) {
+/// Without what is in `forbidden`, and without control characters.
+std::string escaped(std::string_view text, std::string_view forbidden) {
     std::string out;
-    while (!name.empty()) {
-        const auto [code, bytes, isSound] = firstCharacter(name);
+    while (!text.empty()) {
+        const auto [code, bytes, isSound] = firstCharacter(text);
         if (!isSound || code < 0x20U || code == 0x7FU || code > 0xFFFFU) {
             out += '_';
         } else if (code < 0x80U) {
-            out += kForbidden.find(static_cast<char>(code)) == std::string_view::npos ? static_cast<char>(code) : '_';
+            out += forbidden.find(static_cast<char>(code)) == std::string_view::npos ? static_cast<char>(code) : '_';
         } else {
             out += formatted("\\U+%04X", code);
         }
-        name.remove_prefix(bytes);
+        text.remove_prefix(bytes);
     }
+    return out;
+}
+
+std::string allowed(std::string_view name) {
+    const std::string out = escaped(name, kForbidden);
     return out.empty() ? "_" : out;
 }
 
@@ -75,6 +81,10 @@ std::string DxfNames::unique(std::string_view name) {
         given = wanted + '_' + std::to_string(i);
     }
     return given;
+}
+
+std::string dxfText(std::string_view utf8) {
+    return escaped(utf8, {});
 }
 
 int dxfColour(std::uint32_t rgb) {

@@ -18,6 +18,9 @@ private:
     std::set<std::string> m_taken{"0"};  ///< with small letters; every drawing has a layer 0
 };
 
+/// A text as DXF has it: what is not ASCII as \U+XXXX, and "_" for what ends a line.
+[[nodiscard]] std::string dxfText(std::string_view utf8);
+
 /// The number (1 to 255) of the colour of AutoCAD's table that is nearest to 0xRRGGBB.
 [[nodiscard]] int dxfColour(std::uint32_t rgb);
 

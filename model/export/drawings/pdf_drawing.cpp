@@ -78,6 +78,22 @@ public:
         }
     }
 
+    /// On a page that is mirrored letters are mirrored once more.
+    void addName(const DrawnName& name) override {
+        const double mirror = m_isMirrored ? -1.0 : 1.0;
+        const PointD along = name.isUpright ? PointD{0.0, 1.0} : PointD{mirror, 0.0};
+        const PointD up = name.isUpright ? PointD{-mirror, 0.0} : PointD{0.0, 1.0};
+        const double half = 0.5 * kNameLetterWidth * static_cast<double>(name.text.size()) * name.height;
+        const double below = kNameBaseline * name.height;
+        m_path = "BT /Caption " + textOf(name.height / base::kNmPerMm, kDigits) + " Tf ";
+        for (const double value : {along.x, along.y, up.x, up.y}) {
+            m_path += textOf(value, 0) + ' ';
+        }
+        addPoint({name.centre.x - half * along.x - below * up.x, name.centre.y - half * along.y - below * up.y});
+        m_path += "Tm " + pdfLatin(name.text) + " Tj ET\n";
+        m_pdf.addToStream(m_path);
+    }
+
     void endLayer() override {
         m_pdf.addToStream("EMC\n");
         if (m_pages != PdfPages::AllOnOne) {
@@ -132,11 +148,8 @@ private:
         m_pdf.addToStream("BT 0 g /Caption " + textOf(letters, 3) + " Tf 1 2 Td " + pdfLatin(text) + " Tj ET\n");
     }
 
-    /// What pages of layers share: the outline, and the font.
+    /// What pages share: the font, and the outline on those of layers.
     void writeShared() {
-        if (m_pages == PdfPages::AllOnOne) {
-            return;
-        }
         m_shared =
             " /Font << /Caption << /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >> >>";
         if (m_hasOutline) {

@@ -31,9 +31,9 @@ public:
     }
 
     void beginLayer(const DrawnLayer& layer) override {
-        const std::string colour = formatted("#%06x", layer.colour & 0xFFFFFFU);
-        const std::string filled = "fill=\"" + colour + "\" fill-rule=\"evenodd\"";
-        const std::string contour = "fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"" + kLineWidth + '"';
+        m_colour = formatted("#%06x", layer.colour & 0xFFFFFFU);
+        const std::string filled = "fill=\"" + m_colour + "\" fill-rule=\"evenodd\"";
+        const std::string contour = "fill=\"none\" stroke=\"" + m_colour + "\" stroke-width=\"" + kLineWidth + '"';
         m_filled = layer.hasContours ? filled + " stroke=\"none\" " : "";
         m_file.write("<g id=\"layer-" + (layer.layer.isValid() ? std::to_string(layer.layer.row() + 1) : "outline") +
                      "\" " + (layer.hasContours ? contour : filled) + ">\n<title>" + xmlText(layer.name) +
@@ -47,6 +47,21 @@ public:
         }
         m_path += "\"/>\n";
         m_file.write(m_path);
+    }
+
+    void addName(const DrawnName& name) override {
+        std::string x;
+        std::string middle;
+        std::string baseline;
+        std::string size;
+        appendMm(x, name.centre.x - m_left);
+        appendMm(middle, m_top - name.centre.y);
+        appendMm(baseline, m_top - name.centre.y + kNameBaseline * name.height);
+        appendMm(size, name.height);
+        const std::string turn = name.isUpright ? "\" transform=\"rotate(-90 " + x + ' ' + middle + ')' : "";
+        m_file.write("<text x=\"" + x + "\" y=\"" + baseline + "\" font-family=\"sans-serif\" font-size=\"" + size +
+                     "\" text-anchor=\"middle\" fill=\"" + m_colour + "\" stroke=\"none" + turn + "\">" +
+                     xmlText(name.text) + "</text>\n");
     }
 
     void endLayer() override { m_file.write("</g>\n"); }
@@ -86,6 +101,7 @@ private:
     Nm m_margin;
     double m_left = 0.0;
     double m_top = 0.0;
+    std::string m_colour;  ///< of the layer, "#rrggbb"
     std::string m_filled;  ///< says of a path that it is filled, where its layer has contours
     std::string m_path;
 };

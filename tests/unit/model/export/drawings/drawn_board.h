@@ -69,6 +69,27 @@ inline std::shared_ptr<const model::Document> boardOfOutlines() {
     return builder.finish();
 }
 
+/// Bodies on a layer of the bottom: of R1, 4 by 2 mm around (2, 1) mm, of "U<10>", 1 by 8 mm around (10.5, 4), and of a
+/// component without a designator.
+inline std::shared_ptr<const model::Document> boardOfBodies() {
+    model::DocumentBuilder builder;
+    const model::LayerId bodies = hand_made::addLayer(builder, "bodies");
+    builder.layer(bodies).type = model::LayerType::ComponentBody;
+    builder.layer(bodies).side = model::LayerSide::Bottom;
+    builder.beginLayer(bodies);
+    const auto add = [&](const char* refdes, model::Point min, model::Point max) {
+        model::Component component;
+        component.refdes = refdes;
+        const model::ComponentId id = builder.addComponent(component, {});
+        const model::ShapeId shape = builder.addShape(hand_made::rectangle(min, max));
+        builder.addBody({builder.addArea({shape, {}}, {}), id, kMm, model::Source::Job});
+    };
+    add("R1", {0, 0}, {4 * kMm, 2 * kMm});
+    add("U<10>", {10 * kMm, 0}, {11 * kMm, 8 * kMm});
+    add("", {20 * kMm, 0}, {24 * kMm, 4 * kMm});
+    return builder.finish();
+}
+
 /// The board twice: 100 mm to the right, and turned over at x = 0.
 inline std::shared_ptr<const model::Document> panel() {
     const auto step = board();

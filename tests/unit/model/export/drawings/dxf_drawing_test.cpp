@@ -118,6 +118,22 @@ private slots:
         QCOMPARE(dxf.groups.back().value, std::string("EOF"));
     }
 
+    void bodiesHaveTheirDesignators() {
+        const Dxf dxf = dxfOf(*drawn_board::boardOfBodies(), {});
+        std::vector<std::vector<std::string>> names;
+        for (const auto& entity : dxf.entities) {
+            if (Dxf::text(entity, 0) == "TEXT") {
+                names.emplace_back();
+                for (const int code : {1, 8, 11, 21, 40, 50, 72, 73}) {
+                    names.back().push_back(Dxf::text(entity, code));
+                }
+            }
+        }
+        const std::vector<std::vector<std::string>> expected{{"R1", "bodies", "2", "1", "1.008", "0", "1", "2"},
+                                                             {"U<10>", "bodies", "10.5", "4", "0.504", "90", "1", "2"}};
+        QCOMPARE(names, expected);
+    }
+
     /// In millimetres, arcs as bulges.
     void outlinesCoverWhatTheElementsDo() {
         const Dxf dxf = dxfOf(*drawn_board::board(), {});

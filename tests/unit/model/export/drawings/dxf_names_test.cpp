@@ -23,6 +23,12 @@ private slots:
         QCOMPARE(names.unique("\xF0\x9F\x98\x80"), std::string("_"));  // beyond four digits
     }
 
+    void textsKeepWhatNamesMayNotHave() {
+        QCOMPARE(model::dxfText("U<1>\n"), std::string("U<1>_"));
+        QCOMPARE(model::dxfText("µ"), std::string("\\U+00B5"));
+        QCOMPARE(model::dxfText(""), std::string());
+    }
+
     void coloursAreTheNearestOfTheTable() {
         QCOMPARE(model::dxfColour(0xFF0000), 1);
         QCOMPARE(model::dxfColour(0xFFFF00), 2);

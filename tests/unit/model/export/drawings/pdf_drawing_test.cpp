@@ -184,6 +184,28 @@ private slots:
         QVERIFY(isNear(areaOf(stream.substr(contour)), 400.0) && stream.ends_with("S\nEMC\n"));
     }
 
+    /// R1 is as large as print on boards, U<10> as its body has room; on a mirrored page letters are mirrored back.
+    void bodiesHaveTheirDesignators() {
+        model::DrawingOptions options;
+        options.hasOutline = false;
+        const auto has = [&](PdfPages pages, const std::string& letters) {
+            const Pdf pdf = pdfOf(*drawn_board::boardOfBodies(), options, pages);
+            return pdf.streams()[0].find(letters + " Tj ET\n") != std::string::npos &&
+                   pdf.count("/Font << /Caption ") == 1;
+        };
+        const std::string wide = model::pdfLatin("R1");
+        const std::string tall = model::pdfLatin("U<10>");
+        // From the corner of the page, 1 mm beside the bodies; pages with captions have 6 mm more below.
+        QVERIFY(has(PdfPages::AllOnOne, "BT /Caption 1.4 Tf 1 0 0 1 2.16 1.496 Tm " + wide));
+        QVERIFY(has(PdfPages::OnePerLayer, "BT /Caption 1.4 Tf 1 0 0 1 2.16 7.496 Tm " + wide));
+        QVERIFY(has(PdfPages::OnePerLayer, "BT /Caption 0.7 Tf 0 1 -1 0 11.752 9.95 Tm " + tall));
+        QVERIFY(has(PdfPages::BottomMirrored, "BT /Caption 1.4 Tf -1 0 0 1 3.84 7.496 Tm " + wide));
+        QVERIFY(has(PdfPages::BottomMirrored, "BT /Caption 0.7 Tf 0 1 1 0 11.248 9.95 Tm " + tall));
+        QCOMPARE(QString::fromStdString(pdfOf(*drawn_board::boardOfBodies(), options, PdfPages::AllOnOne).streams()[0])
+                     .count(" Tj ET"),
+                 2);
+    }
+
     void captionsAreOfLatinLetters() {
         QCOMPARE(model::pdfLatin("A\xC3\xA4(\\"), std::string("<41E4285C>"));
         QCOMPARE(model::pdfLatin("\xE2\x84\xA6\xFF"), std::string("<3F3F>"));

@@ -30,6 +30,8 @@ struct Svg {
         }
     }
 
+    std::vector<QStringList> names;  ///< text, x, y, size, colour and turn
+
 private:
     void take(QXmlStreamReader& xml) {
         const auto value = [&](const char* name) { return xml.attributes().value(QLatin1String(name)).toString(); };
@@ -44,6 +46,10 @@ private:
             if (value("stroke") == "none" && value("fill").startsWith('#') && value("fill-rule") == "evenodd") {
                 layers.back().filled.push_back(layers.back().paths.back());
             }
+        } else if (xml.name() == QLatin1String("text")) {
+            names.push_back(
+                {value("x"), value("y"), value("font-size"), value("fill"), value("stroke"), value("transform")});
+            names.back().prepend(xml.readElementText());
         } else if (xml.name() == QLatin1String("title")) {
             (layers.empty() ? title : layers.back().title) = xml.readElementText();
         }
@@ -106,6 +112,15 @@ private slots:
         QCOMPARE(svg.height, QString("42mm"));
         QCOMPARE(svg.viewBox, QString("0 0 62 42"));
         QCOMPARE(svg.title, QString("job & co"));
+    }
+
+    void bodiesHaveTheirDesignators() {
+        model::DrawingOptions options;
+        options.colours = {0xFF0000};
+        const Svg svg = svgOf(*drawn_board::boardOfBodies(), options);
+        QCOMPARE(svg.names.size(), std::size_t{2});
+        QCOMPARE(svg.names[0], QStringList({"R1", "3", "8.504", "1.4", "#ff0000", "none", ""}));
+        QCOMPARE(svg.names[1], QStringList({"U<10>", "11.5", "5.252", "0.7", "#ff0000", "none", "rotate(-90 11.5 5)"}));
     }
 
     void layersAreGroupsTheLowestFirst() {
