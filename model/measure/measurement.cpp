@@ -12,8 +12,8 @@ namespace model {
 
 namespace {
 
-constexpr std::array<const char*, 6> kKindNames = {"point to point", "edge to edge", "spacing at a location",
-                                                   "angle",          "radius",       "along a net"};
+constexpr std::array<const char*, 7> kKindNames = {"point to point", "edge to edge", "spacing at a location", "angle",
+                                                   "radius",         "along a net",  "annular ring"};
 
 std::string mm(double nm) {
     return fixedText(base::toMm(nm), 6);

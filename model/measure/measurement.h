@@ -33,7 +33,8 @@ enum class MeasurementKind : std::uint8_t {
     Spacing,    ///< the spacing at a location, from copper to copper; that of the two elements may be smaller
     Angle,      ///< the arms of an angle, which meet in `corner`
     Radius,     ///< a radius: `from` is the centre, `to` lies on the circle or arc
-    Length      ///< a path along the copper of a net
+    Length,     ///< a path along the copper of a net
+    Ring        ///< the annular ring: from the edge of a hole to that of the copper around it, or the other way
 };
 [[nodiscard]] const char* toString(MeasurementKind kind);  ///< "point to point", "edge to edge", "angle", …
 /// Nothing for no name of a kind.

@@ -11,6 +11,7 @@
 #include "model/figures/overlap.h"
 #include "model/geometry/box_index.h"
 #include "model/geometry/curve_edges.h"
+#include "model/measure/hole_ring.h"
 #include "model/text/formatting.h"
 
 namespace model {
@@ -262,6 +263,16 @@ void noteOnEdge(const BoardIndex& index, const MeasureItem& edge, const PieceDis
     }
 }
 
+/// First: it is what people want to know of a hole and its pad.
+void findRing(const BoardIndex& index, const Pieces& a, const Pieces& b, Separation& separation) {
+    separation.annularRing = annularRing(index, a, b);
+    if (separation.annularRing) {
+        const double width = separation.annularRing->distance;
+        separation.notes.insert(separation.notes.begin(), kAnnularRing + fixedText(base::toMm(width), 6) + " mm (" +
+                                                              fixedText(width / base::kNmPerMil, 3) + " mil)");
+    }
+}
+
 /// The heights from `low` to `high` that layers lying one on the other lead to: from `low` upwards, or from `high`
 /// downwards.
 std::set<Nm> facesReached(const Stackup& stackup, Nm low, Nm high, bool isUpwards) {
@@ -356,6 +367,7 @@ base::Result<Separation> separationOf(const BoardIndex& index, const MeasureItem
     noteOnStackup(index, separation);
     noteOnEdge(index, a, *separation.inPlane, true, separation.notes);
     noteOnEdge(index, b, *separation.inPlane, false, separation.notes);
+    findRing(index, piecesA, piecesB, separation);
     noteOnNames(index, a, b, separation);
     return separation;
 }

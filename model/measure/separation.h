@@ -35,7 +35,10 @@ struct Separation {
     std::optional<PieceDistance> inPlane;  ///< as seen from above, whatever the layers
     std::optional<PieceDistance> onLayer;  ///< between pieces that lie on one layer; none: there is no common layer
     std::optional<PieceDistance> throughStackup;  ///< shortest in space; none: one of them has no heights
-    std::vector<std::string> notes;               ///< what must be known to read it, in plain words
+    /// Of a hole and copper that surrounds it, beside an overlap that says little: model::annularRing of the two, which
+    /// a note says as well (kAnnularRing).
+    std::optional<Spacing> annularRing;
+    std::vector<std::string> notes;  ///< what must be known to read it, in plain words
 
     /// What people mean by "the distance": on one layer if there is one, else through the stackup, else from above.
     [[nodiscard]] const PieceDistance* main() const {
@@ -46,6 +49,9 @@ struct Separation {
 /// Of which distances to find how deep the items overlap. Of large planes that takes longer than all the rest; where it
 /// is not asked for, `relation` says Apart.
 enum class Depths : std::uint8_t { OfAll, OfMain };
+
+/// How the note begins that says how wide an annular ring is.
+inline constexpr const char* kAnnularRing = "annular ring ";
 
 /// Measures two items. Holes count as filled as far as the drill reaches, copper that an NPTH takes away as there.
 /// There is no number, but a note, if both are the same item, one is part of the other, or one covers nothing. The

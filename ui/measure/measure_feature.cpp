@@ -2,7 +2,6 @@
 
 #include <QGuiApplication>
 #include <QWindow>
-#include <array>
 #include <numeric>
 
 #include "model/base/assert.h"
@@ -11,6 +10,7 @@
 #include "ui/common/net_name.h"
 #include "ui/common/texts.h"
 #include "ui/measure/measurement_panel.h"
+#include "ui/measure/tool_facts.h"
 #include "ui/views/board_views.h"
 #include "ui/views/position_readout.h"
 
@@ -21,54 +21,8 @@ using model::SnapKind;
 
 namespace {
 
-struct ToolFacts {
-    Catch what;
-    std::size_t clicks;
-    std::array<const char*, 3> hints;  ///< what each click is for
-    const char* nothing;               ///< a click that catches nothing
-};
-
-/// As in MeasureFeature::Tool.
-constexpr ToolFacts kTools[] = {
-    {Catch::Points, 0, {}, ""},
-    {Catch::Points,
-     2,
-     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the first point; Alt snaps to nothing, Tab to what lies beneath"),
-      QT_TRANSLATE_NOOP("ui::Measuring", "Second point; Shift straight, Ctrl 45°")},
-     QT_TRANSLATE_NOOP("ui::Measuring", "Click on the board")},
-    {Catch::Elements,
-     2,
-     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the first element or the board's edge; Alt takes the hole in a pad"),
-      QT_TRANSLATE_NOOP("ui::Measuring", "Click the second element or the board's edge")},
-     QT_TRANSLATE_NOOP("ui::Measuring", "There is no element under the pointer")},
-    {Catch::Points,
-     3,
-     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the corner of the angle"),
-      QT_TRANSLATE_NOOP("ui::Measuring", "Click a point on its first arm; Shift straight, Ctrl in steps of 45°"),
-      QT_TRANSLATE_NOOP("ui::Measuring", "Click a point on its second arm; Shift straight, Ctrl in steps of 45°")},
-     QT_TRANSLATE_NOOP("ui::Measuring", "Click on the board")},
-    {Catch::Straight,
-     2,
-     {QT_TRANSLATE_NOOP("ui::Measuring", "Click the first straight track or side"),
-      QT_TRANSLATE_NOOP("ui::Measuring", "Click the second straight track or side")},
-     QT_TRANSLATE_NOOP("ui::Measuring", "There is nothing straight under the pointer")},
-    {Catch::Round,
-     1,
-     {QT_TRANSLATE_NOOP("ui::Measuring", "Click an arc, a round pad or a hole for its radius")},
-     QT_TRANSLATE_NOOP("ui::Measuring", "There is nothing round under the pointer")},
-    {Catch::Copper,
-     2,
-     {QT_TRANSLATE_NOOP("ui::Measuring", "Click where the net path begins"),
-      QT_TRANSLATE_NOOP("ui::Measuring", "Click where it ends, on copper of the same net")},
-     QT_TRANSLATE_NOOP("ui::Measuring", "There is no copper of a net under the pointer")},
-};
-
 /// So long the cursor rests before a length is followed to it.
 constexpr int kRestMs = 80;
-
-const ToolFacts& factsOf(MeasureFeature::Tool tool) {
-    return kTools[static_cast<std::size_t>(tool)];
-}
 
 /// Measured twice in a row.
 bool isSame(const Measurement& entry, Measurement measurement) {
@@ -114,12 +68,8 @@ MeasureFeature::MeasureFeature(FeatureContext& context)
     connect(&m_workspace, &Workspace::boardOpened, this, &MeasureFeature::setBoard);
     connect(&m_workspace, &Workspace::restacked, this, &MeasureFeature::setHeights);
     connect(&m_workspace, &Workspace::spacingWanted, this, &MeasureFeature::showSpacing);
-    connect(&m_probing, &Probing::beneathWanted, this, [this](int by) {
-        m_cursor.step(by);
-        if (m_hoverView != nullptr) {
-            hover(*m_hoverView, m_hoverAt, Qt::NoModifier);
-        }
-    });
+    connect(&m_probing, &Probing::beneathWanted, this, &MeasureFeature::stepBeneath);
+    connect(&m_workspace.selection(), &SelectionModel::hoverChanged, this, &MeasureFeature::correctHighlight);
     m_workspace.watch(m_path.background(), [] { return tr("Length"); });
     connect(&m_path.background(), &Background::finished, this, &MeasureFeature::takePath);
     connect(&m_pathAhead.background(), &Background::finished, this, &MeasureFeature::takePathAhead);
@@ -246,6 +196,7 @@ void MeasureFeature::setHeights(const LoadedBoard& board) {
 void MeasureFeature::setTool(Tool tool) {
     m_tool = m_index ? tool : Tool::None;
     m_under.reset();  // what another tool has caught is nothing that this one measures
+    m_cursor.stopStepping();
     clearClicks();
     m_probing.setSelecting(m_tool == Tool::None);
     for (BoardView* view : m_views.both()) {
@@ -287,8 +238,8 @@ void MeasureFeature::clearClicks() {
 }
 
 std::optional<Caught> MeasureFeature::catchAt(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
-    const auto from = m_clicked.empty() ? std::nullopt : std::optional(m_clicked.front().at);
-    return m_cursor.at(view, position, factsOf(m_tool).what, modifiers, from);
+    const Caught* first = m_clicked.empty() ? nullptr : &m_clicked.front();
+    return m_cursor.at(view, position, factsOf(m_tool).what, modifiers, first);
 }
 
 void MeasureFeature::hover(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers) {
@@ -297,6 +248,36 @@ void MeasureFeature::hover(BoardView& view, QPointF position, Qt::KeyboardModifi
     if (m_tool != Tool::None) {
         m_under = catchAt(view, position, modifiers);
         updatePreview();
+        // Probing highlights once the pointer rests, and takes back what is not the uppermost as soon as it moves.
+        const bool stays = m_highlighted && m_under && m_under->element == m_highlighted;
+        if (stays || m_workspace.selection().hovered()) {
+            highlightCaught();
+        }
+    }
+}
+
+void MeasureFeature::stepBeneath(int by) {
+    m_cursor.step(by);
+    if (m_hoverView != nullptr) {
+        hover(*m_hoverView, m_hoverAt, Qt::NoModifier);
+        highlightCaught();
+    }
+}
+
+/// Probing knows only what is uppermost. The camera may have moved since the pointer has.
+void MeasureFeature::correctHighlight() {
+    const auto hovered = m_workspace.selection().hovered();
+    const bool isTaken = m_under && m_under->element == hovered;
+    if (m_tool == Tool::Objects && m_hoverView != nullptr && hovered && !isTaken) {
+        hover(*m_hoverView, m_hoverAt, QGuiApplication::keyboardModifiers());
+    }
+}
+
+void MeasureFeature::highlightCaught() {
+    m_highlighted.reset();
+    if (m_tool == Tool::Objects && m_hoverView != nullptr) {
+        m_highlighted = m_under ? m_under->element : std::nullopt;
+        m_workspace.selection().hover(m_highlighted);
     }
 }
 
@@ -333,6 +314,9 @@ void MeasureFeature::click(BoardView& view, QPointF position, Qt::KeyboardModifi
     }
     m_clicked.push_back(*caught);
     m_under = caught;
+    if (m_tool == Tool::Objects) {
+        m_cursor.stopStepping();  // the next click there begins with what is seen
+    }
     markClicked();
     updatePreview();
     if (m_clicked.size() < factsOf(m_tool).clicks) {

@@ -53,6 +53,11 @@ private:
     void exportTable(FeatureContext& context);
     void watch(BoardView& view);
     void hover(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
+    /// Tab.
+    void stepBeneath(int by);
+    /// Highlights the element that a click takes, which need not be the uppermost under the pointer.
+    void highlightCaught();
+    void correctHighlight();
     void click(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
     [[nodiscard]] std::optional<Caught> catchAt(BoardView& view, QPointF position, Qt::KeyboardModifiers modifiers);
     void reportWhyNothing(const BoardView& view, QPointF position);
@@ -92,7 +97,8 @@ private:
     std::vector<Caught> m_clicked;
     std::optional<Caught> m_under;  ///< the cursor, while a tool is in use
     std::optional<model::Measurement> m_coming;
-    BoardView* m_hoverView = nullptr;  ///< null: the cursor is on no view
+    std::optional<model::BoardElement> m_highlighted;  ///< by highlightCaught, last
+    BoardView* m_hoverView = nullptr;                  ///< null: the cursor is on no view
     QPointF m_hoverAt;
     QAction* m_showing = nullptr;  ///< whether the list is drawn
     bool m_isLatestFull = false;   ///< the last of the list was measured just now: all is told of it

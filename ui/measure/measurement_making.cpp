@@ -1,6 +1,7 @@
 #include "ui/measure/measurement_making.h"
 
 #include <cmath>
+#include <utility>
 
 #include "model/board/single_element.h"
 #include "model/index/joined_pads.h"
@@ -112,6 +113,18 @@ std::optional<model::Separation> separationOfJoinedPads(const BoardIndex& index,
     return nearest;
 }
 
+/// On the layer of the copper. Its width is the value, which needs no note.
+Measurement ringOf(const BoardIndex& index, const model::Separation& separation, Caught from, Caught to) {
+    const bool isCopperFirst = from.layer.isValid() && index.board->layer(from.layer).isCopper();
+    (isCopperFirst ? to.layer : from.layer) = isCopperFirst ? from.layer : to.layer;
+    from.at = separation.annularRing->from;
+    to.at = separation.annularRing->to;
+    Measurement measurement = betweenElements(index, MeasurementKind::Ring, from, to);
+    measurement.notes = separation.notes;
+    std::erase_if(measurement.notes, [](const std::string& note) { return note.starts_with(model::kAnnularRing); });
+    return measurement;
+}
+
 base::Result<model::Separation> separationOf(const BoardIndex& index, const Caught& a, const Caught& b) {
     const auto itemOf = [](const Caught& caught) {
         return caught.isOnEdge ? model::MeasureItem(model::BoardEdge{}) : model::MeasureItem(*caught.element);
@@ -161,6 +174,9 @@ base::Result<Measurement> edgeToEdge(const BoardIndex& index, const Caught& a, c
     Caught to = edgeOf(nearest->spacing.to, nearest->to.layer, nearest->to.at);
     from.isOnEdge = !nearest->from.at.element.isValid();
     to.isOnEdge = !nearest->to.at.element.isValid();
+    if (separation.annularRing) {
+        return ringOf(index, separation, std::move(from), std::move(to));
+    }
     Measurement measurement = betweenElements(index, MeasurementKind::Clearance, from, to);
     measurement.dz = nearest->dz;
     measurement.overlap = nearest->relation == model::Relation::Overlapping ? nearest->overlap : 0.0;

@@ -16,7 +16,8 @@ namespace ui {
 /// In the plane if both were clicked in a plan.
 [[nodiscard]] model::Measurement pointToPoint(const model::BoardIndex& index, const Caught& from, const Caught& to);
 /// Of two elements on one layer, if need be of other pads of the holes through them, or through the stackup; or of one
-/// and the board's edge. Errors: BadUsage where there is no distance, and why.
+/// and the board's edge; of a hole and the copper around it the annular ring. Errors: BadUsage where there is no
+/// distance, and why.
 [[nodiscard]] base::Result<model::Measurement> edgeToEdge(const model::BoardIndex& index, const Caught& a,
                                                           const Caught& b);
 /// The layer and the distance in nm where the nets of two elements come closer to each other than `distance` on one

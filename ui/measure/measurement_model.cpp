@@ -27,7 +27,7 @@ QString elementText(const model::MeasuredEnd& end) {
 /// Distances have parts along the axes.
 bool hasDeltas(const Measurement& measurement) {
     return measurement.kind == MeasurementKind::Points || measurement.kind == MeasurementKind::Clearance ||
-           measurement.kind == MeasurementKind::Spacing;
+           measurement.kind == MeasurementKind::Spacing || measurement.kind == MeasurementKind::Ring;
 }
 
 }  // namespace
@@ -43,6 +43,7 @@ QString valueText(const Measurement& measurement, LengthUnit unit) {
             return QStringLiteral("R %1  ⌀ %2")
                 .arg(inBoth(measurement.distance()), inBoth(2.0 * measurement.distance()));
         case MeasurementKind::Length: return inBoth(measurement.path->length());
+        case MeasurementKind::Ring: return MeasurementModel::tr("annular ring %1").arg(inBoth(measurement.value()));
         default: return inBoth(measurement.value());
     }
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "model/index/joined_pads.h"
+
 namespace ui {
 
 using model::SnapKind;
@@ -41,21 +43,20 @@ void MeasuringCursor::setBoard(std::shared_ptr<const model::BoardIndex> index) {
 }
 
 std::optional<Caught> MeasuringCursor::at(const BoardView& view, QPointF position, Catch what,
-                                          Qt::KeyboardModifiers modifiers, std::optional<base::PointD> from) {
-    std::optional<Pointed> pointed = m_index ? pointedAt(view, position, what) : std::nullopt;
-    if (!pointed) {
+                                          Qt::KeyboardModifiers modifiers, const Caught* first) {
+    if (!m_index) {
         return std::nullopt;
-    }
-    if (what == Catch::Elements) {
-        if (std::optional<Caught> edge = edgeAt(view, *pointed)) {
-            return edge;
-        }
-        if (pointed->pad && !modifiers.testFlag(Qt::AltModifier)) {
-            pointed->hit = pointed->pad;
-        }
     }
     if (std::exchange(m_last, position) != position) {
         m_skip = 0;
+    }
+    if (what == Catch::Elements) {
+        const auto found = elementsAt(view, position, modifiers.testFlag(Qt::AltModifier), first);
+        return found.empty() ? std::nullopt : std::optional(found[m_skip % found.size()]);
+    }
+    const std::optional<Pointed> pointed = pointedAt(view, position, what);
+    if (!pointed) {
+        return std::nullopt;
     }
     if (!isOfPoints(what)) {
         return pointed->hit ? std::optional(elementAt(*pointed, reachIn(view), what)) : std::nullopt;
@@ -64,9 +65,9 @@ std::optional<Caught> MeasuringCursor::at(const BoardView& view, QPointF positio
     if (caught && caught->kind == SnapKind::Free && !caught->element) {
         findCopper(view, position, *caught);
     }
-    const std::optional<double> lock = from ? lockOf(modifiers) : std::nullopt;
+    const std::optional<double> lock = first != nullptr ? lockOf(modifiers) : std::nullopt;
     if (caught && lock) {
-        const base::PointD straight = model::straightened(*from, caught->at, *lock);
+        const base::PointD straight = model::straightened(first->at, caught->at, *lock);
         if (std::hypot(straight.x - caught->at.x, straight.y - caught->at.y) > 1.0) {
             caught->kind = SnapKind::Free;  // beside what was snapped to
         }
@@ -76,6 +77,37 @@ std::optional<Caught> MeasuringCursor::at(const BoardView& view, QPointF positio
         caught->isInPlan = view.kind() == BoardView::Kind::Flat;
     }
     return caught;
+}
+
+std::vector<Caught> MeasuringCursor::elementsAt(const BoardView& view, QPointF position, bool takesHoles,
+                                                const Caught* first) {
+    const std::vector<model::Hit> hits = m_probing.hitsAt(view, position);
+    const std::optional<Pointed> pointed =
+        hits.empty() ? pointedAt(view, position, Catch::Elements)
+                     : std::optional(Pointed{seenAt(view, position, hits.front()), hits.front()});
+    std::vector<Caught> found;
+    if (!pointed) {
+        return found;
+    }
+    const auto add = [&](const model::Hit& hit, base::PointD at) {
+        if (std::ranges::find(found, hit.at, &Caught::element) == found.end()) {
+            found.push_back(elementAt({at, hit}, 0.0, Catch::Elements));
+        }
+    };
+    const auto itemOf = [&](const model::Hit& hit) {
+        return (takesHoles ? holeIn(hit, hits) : padAround(hit, hits)).value_or(hit);
+    };
+    if (std::optional<Caught> edge = edgeAt(view, *pointed)) {
+        found.push_back(*edge);
+    } else if (pointed->hit && first != nullptr && first->element == itemOf(*pointed->hit).at) {
+        add(beneath(hits, itemOf(*pointed->hit)), pointed->location);
+    }
+    for (const model::Hit& hit : hits) {
+        const base::PointD at = seenAt(view, position, hit);
+        add(itemOf(hit), at);
+        add(hit, at);
+    }
+    return found;
 }
 
 std::optional<Caught> MeasuringCursor::edgeAt(const BoardView& view, const Pointed& pointed) const {
@@ -111,6 +143,36 @@ std::optional<model::Hit> MeasuringCursor::padAround(const model::Hit& hole, std
     return pad == hits.end() ? std::nullopt : std::optional(*pad);
 }
 
+std::optional<model::Hit> MeasuringCursor::holeIn(const model::Hit& pad, std::span<const model::Hit> hits) const {
+    const auto hole = std::ranges::find_if(hits, [&](const model::Hit& hit) {
+        const std::optional<model::Hit> around = padAround(hit, hits);
+        return hit.missedBy == 0.0 && around && around->at == pad.at;
+    });
+    return hole == hits.end() ? std::nullopt : std::optional(*hole);
+}
+
+model::Hit MeasuringCursor::beneath(std::span<const model::Hit> hits, const model::Hit& seen) const {
+    const std::vector<model::BoardElement> joined = model::joinedPads(*m_index, seen.at);
+    const auto isSamePiece = [&](const model::Hit& hit) {
+        const bool isOfNet =
+            hit.at.copy == seen.at.copy && model::netOf(*m_index, hit.at) == model::netOf(*m_index, seen.at);
+        const bool isOnLayer = hit.layer == seen.layer || isHole(hit.at) || isHole(seen.at);
+        return (isOfNet && isOnLayer) || std::ranges::count(joined, hit.at) > 0;
+    };
+    for (const model::Hit& hit : hits) {
+        const model::Hit item = padAround(hit, hits).value_or(hit);
+        const bool isCopper = m_index->board->layer(item.layer).isCopper() || isHole(item.at);
+        if (isCopper && hit.missedBy == 0.0 && !isSamePiece(item)) {
+            return item;
+        }
+    }
+    return seen;
+}
+
+bool MeasuringCursor::isHole(const model::BoardElement& at) const {
+    return (m_index->stepOf(at.copy).elements.flags[at.element.row()] & model::kHole) != 0;
+}
+
 void MeasuringCursor::step(int by) {
     m_skip = by > 0 ? m_skip + 1 : std::max<std::size_t>(m_skip, 1) - 1;
 }
@@ -128,26 +190,27 @@ void MeasuringCursor::findCopper(const BoardView& view, QPointF position, Caught
     }
 }
 
+base::PointD MeasuringCursor::seenAt(const BoardView& view, QPointF position, const model::Hit& hit) {
+    const auto [origin, direction] = view.controller().rayAt(position);
+    const bool isFlat = view.kind() == BoardView::Kind::Flat;
+    // The picker counts its steps in millimetres.
+    return view.position().toJob(isFlat ? origin : origin + glm::normalize(direction) * static_cast<float>(hit.depth));
+}
+
 std::optional<MeasuringCursor::Pointed> MeasuringCursor::pointedAt(const BoardView& view, QPointF position,
                                                                    Catch what) {
     const auto [origin, direction] = view.controller().rayAt(position);
     const BoardPosition& location = view.position();
     const bool isFlat = view.kind() == BoardView::Kind::Flat;
-    const auto seenAt = [&](const model::Hit& hit) {
-        // The picker counts its steps in millimetres.
-        return isFlat ? origin : origin + glm::normalize(direction) * static_cast<float>(hit.depth);
-    };
-    Pointed pointed{location.toJob(origin), std::nullopt, std::nullopt, direction.z > 0.0F};
+    Pointed pointed{location.toJob(origin), std::nullopt, direction.z > 0.0F};
     if (isFlat && what == Catch::Points) {
         return pointed;  // everything there is a candidate, nothing need be searched
     }
-    const std::vector<model::Hit> hits = m_probing.hitsAt(view, position);
-    for (const model::Hit& hit : hits) {
-        const base::PointD seen = location.toJob(seenAt(hit));
+    for (const model::Hit& hit : m_probing.hitsAt(view, position)) {
+        const base::PointD seen = seenAt(view, position, hit);
         if (isWanted(hit, seen, reachIn(view), what)) {
             pointed.location = seen;
             pointed.hit = hit;
-            pointed.pad = what == Catch::Elements ? padAround(hit, hits) : std::nullopt;
             return pointed;
         }
     }

@@ -4,11 +4,12 @@
 #include <QStatusBar>
 #include <QtTest>
 #include <cmath>
+#include <set>
 
 #include "tests/locations.h"
 #include "tests/patience.h"
+#include "tests/ui/measure/made_boards.h"
 #include "tests/ui/window_fixture.h"
-#include "tests/unit/model/measure/measure_fixture.h"
 #include "ui/measure/measure_feature.h"
 
 using namespace measuring;
@@ -20,80 +21,6 @@ using ui::MeasureFeature;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Net N: a pad at (0, 0), a track to a via at (6, 0) and on at the bottom to a pad at (6, 4). Net M: a bent track, a
-/// disc on top and one on the inner layer. And an arc, a disc and a stroke without width of no net. In mm.
-std::shared_ptr<const model::Document> madeBoard() {
-    model::DocumentBuilder builder;
-    addLayers(builder);
-    const model::NetId n = builder.addNet("N");
-    const model::NetId m = builder.addNet("M");
-    builder.beginLayer(model::LayerId{Top});
-    builder.addCircle({{0, 0}, kMm, 0}, of(n, model::kPad));
-    builder.addLine({{0, 0}, {6 * kMm, 0}, 200'000, 0}, of(n));
-    builder.addCircle({{6 * kMm, 0}, kMm, 0}, of(n, model::kPad));
-    builder.addLine({{0, 3 * kMm}, {3 * kMm, 3 * kMm}, 400'000, 0}, of(m));
-    builder.addLine({{3 * kMm, 3 * kMm}, {5 * kMm, 5 * kMm}, 400'000, 0}, of(m));
-    builder.addCircle({{-3 * kMm, 0}, kMm, 0}, of(m, model::kPad));
-    builder.addCircle({{0, 6 * kMm}, kMm, 0}, {});
-    builder.addArc({model::PathNode{{10 * kMm, 0}, {10 * kMm - 1'500'000, 0}, model::EdgeKind::ArcCounterClockwise},
-                    {10 * kMm - 1'500'000, 1'500'000},
-                    200'000},
-                   {});
-    builder.addLine({{8 * kMm, 5 * kMm}, {11 * kMm, 5 * kMm}, 0, 0}, {});
-    builder.beginLayer(model::LayerId{Inner});
-    builder.addCircle({{-3 * kMm, 4 * kMm}, kMm, 0}, of(m, model::kPad));
-    builder.beginLayer(model::LayerId{Bottom});
-    builder.addLine({{6 * kMm, 0}, {6 * kMm, 4 * kMm}, 200'000, 0}, of(n));
-    builder.addCircle({{6 * kMm, 4 * kMm}, kMm, 0}, of(n, model::kPad));
-    builder.beginLayer(model::LayerId{Drill});
-    builder.addCircle({{6 * kMm, 0}, 400'000, 300'000}, of(n, model::kHole | model::kPlated | model::kVia));
-    builder.beginLayer(model::LayerId{Drawing});
-    builder.addCircle({{-3 * kMm, 6 * kMm}, kMm, 0}, {});
-    return builder.finish();
-}
-
-/// A track of 2 mm width that lies over a corner of the board.
-std::shared_ptr<const model::Document> boardUnderACorner() {
-    model::DocumentBuilder builder;
-    addLayers(builder);
-    const model::NetId n = builder.addNet("N");
-    builder.beginLayer(model::LayerId{Top});
-    builder.addLine({{0, 5 * kMm}, {6 * kMm, 5 * kMm}, 2 * kMm, 0}, of(n));
-    builder.setProfile(builder.addShape(rectangle({3 * kMm, 5'500'000}, {20 * kMm, 20 * kMm})));
-    return builder.finish();
-}
-
-/// Pads around a hole, the one on the inner layer smaller; and one on top alone, beside them.
-std::shared_ptr<const model::Document> boardWithAHole() {
-    model::DocumentBuilder builder;
-    addLayers(builder);
-    const model::NetId n = builder.addNet("N");
-    builder.beginLayer(model::LayerId{Top});
-    builder.addCircle({{0, 0}, 2 * kMm, 0}, of(n, model::kPad));
-    builder.addCircle({{4 * kMm, 0}, 2 * kMm, 0}, of(builder.addNet("M"), model::kPad));
-    builder.beginLayer(model::LayerId{Inner});
-    builder.addCircle({{0, 0}, kMm, 0}, of(n, model::kPad));
-    builder.beginLayer(model::LayerId{Drill});
-    builder.addCircle({{0, 0}, 400'000, 300'000}, of(n, model::kHole | model::kPlated));
-    return builder.finish();
-}
-
-base::Result<ui::LoadedBoard> loadMade(const model::OpenRequest& request, base::Progress& progress) {
-    ui::LoadedBoard board;
-    board.request = request;
-    board.request.noSession = true;
-    board.document = request.path == "corner" ? boardUnderACorner()
-                     : request.path == "hole" ? boardWithAHole()
-                                              : madeBoard();
-    auto shapes = render::buildBoardModel(*board.document, {}, progress);
-    if (!shapes) {
-        return shapes.error();
-    }
-    board.model = std::make_shared<const render::BoardModel>(std::move(*shapes));
-    board.index = indexed(board.document);
-    return board;
-}
 
 /// A pad of an outer layer on which nothing else lies but strokes.
 bool isLonePad(const model::Document& board, model::ElementId id) {
@@ -398,6 +325,81 @@ private slots:
         QCOMPARE(list().size(), std::size_t{2});
     }
 
+    void aSecondClickOnAnElementTakesWhatLiesBeneath() {
+        QVERIFY(m_fixture->openAndWait("plane"));
+        window().actions()[ActionId::MeasureObjects].trigger();
+        for (const QPointF at : {QPointF(-3, 0), QPointF(-1.5, 0)}) {  // the plane alone, and its own track
+            click(flat(), at);
+            click(flat(), at);
+            QVERIFY2(said().contains("both are the same"), qPrintable(said()));
+        }
+        QVERIFY(list().empty());
+        click(flat(), {1, 0});
+        click(flat(), {1, 0});
+        QCOMPARE(list().size(), std::size_t{1});
+        const Measurement& measured = list().front();
+        QCOMPARE((std::set{measured.from.net, measured.to.net}), (std::set<std::string>{"G", "N"}));
+        QCOMPARE((std::set{measured.from.layer, measured.to.layer}), (std::set<std::string>{"bottom", "top"}));
+    }
+
+    void aHoleInItsPadIsMeasuredAsAnAnnularRing() {
+        QVERIFY(m_fixture->openAndWait("hole"));
+        window().actions()[ActionId::MeasureObjects].trigger();
+        for (const bool isHoleFirst : {false, true}) {
+            for (const bool isHole : {isHoleFirst, !isHoleFirst}) {
+                click(flat(), {isHole ? 0.0 : 0.6, 0}, isHole ? Qt::AltModifier : Qt::NoModifier);
+            }
+            QVERIFY2(said().startsWith("annular ring 0.8000 mm ("), qPrintable(said()));
+            QVERIFY2(!said().contains("overlap"), qPrintable(said()));
+            QCOMPARE(said().count("annular ring"), 1);
+            const Measurement& ring = list().back();
+            QVERIFY(ring.kind == MeasurementKind::Ring && ring.overlap == 0.0 && ring.dz == 0.0);
+            QVERIFY2(std::abs(ring.value() - 0.8e6) < 1.0, qPrintable(QString::number(ring.value())));
+            QVERIFY(ring.from.layer == "top" && ring.to.layer == "top");
+            const model::MeasuredEnd& onHole = isHoleFirst ? ring.from : ring.to;
+            QVERIFY(std::abs(std::hypot(onHole.x, onHole.y) - 0.2e6) < 1.0);
+        }
+        QCOMPARE(list().size(), std::size_t{2});
+    }
+
+    void tabTakesTheElementBeneath() {
+        QVERIFY(m_fixture->openAndWait("plane"));
+        window().actions()[ActionId::MeasureObjects].trigger();
+        QVERIFY2(said().contains("Tab"), qPrintable(said()));
+        move(flat(), {1, 0});
+        QTRY_COMPARE(hoveredNet(), std::string("G"));
+        m_fixture->key(Qt::Key_Tab);
+        QCOMPARE(hoveredNet(), std::string("N"));
+        m_fixture->key(Qt::Key_Backtab, Qt::ShiftModifier);
+        QCOMPARE(hoveredNet(), std::string("G"));
+        m_fixture->key(Qt::Key_Tab);
+        click(flat(), {1, 0});
+        move(flat(), {-3, 0});
+        click(flat(), {-3, 0});
+        QCOMPARE(list().size(), std::size_t{1});
+        QVERIFY(list().front().from.net == "N" && list().front().to.net == "G");
+        // Where the pointer has moved on, it is over.
+        move(flat(), {1, 0});
+        click(flat(), {1, 0});
+        move(flat(), {-3, 0});
+        click(flat(), {-3, 0});
+        QVERIFY2(said().contains("both are the same"), qPrintable(said()));
+    }
+
+    void thePadThatAClickTakesIsHighlightedAndNotTheHoleInIt() {
+        QVERIFY(m_fixture->openAndWait("hole"));
+        window().actions()[ActionId::MeasureObjects].trigger();
+        const auto isHoleHovered = [this] {
+            const auto at = window().selection().hovered();
+            return at && (board().elements.flags[at->element.row()] & model::kHole) != 0;
+        };
+        move(flat(), {0.05, 0});
+        QTRY_VERIFY(window().selection().hovered().has_value());
+        QVERIFY(!isHoleHovered());
+        m_fixture->key(Qt::Key_Tab);
+        QVERIFY(isHoleHovered());
+    }
+
     void copperThatCoversNothingIsNamed() {
         m_fixture->key(Qt::Key_M, Qt::ShiftModifier);
         click(flat(), {9.5, 5});
@@ -458,6 +460,12 @@ private:
     BoardView& solid() { return window().views().solid(); }
     const model::Document& board() { return *window().document(); }
     const std::vector<Measurement>& list() { return window().measurements().measurements(); }
+    /// Of the element that is hovered; empty where none is.
+    std::string hoveredNet() {
+        const auto at = window().selection().hovered();
+        const model::NetId net = at ? board().elements.net[at->element.row()] : model::NetId{};
+        return net.isValid() ? board().nets[net.row()].name : "";
+    }
     QString said() { return window().statusBar()->currentMessage(); }
     QString details(int row) {
         const auto& model = window().measurements();

@@ -9,6 +9,7 @@
 #include "model/board/stackup.h"
 #include "model/figures/distance.h"
 #include "model/formats/registry.h"
+#include "model/measure/hole_ring.h"
 #include "model/solids/restack.h"
 #include "tests/locations.h"
 #include "tests/unit/model/measure/measure_fixture.h"
@@ -202,6 +203,47 @@ private slots:
         const Separation gone = measured(*index, own(track), own(cut));
         QVERIFY(!gone.onLayer);
         QCOMPARE(gone.throughStackup->dz, 1e6);
+    }
+
+    void aHoleWithinCopperHasAnAnnularRing() {
+        DocumentBuilder builder;
+        addLayers(builder);
+        const NetId n = builder.addNet("N");
+        builder.beginLayer(LayerId{Top});
+        const ElementId disc = builder.addCircle({{0, 0}, 2 * kMm, 0}, of(n, kPad));
+        const ElementId oblong = builder.addLine({{5 * kMm, 0}, {7 * kMm, 0}, kMm, 0}, of(n, kPad));
+        const ElementId plane =
+            builder.addArea({builder.addShape(rectangle({-10 * kMm, -9 * kMm}, {20 * kMm, 30 * kMm})), {}}, of(n));
+        const ElementId other = builder.addCircle({{0, 0}, 3 * kMm, 0}, of(builder.addNet("M")));
+        builder.beginLayer(LayerId{Bottom});
+        const ElementId pair = builder.addCircle({{5'500'000, 0}, 4 * kMm, 0}, of(n, kPad));
+        builder.beginLayer(LayerId{Drill});
+        const int plated = kHole | kPlated;
+        const ElementId hole = builder.addCircle({{100'000, 0}, 500'000, 400'000}, of(n, plated));
+        const ElementId beside = builder.addCircle({{6 * kMm, 100'000}, 400'000, 300'000}, of(n, plated));
+        const ElementId across = builder.addCircle({{5 * kMm, 400'000}, 400'000, 300'000}, of(n, plated));
+        const auto index = indexed(builder.finish());
+        const auto expect = [&](ElementId a, ElementId b, double ring, PointD from, PointD to) {
+            const auto found = measured(*index, own(a), own(b)).annularRing;
+            const auto isAt = [](PointD at, PointD wanted) { return isNear(at.x, wanted.x) && isNear(at.y, wanted.y); };
+            return found && isNear(found->distance, ring, 1e-3) && isAt(found->from, from) && isAt(found->to, to);
+        };
+        QVERIFY(expect(hole, disc, 650'000.0, {350'000, 0}, {1e6, 0}));
+        QVERIFY(expect(disc, hole, 650'000.0, {1e6, 0}, {350'000, 0}));
+        QVERIFY(expect(beside, oblong, 200'000.0, {6e6, 300'000}, {6e6, 500'000}));
+        QVERIFY(expect(hole, plane, 8'750'000.0, {100'000, -250'000}, {100'000, -9e6}));
+        const Separation s = measured(*index, own(disc), own(hole));
+        QVERIFY(s.notes.front() == "annular ring 0.650000 mm (25.591 mil)");
+        QVERIFY(s.main()->relation == Relation::Overlapping && s.main()->overlap > 650'000.0);
+        for (const auto& [a, b] : {std::pair(across, oblong), std::pair(hole, other), std::pair(disc, plane),
+                                   std::pair(hole, oblong), std::pair(hole, beside)}) {
+            QVERIFY(!measured(*index, own(a), own(b)).annularRing);
+        }
+        QVERIFY(!measured(*index, own(hole), NetOfCopy{0, n}).annularRing);
+
+        const auto inDisc = holeInPad(*index, own(disc));
+        QVERIFY(inDisc && inDisc->hole == hole && isNear(inDisc->ring->distance, 650'000.0, 1e-3));
+        QVERIFY(!holeInPad(*index, own(pair)) && !holeInPad(*index, own(plane)) && !holeInPad(*index, own(hole)));
     }
 
     void theEdgeOfTheBoardIsALine() {
