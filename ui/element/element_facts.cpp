@@ -3,9 +3,11 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
+#include <optional>
 
 #include "model/board/holes.h"
 #include "model/index/pin_names.h"
+#include "model/measure/hole_ring.h"
 #include "model/statistics/element_sizes.h"
 #include "ui/common/net_name.h"
 
@@ -22,6 +24,7 @@ struct Subject {
     Q_DECLARE_TR_FUNCTIONS(ui::Facts)
 public:
     const Document& step;
+    const model::PinFinder& pins;
     const model::StepCopy& copy;
     ElementId element;
     LengthUnit unit;
@@ -154,23 +157,6 @@ void addMeasures(const Subject& s, Facts& facts) {
     }
 }
 
-/// Pins that lie on the element's net inside of its box: what a pad belongs to.
-std::vector<const model::Pin*> pinsOf(const Subject& s) {
-    std::vector<const model::Pin*> pins;
-    if (!s.has(model::kPad) && !s.has(model::kHole)) {
-        return pins;
-    }
-    const model::NetId net = s.step.elements.net[s.element.row()];
-    const model::Box box = s.step.boxOf(s.element);
-    for (const model::Pin& pin : s.step.pins) {
-        if (pin.net == net && pin.component.isValid() && pin.position.x >= box.min.x && pin.position.x <= box.max.x &&
-            pin.position.y >= box.min.y && pin.position.y <= box.max.y) {
-            pins.push_back(&pin);
-        }
-    }
-    return pins;
-}
-
 QString partText(const Subject& s, const model::Component& component) {
     QStringList words{QString::fromStdString(component.refdes)};
     if (!component.part.empty()) {
@@ -185,14 +171,16 @@ QString partText(const Subject& s, const model::Component& component) {
 /// Pins, and the components they are of; of a body its component.
 void addParts(const Subject& s, Facts& facts) {
     std::vector<model::ComponentId> parts;
-    for (const model::Pin* pin : pinsOf(s)) {
-        const model::PinId id{static_cast<std::size_t>(pin - s.step.pins.data())};
-        const Facts::value_type fact{s.tr("Pin"), QString::fromStdString(model::fullPinName(s.step, id))};
+    for (const model::PinId pin : s.pins.pinsOf(s.element)) {
+        if (!s.step.pins[pin.row()].component.isValid()) {
+            continue;
+        }
+        const Facts::value_type fact{s.tr("Pin"), QString::fromStdString(model::fullPinName(s.step, pin))};
         if (std::ranges::find(facts, fact) ==
             facts.end()) {  // a thermal pad has a pin for each of its vias, all of one name
             facts.push_back(fact);
         }
-        parts.push_back(pin->component);
+        parts.push_back(s.step.pins[pin.row()].component);
     }
     if (const model::Body* body = s.step.bodyOf(s.element)) {
         parts.push_back(body->component);
@@ -218,15 +206,27 @@ void addSource(const Subject& s, Facts& facts) {
     }
 }
 
-Subject subjectOf(const model::StepTree& tree, const model::BoardElement& at, LengthUnit unit) {
-    const model::StepCopy& copy = tree.copies[at.copy];
-    return {*tree.steps[copy.step], copy, at.element, unit};
+/// Of a pad with one hole: as the job drills it, and what the pad leaves around it.
+void addHoleInPad(const Subject& s, const model::BoardIndex& index, const model::BoardElement& at, Facts& facts) {
+    const std::optional<model::PadHole> in = model::holeInPad(index, at);
+    if (!in) {
+        return;
+    }
+    if (const model::DrillRow hole = model::drillRowOf(s.step, in->hole); model::hasDrilledSize(hole)) {
+        facts.emplace_back(s.tr("Hole"), s.text(hole.diameter));
+    }
+    facts.emplace_back(s.tr("Annular ring"),
+                       in->ring ? s.text(in->ring->distance) : s.tr("none: the hole breaks out of the pad"));
+}
+
+Subject subjectOf(const model::BoardIndex& index, const model::BoardElement& at, LengthUnit unit) {
+    return {index.stepOf(at.copy), index.pinsOf(at.copy), index.tree.copies[at.copy], at.element, unit};
 }
 
 }  // namespace
 
-Facts factsOf(const model::StepTree& tree, const model::BoardElement& at, LengthUnit unit) {
-    const Subject s = subjectOf(tree, at, unit);
+Facts factsOf(const model::BoardIndex& index, const model::BoardElement& at, LengthUnit unit) {
+    const Subject s = subjectOf(index, at, unit);
     const auto& elements = s.step.elements;
     const std::size_t row = at.element.row();
     Facts facts;
@@ -240,6 +240,7 @@ Facts factsOf(const model::StepTree& tree, const model::BoardElement& at, Length
         facts.emplace_back(s.tr("Symbol"), QString::fromStdString(s.step.symbols[elements.symbol[row].row()]));
     }
     addShape(s, facts);
+    addHoleInPad(s, index, at, facts);
     addMeasures(s, facts);
     if (at.copy > 0) {
         facts.emplace_back(s.tr("Copy"),
@@ -249,8 +250,8 @@ Facts factsOf(const model::StepTree& tree, const model::BoardElement& at, Length
     return facts;
 }
 
-QString summaryOf(const model::StepTree& tree, const model::BoardElement& at, LengthUnit unit) {
-    const Subject s = subjectOf(tree, at, unit);
+QString summaryOf(const model::BoardIndex& index, const model::BoardElement& at, LengthUnit unit) {
+    const Subject s = subjectOf(index, at, unit);
     const auto& elements = s.step.elements;
     const std::size_t row = at.element.row();
     QStringList words{kindText(s)};

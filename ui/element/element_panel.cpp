@@ -79,7 +79,7 @@ void ElementPanel::update() {
                        : count == 1       ? tr("One element")
                                           : tr("%L1 elements; of the last one:").arg(count));
     const auto current = m_selection.current();
-    fill(current ? factsOf(m_selection.tree(), *current, m_unit) : Facts());
+    fill(current ? factsOf(m_parts.index(), *current, m_unit) : Facts());
 }
 
 void ElementPanel::fill(Facts facts) {

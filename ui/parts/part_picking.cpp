@@ -74,8 +74,8 @@ PartPicking::PartPicking(const ActionSet& actions, Workspace& workspace, QObject
     });
 }
 
-const model::PinFinder& PartPicking::finderOf(std::uint32_t step) const {
-    return m_workspace.board()->index->pins[step];
+const model::BoardIndex& PartPicking::index() const {
+    return *m_workspace.board()->index;
 }
 
 std::optional<BoardPart> PartPicking::wholePart() const {

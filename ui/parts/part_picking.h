@@ -56,8 +56,10 @@ public:
     [[nodiscard]] bool isOnBottom(const BoardPart& part) const;
     static constexpr std::size_t kMostElements = 100'000;
 
-    /// Of a row of model::StepTree::steps, of a board that has elements.
-    [[nodiscard]] const model::PinFinder& finderOf(std::uint32_t step) const;
+    /// Of a board that has elements.
+    [[nodiscard]] const model::BoardIndex& index() const;
+    /// Of a row of model::StepTree::steps, of such a board.
+    [[nodiscard]] const model::PinFinder& finderOf(std::uint32_t step) const { return index().pins[step]; }
     [[nodiscard]] const model::Document& document(std::uint32_t step) const { return *m_selection.tree().steps[step]; }
 
 signals:

@@ -235,7 +235,7 @@ void Probing::hover() {
         return;
     }
     QToolTip::showText(m_hoverView->mapToGlobal(m_hoverAt.toPoint()) + QPoint(0, 4),
-                       summaryOf(m_selection.tree(), hits.front().at, m_workspace.unit()), m_hoverView);
+                       summaryOf(*m_workspace.board()->index, hits.front().at, m_workspace.unit()), m_hoverView);
 }
 
 /// Nothing is shown as hovered that the pointer has left, however long it takes until it rests.

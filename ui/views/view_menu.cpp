@@ -41,7 +41,7 @@ void addElements(QMenu& menu, Workspace& workspace, const std::vector<model::Hit
     choices->setExclusive(selection.selected().size() <= 1);
     for (std::size_t i = 0; i < std::min(hits.size(), kMostListed); ++i) {
         const model::BoardElement at = hits[i].at;
-        QAction* entry = menu.addAction(plain(summaryOf(selection.tree(), at, workspace.unit())), &selection,
+        QAction* entry = menu.addAction(plain(summaryOf(*workspace.board()->index, at, workspace.unit())), &selection,
                                         [&selection, at] { selection.select({at}); });
         entry->setCheckable(true);
         choices->addAction(entry);

@@ -64,6 +64,34 @@ private slots:
         QVERIFY(window().fact("Islands").isEmpty());
     }
 
+    void aPadSaysItsHoleAndItsAnnularRing() {
+        QVERIFY(m_fixture->openAndWait(
+            boardWith("hole",
+                      "(attr through_hole) (pad \"1\" thru_hole circle (at 0 0) (size 2 2) (drill 1) "
+                      "(layers \"*.Cu\") (net 1 \"A\")) (pad \"2\" smd circle (at 5 0) (size 2 2) "
+                      "(layers \"F.Cu\") (net 1 \"A\"))")));
+        const model::Document& board = *window().document();
+        const auto isWanted = [&](std::size_t row, int flag, base::Nm atX) {
+            const model::Box box = board.boxOf(model::ElementId{row});
+            return (board.elements.flags[row] & flag) != 0 && box.min.x < atX && atX < box.max.x;
+        };
+        const auto first = [&](int flag, base::Nm atX) {
+            std::size_t row = 0;
+            while (!isWanted(row, flag, atX)) {
+                ++row;
+            }
+            return model::ElementId{row};
+        };
+        const auto drilled = static_cast<double>(board.boxOf(first(model::kHole, 6'000'000)).width());
+        const auto text = [this](double nm) { return ui::lengthInBoth(nm, window().workspace().unit()); };
+        window().selection().select({{0, first(model::kPad, 6'000'000)}});
+        QCOMPARE(window().fact("Hole"), text(drilled));
+        QCOMPARE(window().fact("Annular ring"), text((2e6 - drilled) / 2));
+        window().selection().select({{0, first(model::kPad, 11'000'000)}});
+        QVERIFY(window().fact("Hole").isEmpty() && window().fact("Annular ring").isEmpty());
+        QVERIFY(m_fixture->openAndWait(locations::kSample));
+    }
+
     /// In a panel that is as narrow as the window makes it at first.
     void longNamesOfAttributesLeaveRoomForValues() {
         QVERIFY(m_fixture->openAndWait(boardWithALongAttribute()));
@@ -84,16 +112,21 @@ private slots:
 
 private:
     QString boardWithALongAttribute() {
-        const QString path = m_fixture->folder() + "/attribute.kicad_pcb";
+        return boardWith("attribute",
+                         "(property \"Number of the part in the catalogue of the manufacturer\" \"12\") (attr smd) "
+                         "(pad \"1\" smd rect (at 0 0) (size 3 3) (layers \"F.Cu\") (net 1 \"A\"))");
+    }
+    /// With a component R1 at 6, 10 mm, of which this is said.
+    QString boardWith(const char* name, const QByteArray& component) {
+        const QString path = m_fixture->folder() + '/' + name + ".kicad_pcb";
         QFile file(path);
         if (file.open(QFile::WriteOnly)) {
             file.write(
                 "(kicad_pcb (version 20241229) (generator \"pcbnew\") (layers (0 \"F.Cu\" signal) (2 \"B.Cu\" signal) "
                 "(25 \"Edge.Cuts\" user)) (net 0 \"\") (net 1 \"A\") "
-                "(footprint \"R\" (layer \"F.Cu\") (at 6 10) (property \"Reference\" \"R1\") "
-                "(property \"Number of the part in the catalogue of the manufacturer\" \"12\") (attr smd) "
-                "(pad \"1\" smd rect (at 0 0) (size 3 3) (layers \"F.Cu\") (net 1 \"A\"))) "
-                "(gr_rect (start 0 0) (end 20 20) (stroke (width 0.1) (type default)) (fill no) (layer "
+                "(footprint \"R\" (layer \"F.Cu\") (at 6 10) (property \"Reference\" \"R1\") " +
+                component +
+                ") (gr_rect (start 0 0) (end 20 20) (stroke (width 0.1) (type default)) (fill no) (layer "
                 "\"Edge.Cuts\")))");
         }
         return path;

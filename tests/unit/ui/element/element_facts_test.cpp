@@ -8,6 +8,15 @@ using namespace ui;
 using model::BoardElement;
 using model::ElementId;
 
+namespace {
+
+std::shared_ptr<const model::BoardIndex> indexed(std::shared_ptr<const model::Document> document) {
+    base::Progress progress;
+    return *model::indexBoard(std::move(document), progress);
+}
+
+}  // namespace
+
 class ElementFactsTest : public QObject {
     Q_OBJECT
 
@@ -56,9 +65,9 @@ private slots:
         component.refdes = "U1";
         builder.addComponent(component, std::span(&pin, 1));
         const auto document = builder.finish();
-        const model::StepTree tree = model::unfoldCopies(*document);
+        const auto index = indexed(document);
         const auto fact = [&](std::size_t row, const char* name) {
-            for (const auto& [key, value] : factsOf(tree, {0, ElementId{row}}, LengthUnit::Millimetre)) {
+            for (const auto& [key, value] : factsOf(*index, {0, ElementId{row}}, LengthUnit::Millimetre)) {
                 if (key == QLatin1String(name)) {
                     return value;
                 }
@@ -78,9 +87,9 @@ private slots:
         QCOMPARE(fact(1, "Pin"), "U1.7");
         QVERIFY(fact(1, "Component").startsWith("U1"));
         QCOMPARE(fact(2, "Kind"), "Plated hole (circle)");
-        QCOMPARE(summaryOf(tree, {0, ElementId{std::size_t{0}}}, LengthUnit::Millimetre),
+        QCOMPARE(summaryOf(*index, {0, ElementId{std::size_t{0}}}, LengthUnit::Millimetre),
                  "Line, 0.25 mm wide · top · GND");
-        QCOMPARE(summaryOf(tree, {0, ElementId{std::size_t{1}}}, LengthUnit::Millimetre),
+        QCOMPARE(summaryOf(*index, {0, ElementId{std::size_t{1}}}, LengthUnit::Millimetre),
                  "Pad (circle), 2 mm across · top · GND · U1.7");
     }
 
@@ -99,8 +108,7 @@ private slots:
             origin.flags = model::kHole | model::kPlated;
             builder.addCircle({{0, 0}, 500'000, 450'000}, origin);
             const auto document = builder.finish();
-            const auto facts =
-                factsOf(model::unfoldCopies(*document), {0, ElementId{std::size_t{0}}}, LengthUnit::Millimetre);
+            const auto facts = factsOf(*indexed(document), {0, ElementId{std::size_t{0}}}, LengthUnit::Millimetre);
             const auto fact = [&](const char* name) {
                 const auto found = std::ranges::find(facts, QLatin1String(name), &Facts::value_type::first);
                 return found != facts.end() ? found->second : QString();
@@ -135,9 +143,9 @@ private slots:
         builder.addInstance({step, {{100'000'000, 0}, 0.0, false}, false});
         builder.addInstance({step, {{200'000'000, 0}, 0.0, true}, true});
         const auto panel = builder.finish();
-        const model::StepTree tree = model::unfoldCopies(*panel);
+        const auto index = indexed(panel);
         const auto fact = [&](std::uint32_t copy, const char* name) {
-            const Facts facts = factsOf(tree, {copy, ElementId{std::size_t{0}}}, LengthUnit::Millimetre);
+            const Facts facts = factsOf(*index, {copy, ElementId{std::size_t{0}}}, LengthUnit::Millimetre);
             const auto found = std::ranges::find(facts, QLatin1String(name), &Facts::value_type::first);
             return found != facts.end() ? found->second : QString();
         };
@@ -146,8 +154,43 @@ private slots:
         QCOMPARE(fact(2, "Layer"), "bottom");
         QCOMPARE(fact(2, "Centre"), "190.0000, 1.0000 mm");
         QCOMPARE(fact(2, "Read from"), "features of top:7");  // its record is where the step has it
-        QCOMPARE(summaryOf(tree, {2, ElementId{std::size_t{0}}}, LengthUnit::Millimetre),
+        QCOMPARE(summaryOf(*index, {2, ElementId{std::size_t{0}}}, LengthUnit::Millimetre),
                  "Circle, 2 mm across · bottom");
+    }
+
+    /// StickHub: a pad for mounting a connector, above a capacitor that is on the bottom and of its net.
+    void padsAreNotThoseOfComponentsOnTheFarSide() {
+        model::DocumentBuilder builder;
+        const model::NetId gnd = builder.addNet("GND");
+        const std::vector<model::PackagePin> packagePins(1);
+        const model::PackageId package = builder.addPackage({}, packagePins);
+        for (const auto& [refdes, side] : {std::pair{"J3", model::LayerSide::Top}, {"C1", model::LayerSide::Bottom}}) {
+            model::Component part;
+            part.refdes = refdes;
+            part.side = side;
+            part.mount = model::MountType::Surface;
+            part.package = package;
+            model::Pin pin;
+            pin.name = builder.string("1");
+            pin.net = gnd;
+            pin.packagePin = 0;
+            builder.addComponent(part, std::span(&pin, 1));
+            model::Layer layer;
+            layer.side = side;
+            layer.type = model::LayerType::Signal;
+            builder.beginLayer(builder.addLayer(layer));
+            model::DocumentBuilder::Origin origin;
+            origin.net = gnd;
+            origin.flags = model::kPad;
+            builder.addCircle({{0, 0}, 1'000'000, 0}, origin);
+        }
+        const auto index = indexed(builder.finish());
+        for (const std::size_t row : {0, 1}) {
+            const BoardElement pad{0, ElementId{row}};
+            QVERIFY(summaryOf(*index, pad, LengthUnit::Millimetre).endsWith(row == 0 ? "GND · J3.1" : "GND · C1.1"));
+            const Facts facts = factsOf(*index, pad, LengthUnit::Millimetre);
+            QCOMPARE(std::ranges::count(facts, QString("Component"), &Facts::value_type::first), 1);
+        }
     }
 
     void heightsOfBodiesSayWhetherTheyAreAssumed() {
@@ -163,17 +206,17 @@ private slots:
             builder.addBody({builder.addArea({shape, {}}, {}), component, 1'200'000, source});
         }
         const auto document = builder.finish();
-        const model::StepTree tree = model::unfoldCopies(*document);
+        const auto index = indexed(document);
         const auto height = [&](std::size_t row) {
             QString text;
-            for (const auto& [key, value] : factsOf(tree, {0, ElementId{row}}, LengthUnit::Millimetre)) {
+            for (const auto& [key, value] : factsOf(*index, {0, ElementId{row}}, LengthUnit::Millimetre)) {
                 text = key == QLatin1String("Height") ? value : text;
             }
             return text;
         };
         QVERIFY(height(0).startsWith("1.2 mm") && !height(0).contains("assumed"));
         QVERIFY(height(1).startsWith("1.2 mm") && height(1).contains("assumed"));
-        QVERIFY(summaryOf(tree, {0, ElementId{std::size_t{0}}}, LengthUnit::Millimetre).startsWith("Body · "));
+        QVERIFY(summaryOf(*index, {0, ElementId{std::size_t{0}}}, LengthUnit::Millimetre).startsWith("Body · "));
     }
 };
 
