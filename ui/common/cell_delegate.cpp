@@ -9,6 +9,7 @@
 #include <QPointer>
 #include <QSpinBox>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/common/table_model.h"
 
@@ -31,14 +32,22 @@ QRect innerOf(const QRect& cell) {
     return cell.adjusted(4, 3, -4, -3);
 }
 
+bool isSelected(const QStyleOptionViewItem& option) {
+    return option.state.testFlag(QStyle::State_Selected);
+}
+
 QColor inkOf(const QStyleOptionViewItem& option) {
-    const bool isSelected = option.state.testFlag(QStyle::State_Selected);
-    return option.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
+    return option.palette.color(isSelected(option) ? QPalette::HighlightedText : QPalette::Text);
 }
 
 QColor faint(QColor colour, int alpha) {
     colour.setAlpha(alpha);
     return colour;
+}
+
+/// A frame that is faint on the ground of a table would be none on that of a selected row, which is of a strong colour.
+int frameAlpha(const QStyleOptionViewItem& option) {
+    return isSelected(option) ? 235 : 110;
 }
 
 /// An invalid colour is an empty field.
@@ -56,8 +65,10 @@ void paintCheck(QPainter& painter, const QStyleOptionViewItem& option, Qt::Check
     const double side = std::min(innerOf(option.rect).height(), innerOf(option.rect).width());
     QRectF box(0.0, 0.0, side, side);
     box.moveCenter(QRectF(option.rect).center());
+    // A line between two pixels is a faint one on both.
+    box.moveTopLeft({std::floor(box.left()) + 0.5, std::floor(box.top()) + 0.5});
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(faint(tone, 110), 1.0));
+    painter.setPen(QPen(faint(tone, frameAlpha(option)), 1.0));
     painter.drawRoundedRect(box, 2.0, 2.0);
     if (state == Qt::PartiallyChecked) {
         painter.fillRect(box.adjusted(side * 0.25, side * 0.4, -side * 0.25, -side * 0.4), tone);

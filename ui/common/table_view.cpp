@@ -58,6 +58,8 @@ SortedRows& TableView::makeSortable() {
     setModel(rows);
     horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
     setSortingEnabled(true);
+    // Who sorts wants the first rows, wherever the current one goes.
+    connect(horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &QTableView::scrollToTop);
     return *rows;
 }
 
@@ -265,12 +267,26 @@ bool TableView::event(QEvent* event) {
     return QTableView::event(event);
 }
 
+/// Qt leaves the current cell where it is if the delegate takes the press for itself.
+bool TableView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
+    const QPersistentModelIndex cell(index);
+    const bool isTaken = QTableView::edit(index, trigger, event);
+    const bool isPress = event != nullptr && event->type() == QEvent::MouseButtonPress;
+    if (isTaken && isPress && (cell.data(TableModel::kTraitsRole).toInt() & kPercent) != 0) {
+        const bool scrolls = hasAutoScroll();
+        setAutoScroll(false);  // it stays under the mouse
+        selectionModel()->setCurrentIndex(cell, QItemSelectionModel::NoUpdate);
+        setAutoScroll(scrolls);
+    }
+    return isTaken;
+}
+
 void TableView::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Copy)) {
         copySelection();
     } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-        const bool isOfEditor = state() == EditingState;  // which ends by it, and hands it on
-        QTableView::keyPressEvent(event);                 // an editable cell opens its editor
+        const bool isOfEditor = isEditing();  // which ends by it, and hands it on
+        QTableView::keyPressEvent(event);     // an editable cell opens its editor
         if (!isOfEditor) {
             emit enterPressed(currentIndex());
         }

@@ -37,6 +37,9 @@ public:
     /// Makes it the current one and scrolls to its row. Not sideways: what lies to the left stays in sight, as it does
     /// after clicks. A current row that is in sight stays so when the table becomes smaller.
     void goToRow(const QModelIndex& index);
+    /// The editor of a cell is open. Keys that it does not take come here: they are not meant for the current row.
+    [[nodiscard]] bool isEditing() const { return state() == EditingState; }
+    using QTableView::edit;
     /// What every menu of a row ends with.
     void addCopying(QMenu& menu);
     void copySelection() const;
@@ -52,6 +55,9 @@ signals:
 protected:
     /// What is typed into a cell whose editor any key opens is no command.
     bool event(QEvent* event) override;
+    /// A bar of percents that is pressed becomes the current cell, as any other does: Enter is about it. The selection
+    /// stays.
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
     /// Reading a cell takes little, measuring it much: of long tables those with the longest texts are measured, and
     /// some of the others. Numbers are as wide as they are long.
     [[nodiscard]] int sizeHintForColumn(int column) const override;

@@ -7,6 +7,7 @@
 #include "ui/layers/layer_sets.h"
 #include "ui/layers/layer_step.h"
 #include "ui/layers/layers_panel.h"
+#include "ui/workspace/hint.h"
 
 namespace ui {
 
@@ -44,6 +45,47 @@ void addComponentSwitch(FeatureContext& context) {
     QObject::connect(&layers, &LayerModel::stylesChanged, &action, follow);
 }
 
+/// "Only TOP is shown. H again shows all.", said after the command for as long as that is so: the current layer may be
+/// one that nobody chose, like the bodies of a component that was selected.
+class AloneHint : public Hint {
+public:
+    AloneHint(FeatureContext& context, QObject* parent)
+        : Hint(context.workspace, parent), m_layers(context.layers), m_actions(context.actions) {
+        connect(&m_layers, &LayerModel::stylesChanged, this, [this] {
+            if (m_layers.soloLayer() != m_said) {
+                end();
+            }
+        });
+    }
+
+    void say() {
+        m_said = m_layers.soloLayer();
+        if (m_said.isValid()) {
+            const QString name = QString::fromStdString(m_layers.document()->layer(m_said).name);
+            const QString key = m_actions[ActionId::SoloLayer].shortcut().toString(QKeySequence::NativeText);
+            show(LayersPanel::tr("Only %1 is shown. %2 again shows all.").arg(name, key));
+        }
+    }
+
+private:
+    LayerModel& m_layers;
+    const ActionSet& m_actions;
+    model::LayerId m_said;
+};
+
+void addSoloCommand(FeatureContext& context, QObject* parent) {
+    auto* hint = new AloneHint(context, parent);
+    context.on(ActionId::SoloLayer, [&layers = context.layers, &workspace = context.workspace, hint] {
+        const bool isSolo = layers.soloLayer().isValid();
+        const model::LayerId layer = isSolo ? workspace.currentLayer() : takeCurrentLayer(workspace);
+        if (!isSolo && !layer.isValid()) {
+            workspace.report(LayersPanel::tr("Choose in Layers which one to show alone"));
+        }
+        layers.toggleSolo(layer);
+        hint->say();
+    });
+}
+
 }  // namespace
 
 void addLayers(FeatureContext& context) {
@@ -58,14 +100,7 @@ void addLayers(FeatureContext& context) {
         context.on(id, panel, [panel] { panel->deselect(); });
     }
     context.on(ActionId::RestoreLayers, [&layers] { layers.restoreDefaults(); });
-    context.on(ActionId::SoloLayer, [&layers, &workspace] {
-        const bool isSolo = layers.soloLayer().isValid();
-        const model::LayerId layer = isSolo ? workspace.currentLayer() : takeCurrentLayer(workspace);
-        if (!isSolo && !layer.isValid()) {
-            workspace.report(LayersPanel::tr("Choose in Layers which one to show alone"));
-        }
-        layers.toggleSolo(layer);
-    });
+    addSoloCommand(context, panel);
     context.on(ActionId::NextLayer, panel, [panel] { panel->step(1); });
     context.on(ActionId::PreviousLayer, panel, [panel] { panel->step(-1); });
     context.on(ActionId::TopCopper, panel, [panel] { panel->goToOuterCopper(true); });

@@ -223,6 +223,9 @@ bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool LayersPanel::handleKey(int key) {
+    if (m_table->isEditing()) {
+        return false;  // the Enter that ends an editor arrives here too
+    }
     const QModelIndex current = m_table->currentIndex();
     if (key == Qt::Key_Space && current.column() != LayerModel::Solo) {
         toggleSelected();
@@ -235,8 +238,8 @@ bool LayersPanel::handleKey(int key) {
         toggleFold(current);
     } else if (current.column() == LayerModel::Colour) {
         chooseColour(current);
-    } else if (current.column() == LayerModel::Opacity && !m_table->isPersistentEditorOpen(current)) {
-        m_table->edit(current);  // the Enter that ends an editor arrives here too
+    } else if (current.column() == LayerModel::Opacity) {
+        m_table->edit(current);
     } else {
         return false;
     }

@@ -44,8 +44,8 @@ signals:
     void currentChanged();
 
 protected:
-    /// Space shows and hides the selected layers, Enter edits the colour or folds a group. The table's room decides
-    /// which columns there are.
+    /// Space shows and hides the selected layers, Enter edits the colour or folds a group; keys of an open editor are
+    /// its own. The table's room decides which columns there are.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

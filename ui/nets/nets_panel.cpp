@@ -106,6 +106,7 @@ void NetsPanel::setUpTable() {
     QHeaderView& header = *m_table->horizontalHeader();
     header.moveSection(header.visualIndex(NetModel::Length), header.visualIndex(NetModel::Name) + 1);
     header.setStretchLastSection(true);
+    connect(&header, &QHeaderView::sortIndicatorChanged, this, [this] { m_isToBegin = true; });
     connect(&header, &QHeaderView::sectionResized, this,
             [this](int column) { m_isNameSet = m_isNameSet || (column == NetModel::Name && !m_isFitting); });
     m_table->installEventFilter(this);

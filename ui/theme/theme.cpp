@@ -53,7 +53,8 @@ public:
                        const QWidget* widget) const override {
         QProxyStyle::drawPrimitive(element, option, painter, widget);
         if (element == PE_IndicatorCheckBox) {
-            frame(option->rect, *option, *painter);
+            frame(option->rect, *option, *painter,
+                  isInSelectedRow(*option) ? QPalette::HighlightedText : QPalette::Text);
         }
     }
 
@@ -82,16 +83,23 @@ public:
         QProxyStyle::drawComplexControl(control, &part, painter, widget);
         if (slider->subControls.testFlag(SC_SliderGroove)) {
             // Fusion leaves a pixel around it.
-            frame(subControlRect(control, slider, SC_SliderGroove, widget).adjusted(1, 1, -1, -1), *option, *painter);
+            frame(subControlRect(control, slider, SC_SliderGroove, widget).adjusted(1, 1, -1, -1), *option, *painter,
+                  QPalette::Text);
         }
         part.subControls = slider->subControls & SC_SliderHandle;
         QProxyStyle::drawComplexControl(control, &part, painter, widget);
     }
 
 private:
-    static void frame(const QRect& rect, const QStyleOption& option, QPainter& painter) {
-        QColor tone = option.palette.color(QPalette::Text);
-        tone.setAlpha(110);
+    static bool isInSelectedRow(const QStyleOption& option) {
+        return qstyleoption_cast<const QStyleOptionViewItem*>(&option) != nullptr &&
+               option.state.testFlag(State_Selected);
+    }
+
+    /// On the strong colour of a selected row a faint one would not be seen.
+    static void frame(const QRect& rect, const QStyleOption& option, QPainter& painter, QPalette::ColorRole ink) {
+        QColor tone = option.palette.color(ink);
+        tone.setAlpha(ink == QPalette::HighlightedText ? 235 : 110);
         painter.save();
         painter.setPen(tone);
         painter.setBrush(Qt::NoBrush);

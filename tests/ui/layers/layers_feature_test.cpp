@@ -2,8 +2,10 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QColorDialog>
 #include <QInputDialog>
 #include <QMenu>
+#include <QSpinBox>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
@@ -12,6 +14,7 @@
 
 #include "tests/ui/window_fixture.h"
 #include "ui/layers/layer_sets.h"
+#include "ui/theme/theme.h"
 
 using ui::ActionId;
 
@@ -24,7 +27,10 @@ private slots:
         m_job = QString::fromStdString(m_fixture->copyOfJob("everything").string());
         QVERIFY(m_fixture->openAndWait(m_job));
     }
-    void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
+    void cleanup() {
+        ui::applyTheme(ui::Theme::System);
+        QCOMPARE(validationErrorsOnClosing(m_fixture), 0U);
+    }
 
     void hidingAndShowingIsUndone() {
         const std::vector<bool> before = window().layers().visibility();
@@ -199,6 +205,21 @@ private slots:
         QCOMPARE(window().layers().soloLayer(), bottom);
     }
 
+    void theCommandSaysWhichLayerIsShownAloneAsLongAsItIs() {
+        const auto said = [this] { return window().statusBar()->currentMessage(); };
+        window().selection().select({{0, elementOn(window().document()->findLayer("BOTTOM"))}});
+        trigger(ActionId::SoloLayer);
+        QCOMPARE(said(), QString("Only BOTTOM is shown. H again shows all."));
+        trigger(ActionId::SoloLayer);
+        QVERIFY2(!said().startsWith("Only"), qPrintable(said()));
+        trigger(ActionId::KeysKiCad);
+        trigger(ActionId::SoloLayer);
+        QCOMPARE(said(), QString("Only BOTTOM is shown. Shift+H again shows all."));
+        m_fixture->key(Qt::Key_Escape);
+        QVERIFY(!window().layers().soloLayer().isValid());
+        QVERIFY2(!said().startsWith("Only"), qPrintable(said()));
+    }
+
     void theLayerShownAloneIsTheCurrentOneAndStandsOut() {
         window().layersPanel().select(window().document()->findLayer("TOP"));
         trigger(ActionId::Contrast);
@@ -260,6 +281,56 @@ private slots:
         const QString copied = QGuiApplication::clipboard()->text();
         QVERIFY2(copied.contains("\tTOP\t"), qPrintable(copied));
         QCOMPARE(copied.count('\n'), window().layersPanel().rows().rowCount() + 1);
+    }
+
+    void enterInAnEditorIsAboutItsCellAlone() {
+        ui::TableView& table = window().layersPanel().table();
+        clickOn("TOP", ui::LayerModel::Colour);
+        QPointer<QColorDialog> dialog = window().findChild<QColorDialog*>();
+        QVERIFY(dialog != nullptr);
+        dialog->reject();
+        QTRY_VERIFY(dialog.isNull());
+        const QModelIndex bar = cellOf("BOTTOM", ui::LayerModel::Opacity);
+        table.scrollTo(bar);
+        const QPoint at = table.visualRect(bar).center();
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, at);
+        QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, at);
+        auto* box = table.findChild<QSpinBox*>();
+        QVERIFY(box != nullptr);
+        box->selectAll();
+        QTest::keyClicks(box, "60");
+        QTest::keyClick(box, Qt::Key_Return);
+        QTRY_COMPARE(bar.data(Qt::EditRole).toInt(), 60);
+        QTRY_VERIFY(!table.isEditing());
+        QVERIFY(window().findChild<QColorDialog*>() == nullptr);
+        // The next Enter is about the cell that was edited, too.
+        QCOMPARE(table.currentIndex(), bar);
+        QTest::keyClick(&table, Qt::Key_Return);
+        QVERIFY(table.isEditing());
+        QVERIFY(window().findChild<QColorDialog*>() == nullptr);
+    }
+
+    void emptyBoxesAreSeenInSelectedRows_data() {
+        QTest::addColumn<ui::Theme>("theme");
+        QTest::newRow("dark") << ui::Theme::Dark;
+        QTest::newRow("light") << ui::Theme::Light;
+    }
+    void emptyBoxesAreSeenInSelectedRows() {
+        QFETCH(ui::Theme, theme);
+        ui::applyTheme(theme);
+        clickOn("BOTTOM", ui::LayerModel::Visible);
+        const QModelIndex cell = cellOf("BOTTOM", ui::LayerModel::Visible);
+        ui::TableView& table = window().layersPanel().table();
+        QVERIFY(table.selectionModel()->isRowSelected(cell.row()));
+        QCOMPARE(cell.data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));
+        const QImage drawn = table.viewport()->grab(table.visualRect(cell)).toImage();
+        const int y = drawn.height() / 2;
+        const int ground = qGray(drawn.pixel(drawn.width() / 2, y));  // within the box
+        int sides = 0;
+        for (int x = 0; x < drawn.width(); ++x) {
+            sides += std::abs(qGray(drawn.pixel(x, y)) - ground) > 100 ? 1 : 0;
+        }
+        QVERIFY2(sides >= 2, qPrintable(QString::number(sides)));
     }
 
     void layersThatDrawNothingAreGreyAndPassedOver() {
@@ -371,6 +442,10 @@ private:
         const QModelIndex cell = table.currentIndex().siblingAtColumn(column);
         QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(cell).center());
         return id;
+    }
+    QModelIndex cellOf(const char* layer, ui::LayerModel::Column column) {
+        const auto row = static_cast<int>(window().document()->findLayer(layer).row());
+        return window().layersPanel().rows().mapFromSource(window().layers().index(row, column));
     }
     void trigger(ActionId id) { window().actions()[id].trigger(); }
     model::ElementId elementOn(model::LayerId layer) {

@@ -1,6 +1,8 @@
-// Where the table of the Nets panel is scrolled to: what is found stays in sight, another board begins at its top.
+// Where the table of the Nets panel is scrolled to: what is found stays in sight, another board and another order begin
+// at the top.
 
 #include <QFile>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollBar>
@@ -39,6 +41,16 @@ private slots:
         QTRY_VERIFY(table().verticalScrollBar()->maximum() > 0);
         QCOMPARE(table().verticalScrollBar()->value(), 0);
         QVERIFY(isInSight("NET001"));
+    }
+
+    void aListThatIsSortedBeginsAtItsTop() {
+        find("NET150");
+        QTRY_VERIFY(details().isVisible() && table().verticalScrollBar()->value() > 0);
+        const QHeaderView& header = *table().horizontalHeader();
+        const QPoint heading(header.sectionViewportPosition(NetModel::Name) + 20, header.height() / 2);
+        QTest::mouseClick(header.viewport(), Qt::LeftButton, {}, heading);
+        QTRY_VERIFY(nets().isArranged() && isInSight("NET200"));
+        QCOMPARE(table().verticalScrollBar()->value(), 0);
     }
 
     void aBoardThatIsReadAnewShowsTheNetThatIsStillChosen() {
