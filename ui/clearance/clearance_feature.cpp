@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "model/base/ascii.h"
@@ -134,10 +135,17 @@ void ClearanceFeature::connectFiles(FeatureContext& context) {
 
 void ClearanceFeature::connectWaivers(FeatureContext& context) {
     connect(&m_waivers, &RuleWaivers::changed, this, &ClearanceFeature::checkAnew);
-    connect(m_panel, &ClearancePanel::waiverAsked, this,
-            [this, &window = context.window](int row) { m_waivers.request(m_locations.waiverFor(row), window); });
-    connect(m_panel, &ClearancePanel::withdrawalAsked, this,
-            [this](int row) { withdraw({*m_locations.location(row).waiver}); });
+    connect(m_panel, &ClearancePanel::waiverAsked, this, [this, &window = context.window](const auto& rows) {
+        RuleWaivers::List waivers;
+        std::ranges::transform(rows, std::back_inserter(waivers), [&](int row) { return m_locations.waiverFor(row); });
+        m_waivers.request(waivers, window);
+    });
+    connect(m_panel, &ClearancePanel::withdrawalAsked, this, [this](const auto& rows) {
+        std::vector<std::size_t> waivers;
+        std::ranges::transform(rows, std::back_inserter(waivers),
+                               [&](int row) { return *m_locations.location(row).waiver; });
+        withdraw(waivers);
+    });
     connect(m_panel, &ClearancePanel::goneWaiversAsked, this, [this] {
         if (const auto& checked = answerOf(ClearancePanel::What::Rules)) {
             withdraw(goneWaivers(checked->result));
@@ -398,7 +406,7 @@ void ClearanceFeature::step(int by) {
     }
     const int now = m_panel->table().currentIndex().row();  // -1: none
     const int next = now < 0 ? (by > 0 ? 0 : rows.rowCount() - 1) : now + by;
-    m_panel->table().setCurrentIndex(rows.index((next + rows.rowCount()) % rows.rowCount(), 0));
+    m_panel->table().setCurrentIndex(rows.index((next + rows.rowCount()) % rows.rowCount(), ClearanceModel::First));
 }
 
 void ClearanceFeature::show(const ClearanceModel::Location& location) {

@@ -15,18 +15,25 @@ std::string titleOf(const model::Rule& rule, const model::RuleFinding& found) {
     return model::titleOf(rule) + (reason.empty() ? "" : ": " + reason);
 }
 
+/// Its column may be too narrow for it.
+Cell longText(const std::string& utf8) {
+    const QString text = QString::fromStdString(utf8);
+    return {.text = text, .tip = text};
+}
+
 }  // namespace
 
 ClearanceModel::ClearanceModel(QObject* parent)
-    : TableModel({{tr("Spacing"), tr("How far apart; 0: they touch or overlap"), kNumber},
-                  {tr("Rule"), tr("The rule that is broken there")},
-                  {tr("Layer"), tr("Where it is")},
+    : TableModel({{tr("Rule"), tr("The rule that is broken there")},
+                  {tr("Waived"), tr("Why it is no failure, and who says so")},
                   {tr("First"), tr("The one side: net, pin, what it is, and the number of its element")},
                   {tr("Second"), tr("The other side: net, pin, what it is, and the number of its element")},
+                  {tr("Spacing"), tr("How far apart; 0: they touch or overlap"), kNumber},
+                  {tr("Required"), tr("The least value that passes"), kNumber},
+                  {tr("Layer"), tr("Where it is")},
                   {tr("X"), tr("Where it is, in the coordinates of the step"), kNumber},
                   {tr("Y"), tr("Where it is, in the coordinates of the step"), kNumber},
-                  {tr("Step"), tr("The step it is on; seen in all its copies")},
-                  {tr("Waived"), tr("Why it is no failure, and who says so")}},
+                  {tr("Step"), tr("The step it is on; seen in all its copies")}},
                  parent) {}
 
 void ClearanceModel::setSpacings(std::shared_ptr<const model::Document> board, std::vector<StepSpacings> spacings,
@@ -170,7 +177,7 @@ Cell ClearanceModel::stackupCell(const model::StackupClearance& found, int colum
     const std::string& second = m_board->layer(found.layerB).name;
     const auto sideOf = [&](const model::BoardElement& at) {
         const std::string copy = m_tree.copies.size() == 1 ? "" : "copy " + std::to_string(at.copy) + ": ";
-        return text(copy + model::textOf(m_names[stepOf(at)]->of(at.element)));
+        return longText(copy + model::textOf(m_names[stepOf(at)]->of(at.element)));
     };
     switch (column) {
         case Layer: return text(first == second ? first : first + ", " + second);
@@ -179,23 +186,30 @@ Cell ClearanceModel::stackupCell(const model::StackupClearance& found, int colum
     }
 }
 
+/// Some rules allow nothing at all, and have no least value.
+Cell ClearanceModel::requiredCell(const model::RuleFinding& found) const {
+    const bool hasLeast = !m_rules.rules.empty() && model::hasLeast(m_rules.rules[found.rule].kind);
+    return hasLeast ? length(static_cast<double>(m_rules.rules[found.rule].least)) : Cell{QString()};
+}
+
 Cell ClearanceModel::plainCell(int row, int column) const {
     const model::RuleFinding& found = location(row).found;
     const model::Document& step = *m_tree.steps[location(row).step];
     const auto& through = location(row).throughStackup;
-    if (through && column >= Layer && column <= Second) {
+    if (through && (column == First || column == Second || column == Layer)) {
         return stackupCell(*through, column);
     }
     switch (column) {
-        case Spacing: return lengthInBothSystems(found.spacing.distance);
-        case Rule: return m_rules.rules.empty() ? Cell{QString()} : text(titleOf(m_rules.rules[found.rule], found));
+        case Rule: return m_rules.rules.empty() ? Cell{QString()} : longText(titleOf(m_rules.rules[found.rule], found));
+        case Waived: return text(location(row).reason);
+        case First: return longText(model::textOf(m_names[location(row).step]->of(found).first));
+        case Second: return longText(model::textOf(m_names[location(row).step]->of(found).second));
+        case Spacing: return length(found.spacing.distance);
+        case Required: return requiredCell(found);
         case Layer: return text(step.layer(found.layer).name);
-        case First: return text(model::textOf(m_names[location(row).step]->of(found).first));
-        case Second: return text(model::textOf(m_names[location(row).step]->of(found).second));
         case X: return length(found.spacing.from.x);
         case Y: return length(found.spacing.from.y);
-        case Step: return text(step.job.step);
-        default: return text(location(row).reason);
+        default: return text(step.job.step);
     }
 }
 

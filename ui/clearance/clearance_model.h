@@ -24,12 +24,13 @@ struct StepSpacings {
 };
 
 /// Small clearances of a board as a table, the smallest first: what a search for clearances or a check of rules found.
-/// Behind them, grey and of a lower rank, those that are waived.
+/// Behind them, grey and of a lower rank, those that are waived. Columns come in the order one reads a finding: what is
+/// broken, between what, by how much, where. Views leave Rule, Waived and Required out where they say nothing.
 class ClearanceModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { Spacing, Rule, Layer, First, Second, X, Y, Step, Waived };
+    enum Column { Rule, Waived, First, Second, Spacing, Required, Layer, X, Y, Step };
 
     explicit ClearanceModel(QObject* parent = nullptr);
 
@@ -81,6 +82,7 @@ private:
         return QString::fromStdString(location(row).reason);
     }
     [[nodiscard]] Cell plainCell(int row, int column) const;
+    [[nodiscard]] Cell requiredCell(const model::RuleFinding& found) const;
     [[nodiscard]] Cell stackupCell(const model::StackupClearance& found, int column) const;
     [[nodiscard]] std::uint32_t stepOf(const model::BoardElement& at) const { return m_tree.copies[at.copy].step; }
     void setBoard(std::shared_ptr<const model::Document> board);

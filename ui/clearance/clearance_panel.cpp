@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QHeaderView>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QMouseEvent>
@@ -10,10 +11,12 @@
 #include <QSlider>
 #include <QSplitter>
 #include <QToolButton>
+#include <QToolTip>
 #include <algorithm>
 #include <iterator>
 
 #include "ui/clearance/notes_area.h"
+#include "ui/common/cell_delegate.h"
 #include "ui/common/elided_label.h"
 #include "ui/common/panel_parts.h"
 #include "ui/common/sorted_rows.h"
@@ -31,8 +34,12 @@ constexpr double kMapReachesUm[] = {20,  25,  30,  40,   50,   60,   80,   100, 
                                     500, 600, 800, 1000, 1250, 1500, 2000, 2500, 3000, 4000, 5000, 6000, 8000, 10'000};
 constexpr double kFirstMapReachUm = 500;
 constexpr int kWhereLetters = 12;  ///< a choice has room for at least so many
-constexpr int kNarrowLines = 35;   ///< in heights of a line: a panel that is narrower is a column
+constexpr int kNarrowLines = 35;   ///< in heights of a line: what is narrower has its controls in a column
+constexpr int kTablesLines = 56;   ///< likewise: from here on both tables have room side by side
 constexpr int kSummaryLines = 2;   ///< so that the verdict is whole in a column
+constexpr int kLetters = 18;       ///< of a long text, before it is cut
+constexpr int kLettersInColumn = 11;
+constexpr int kTitleLetters = 36;  ///< of a rule, where the table of rules has room
 
 QSlider* sliderTo(int least, int most, const char* name, const QString& tip) {
     auto* slider = new QSlider(Qt::Horizontal);
@@ -43,11 +50,26 @@ QSlider* sliderTo(int least, int most, const char* name, const QString& tip) {
     return slider;
 }
 
-/// Names of rules and reasons may be sentences: the columns behind them would be out of sight.
-void fit(TableView& table, std::initializer_list<int> longColumns) {
-    constexpr int kLetters = 18;
+/// What is cut is whole in the tip of its cell, unless that has another one.
+class CutTextDelegate : public CellDelegate {
+public:
+    using CellDelegate::CellDelegate;
+
+    bool helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
+                   const QModelIndex& index) override {
+        const bool isCut = index.isValid() && sizeHint(option, index).width() > option.rect.width();
+        if (event->type() != QEvent::ToolTip || !isCut || !index.data(Qt::ToolTipRole).toString().isEmpty()) {
+            return CellDelegate::helpEvent(event, view, option, index);
+        }
+        QToolTip::showText(event->globalPos(), index.data().toString(), view, view->visualRect(index));
+        return true;
+    }
+};
+
+/// Names of rules and nets and reasons may be sentences: the columns behind them would be out of sight.
+void fit(TableView& table, int letters, std::initializer_list<int> longColumns) {
     table.resizeColumnsToContents();
-    const int most = kLetters * table.fontMetrics().averageCharWidth();
+    const int most = letters * table.fontMetrics().averageCharWidth();
     for (const int column : longColumns) {
         table.setColumnWidth(column, std::min(table.columnWidth(column), most));
     }
@@ -75,10 +97,12 @@ ClearancePanel::ClearancePanel(ClearanceModel& locations, RuleModel& rules, cons
       m_sliderRow(sliderRow(actions)),
       m_tables(new QSplitter) {
     m_rows = &m_table->makeSortable();
-    addWaiverCommands();
-    m_table->horizontalHeader()->moveSection(ClearanceModel::Waived, ClearanceModel::Layer);  // beside the rule
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    addRowCommands();
     m_ruleTable->horizontalHeader()->setStretchLastSection(true);
+    for (TableView* table : {m_table, m_ruleTable}) {
+        table->setItemDelegate(new CutTextDelegate(table));
+        table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
+    }
     for (int column = RuleModel::Kind; column <= RuleModel::Layer; ++column) {
         m_ruleTable->setColumnHidden(column, true);  // the title says them
     }
@@ -164,12 +188,14 @@ QMenu* ClearancePanel::waiverMenu() {
     return menu;
 }
 
-void ClearancePanel::addWaiverCommands() {
-    m_waive = m_table->addAction(tr("Waive…"), this, [this] { emit waiverAsked(currentRow()); });
+void ClearancePanel::addRowCommands() {
+    QAction* show = m_table->addAction(tr("Show"), m_table, [this] { m_table->choose(m_table->currentIndex()); });
+    show->setObjectName(QStringLiteral("show"));
+    m_waive = m_table->addAction(tr("Waive…"), this, [this] { emit waiverAsked(selectedOf(false)); });
     m_waive->setObjectName(QStringLiteral("waive"));
-    m_withdraw = m_table->addAction(tr("Withdraw waiver"), this, [this] { emit withdrawalAsked(currentRow()); });
+    m_withdraw = m_table->addAction(tr("Withdraw waiver"), this, [this] { emit withdrawalAsked(selectedOf(true)); });
     m_withdraw->setObjectName(QStringLiteral("withdraw"));
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &ClearancePanel::onCurrent);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &ClearancePanel::onSelection);
 }
 
 int ClearancePanel::currentRow() const {
@@ -177,7 +203,8 @@ int ClearancePanel::currentRow() const {
 }
 
 void ClearancePanel::setCurrentRow(int row) {
-    const QModelIndex at = m_rows->mapFromSource(m_locations.index(row, 0));
+    // Of a column that is never left out: Qt scrolls to no other.
+    const QModelIndex at = m_rows->mapFromSource(m_locations.index(row, ClearanceModel::First));
     if (at.isValid()) {
         m_table->setCurrentIndex(at);
         m_table->goToRow(at);  // is there already where Qt made it the current row, as those before it were left out
@@ -185,11 +212,14 @@ void ClearancePanel::setCurrentRow(int row) {
 }
 
 ClearancePanel::Place ClearancePanel::place() const {
-    return {m_table->currentIndex().row(), m_table->verticalScrollBar()->value()};
+    const int current = m_table->currentIndex().row();
+    const auto before = std::ranges::count_if(m_table->selectionModel()->selectedRows(),
+                                              [&](const QModelIndex& at) { return at.row() < current; });
+    return {current - static_cast<int>(before), m_table->verticalScrollBar()->value()};
 }
 
 void ClearancePanel::returnTo(const Place& place) {
-    const QModelIndex index = m_rows->index(std::min(place.row, m_rows->rowCount() - 1), 0);
+    const QModelIndex index = m_rows->index(std::min(place.row, m_rows->rowCount() - 1), ClearanceModel::First);
     if (index.isValid()) {
         m_table->setCurrentIndex(index);
         m_table->verticalScrollBar()->setValue(place.scrolled);
@@ -228,11 +258,20 @@ bool ClearancePanel::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-void ClearancePanel::onCurrent() {
-    const int row = currentRow();
-    const bool isOfRules = row >= 0 && m_locations.isOfRules();
-    m_waive->setEnabled(isOfRules && !m_locations.location(row).waiver);
-    m_withdraw->setEnabled(isOfRules && m_locations.location(row).waiver);
+std::vector<int> ClearancePanel::selectedOf(bool isWaived) const {
+    std::vector<int> rows = m_locations.isOfRules() ? m_table->selectedRows() : std::vector<int>();
+    std::erase_if(rows, [&](int row) { return m_locations.location(row).waiver.has_value() != isWaived; });
+    std::ranges::sort(rows);
+    return rows;
+}
+
+void ClearancePanel::onSelection() {
+    const std::size_t failing = selectedOf(false).size();
+    const std::size_t waived = selectedOf(true).size();
+    m_waive->setEnabled(failing > 0);
+    m_waive->setText(failing > 1 ? tr("Waive %L1 locations…").arg(failing) : tr("Waive…"));
+    m_withdraw->setEnabled(waived > 0);
+    m_withdraw->setText(waived > 1 ? tr("Withdraw %L1 waivers").arg(waived) : tr("Withdraw waiver"));
 }
 
 QBoxLayout* ClearancePanel::sliderRow(const ActionSet& actions) {
@@ -259,12 +298,29 @@ QBoxLayout* ClearancePanel::sliderRow(const ActionSet& actions) {
 }
 
 void ClearancePanel::resizeEvent(QResizeEvent* event) {
-    const bool isNarrow = width() < fontMetrics().height() * kNarrowLines;
-    for (QBoxLayout* row : {m_searchRow, m_sliderRow}) {
-        row->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-    }
-    m_tables->setOrientation(isNarrow ? Qt::Vertical : Qt::Horizontal);
+    arrange();
     QWidget::resizeEvent(event);
+}
+
+void ClearancePanel::arrange() {
+    for (QBoxLayout* row : {m_searchRow, m_sliderRow}) {
+        row->setDirection(isNarrow(width()) ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    }
+    const bool haveRoom = width() >= fontMetrics().height() * kTablesLines;
+    m_tables->setOrientation(haveRoom ? Qt::Horizontal : Qt::Vertical);
+    if (areTablesNarrow() != m_areFitNarrow) {
+        fitTables();
+    }
+}
+
+bool ClearancePanel::isNarrow(int width) const {
+    return width < fontMetrics().height() * kNarrowLines;
+}
+
+/// Beside the other table there is half of the room.
+bool ClearancePanel::areTablesNarrow() const {
+    const bool isHalf = what() == What::Rules && m_tables->orientation() == Qt::Horizontal;
+    return isNarrow(isHalf ? width() / 2 : width());
 }
 
 ClearancePanel::What ClearancePanel::what() const {
@@ -307,8 +363,10 @@ void ClearancePanel::setUnit(LengthUnit unit) {
 }
 
 void ClearancePanel::fitTables() {
-    fit(*m_table, {ClearanceModel::Rule, ClearanceModel::Waived});
-    fit(*m_ruleTable, {RuleModel::Title});
+    m_areFitNarrow = areTablesNarrow();
+    fit(*m_table, m_areFitNarrow ? kLettersInColumn : kLetters,
+        {ClearanceModel::Rule, ClearanceModel::Waived, ClearanceModel::First, ClearanceModel::Second});
+    fit(*m_ruleTable, m_areFitNarrow ? kLetters : kTitleLetters, {RuleModel::Title});
 }
 
 void ClearancePanel::onWhat() {
@@ -325,8 +383,9 @@ void ClearancePanel::onWhat() {
 void ClearancePanel::onReset() {
     listRule();
     m_table->setColumnHidden(ClearanceModel::Rule, !m_locations.isOfRules());
+    m_table->setColumnHidden(ClearanceModel::Required, !m_locations.isOfRules());
     m_table->setColumnHidden(ClearanceModel::Waived, !m_locations.hasWaived());
-    onCurrent();
+    onSelection();
     fitTables();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "ui/clearance/clearance_model.h"
 #include "ui/clearance/rule_model.h"
@@ -23,8 +24,9 @@ class TableView;
 
 /// The smallest clearances or broken rules, one row each, to step through; and the sliders of the lens and the
 /// clearance map. While a rule is selected only its locations are listed; a second click on it lists all again. A row
-/// that becomes the current one is shown, so the arrow keys walk through all locations. In a narrow column controls and
-/// tables lie below each other, else side by side.
+/// that becomes the current one is shown, so the arrow keys walk through all locations; of rules several may be
+/// selected, to be waived at once. In a narrow column controls lie below each other, else side by side; so do the
+/// tables where both have room, and long texts are cut so that the values behind them are in sight.
 class ClearancePanel : public QWidget {
     Q_OBJECT
 
@@ -52,7 +54,8 @@ public:
     [[nodiscard]] int currentRow() const;
     /// Shows that row of the model, if it is listed.
     void setCurrentRow(int row);
-    /// Where in the list the user is: a row as it is sorted, and how far down it is scrolled.
+    /// Where in the list the user is: a row as it is sorted, selected ones before it not counted, and how far down it
+    /// is scrolled.
     struct Place {
         int row = -1;
         int scrolled = 0;
@@ -69,8 +72,9 @@ signals:
     void mapReachChanged(double nm);
     void rulesAsked();
     void rulesSaved();
-    void waiverAsked(int row);
-    void withdrawalAsked(int row);
+    /// Of rows of the model, at least one.
+    void waiverAsked(const std::vector<int>& rows);
+    void withdrawalAsked(const std::vector<int>& rows);
     void waiversAsked();
     void waiversSaved();
     void goneWaiversAsked();
@@ -84,13 +88,18 @@ private:
     [[nodiscard]] QBoxLayout* searchRow(const ActionSet& actions);
     [[nodiscard]] QBoxLayout* sliderRow(const ActionSet& actions);
     [[nodiscard]] QMenu* waiverMenu();
-    void addWaiverCommands();
+    void addRowCommands();
     void onReset();
-    void onCurrent();
+    void onSelection();
+    /// Selected locations of rules that are waived, or not; rising.
+    [[nodiscard]] std::vector<int> selectedOf(bool isWaived) const;
     /// Lists the locations of the selected rule, all if there is none.
     void listRule();
     void showFirst();
     void fitTables();
+    [[nodiscard]] bool isNarrow(int width) const;
+    void arrange();
+    [[nodiscard]] bool areTablesNarrow() const;
     void onWhat();
     void onMapReach();
 
@@ -106,7 +115,7 @@ private:
     QAction* m_saveRules;
     QAction* m_showWaived;
     QAction* m_waivers;  ///< the button with the menu
-    QAction* m_waive;    ///< of the current row
+    QAction* m_waive;    ///< of the selected rows
     QAction* m_withdraw;
     SortedRows* m_rows;
     QSlider* m_lens;
@@ -118,6 +127,7 @@ private:
     QBoxLayout* m_searchRow;
     QBoxLayout* m_sliderRow;
     QSplitter* m_tables;
+    bool m_areFitNarrow = false;  ///< the columns of the tables
 };
 
 }  // namespace ui

@@ -13,6 +13,7 @@
 #include <functional>
 #include <utility>
 
+#include "model/base/assert.h"
 #include "model/clearance/rule_file.h"
 #include "model/clearance/rule_presets.h"
 #include "ui/common/first_size.h"
@@ -60,7 +61,7 @@ RuleDialog::RuleDialog(const model::RuleTable& rules, std::vector<std::string> n
     m_hint->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     auto* all = new QVBoxLayout(this);
-    all->addWidget(presetRow());
+    all->addWidget(beginningRow(rules));
     all->addWidget(rulesBox(), 3);
     all->addWidget(toleranceRow());
     all->addWidget(classesBox(), 2);
@@ -75,28 +76,30 @@ RuleDialog::RuleDialog(const model::RuleTable& rules, std::vector<std::string> n
     m_ruleTable->setFocus();
 }
 
-/// Rules to begin with, in place of those in the table.
-QWidget* RuleDialog::presetRow() {
+/// What is chosen comes in place of the rules in the table. Rules that are those of a preset are shown under its name.
+QWidget* RuleDialog::beginningRow(const model::RuleTable& rules) {
     auto* presets = new QComboBox;
     presets->setObjectName(QStringLiteral("presets"));
-    presets->setPlaceholderText(tr("Rules as they are"));
-    presets->addItem(tr("Common boards"));
+    const auto add = [this, presets](const QString& name, model::RuleTable table) {
+        presets->addItem(name);
+        m_beginnings.push_back(std::move(table));
+    };
+    add(tr("Rules as they are"), rules);
+    add(tr("Common boards"), model::defaultRules());
     for (const model::RulePreset& preset : model::rulePresets()) {
-        presets->addItem(QString::fromStdString(model::titleOf(preset)));
+        base::Result<model::RuleTable> table = model::parseRules(preset.text);
+        ASSERT(table);  // it comes with the program
+        add(QString::fromStdString(model::titleOf(preset)), std::move(*table));
     }
-    presets->setCurrentIndex(-1);
+    const auto same = std::find(m_beginnings.begin() + 1, m_beginnings.end(), rules);
+    presets->setCurrentIndex(same == m_beginnings.end() ? 0 : static_cast<int>(same - m_beginnings.begin()));
     auto* row = new QWidget;
     auto* form = new QFormLayout(row);
     form->setContentsMargins({});
     form->addRow(tr("&Begin with"), presets);
-    connect(presets, &QComboBox::activated, this, &RuleDialog::setPreset);
+    connect(presets, &QComboBox::activated, this,
+            [this](int chosen) { m_rules.replaceRules(m_beginnings[static_cast<std::size_t>(chosen)]); });
     return row;
-}
-
-void RuleDialog::setPreset(int row) {
-    const auto rules = row == 0 ? base::Result<model::RuleTable>(model::defaultRules())
-                                : model::parseRules(model::rulePresets()[static_cast<std::size_t>(row - 1)].text);
-    rules ? m_rules.replaceRules(*rules) : m_hint->setText(QString::fromStdString(rules.error().text));
 }
 
 QWidget* RuleDialog::rulesBox() {
@@ -118,7 +121,11 @@ QWidget* RuleDialog::toleranceRow() {
     auto* row = new QWidget;
     auto* form = new QFormLayout(row);
     form->setContentsMargins({});
-    form->addRow(tr("&Tolerance of limits"), m_tolerance);
+    auto* label = new QLabel(tr("&Tolerance of limits"));
+    label->setBuddy(m_tolerance);
+    // The width that a label says it needs is rounded: its last letter would be cut by the field.
+    label->setContentsMargins(0, 0, fontMetrics().averageCharWidth(), 0);
+    form->addRow(label, m_tolerance);
     connect(m_tolerance, &QLineEdit::editingFinished, this, &RuleDialog::takeTolerance);
     connect(&m_rules, &RuleModel::edited, this, [this] {  // presets have one of their own
         if (!m_isToleranceRefused) {

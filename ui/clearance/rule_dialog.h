@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <vector>
 
 #include "ui/clearance/net_class_model.h"
 #include "ui/clearance/rule_model.h"
@@ -12,7 +13,8 @@ namespace ui {
 
 class TableView;
 
-/// Rules and net classes to edit; nothing counts before it is accepted.
+/// Rules and net classes to edit; nothing counts before it is accepted. A choice says which rules the table began with:
+/// those that the dialog was given, which can be taken back, or a preset.
 class RuleDialog : public QDialog {
     Q_OBJECT
 
@@ -26,8 +28,7 @@ public:
     void accept() override;
 
 private:
-    QWidget* presetRow();
-    void setPreset(int row);
+    QWidget* beginningRow(const model::RuleTable& rules);
     QWidget* rulesBox();
     QWidget* classesBox();
     QWidget* toleranceRow();
@@ -45,7 +46,8 @@ private:
     TableView* m_classTable;
     QLineEdit* m_tolerance;
     bool m_isToleranceRefused = false;
-    QLabel* m_hint;  ///< why the last edit was refused; empty if it was not
+    std::vector<model::RuleTable> m_beginnings;  ///< in the order of their choice
+    QLabel* m_hint;                              ///< why the last edit was refused; empty if it was not
 };
 
 }  // namespace ui

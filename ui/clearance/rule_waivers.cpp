@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/session/session.h"
+#include "ui/clearance/system_user.h"
 #include "ui/clearance/waive_dialog.h"
 #include "ui/common/display_units.h"
 #include "ui/common/paths.h"
@@ -33,6 +34,17 @@ QString locationText(const model::Waiver& waiver, LengthUnit unit) {
              sideText(waiver.sides[1]));
 }
 
+QString locationsText(const RuleWaivers::List& waivers, LengthUnit unit) {
+    const QString first = locationText(waivers.front(), unit);
+    return waivers.size() == 1 ? first : RuleWaivers::tr("%L1 locations, the first: %2").arg(waivers.size()).arg(first);
+}
+
+/// The author of the last waiver; before the first one whoever works here.
+QString authorFor(const Settings& settings) {
+    const QString last = settings.author();
+    return last.isEmpty() ? systemUserName() : last;
+}
+
 }  // namespace
 
 RuleWaivers::RuleWaivers(Workspace& workspace, Settings& settings, QObject* parent)
@@ -54,32 +66,48 @@ void RuleWaivers::open(const LoadedBoard& board) {
     }
 }
 
-void RuleWaivers::request(const model::Waiver& waiver, QWidget& parent) {
-    auto* dialog = new WaiveDialog(locationText(waiver, m_workspace.unit()), m_settings.author(), &parent);
+void RuleWaivers::request(const List& waivers, QWidget& parent) {
+    auto* dialog = new WaiveDialog(locationsText(waivers, m_workspace.unit()), authorFor(m_settings), &parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, waiver] {
-        model::Waiver said = waiver;
-        said.reason = dialog->reason().toStdString();
-        said.author = dialog->author().toStdString();
-        said.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
+    connect(dialog, &QDialog::accepted, this, [this, dialog, waivers] {
+        List said = waivers;
+        for (model::Waiver& waiver : said) {
+            waiver.reason = dialog->reason().toStdString();
+            waiver.author = dialog->author().toStdString();
+            waiver.date = QDate::currentDate().toString(Qt::ISODate).toStdString();
+        }
         m_settings.setAuthor(dialog->author());
         add(said);
     });
     dialog->open();
 }
 
-void RuleWaivers::add(const model::Waiver& waiver) {
+void RuleWaivers::add(const List& waivers) {
+    const auto sameIn = [](List& list, const model::Waiver& one) {
+        return std::ranges::find_if(list, [&](const model::Waiver& other) { return model::areOfOnePlace(other, one); });
+    };
+    List added;
+    for (const model::Waiver& one : waivers) {
+        if (const auto same = sameIn(added, one); same == added.end()) {
+            added.push_back(one);
+        } else if (one.distance < same->distance) {
+            *same = one;
+        }
+    }
     List after = m_list;
-    std::erase_if(after, [&](const model::Waiver& old) { return model::areOfOnePlace(old, waiver); });  // it is worse
-    after.push_back(waiver);
-    m_part.edit(tr("waiving a location"), m_list, std::move(after));
+    std::erase_if(after, [&](const model::Waiver& old) { return sameIn(added, old) != added.end(); });  // it is better
+    after.insert(after.end(), added.begin(), added.end());
+    m_part.edit(waivers.size() == 1 ? tr("waiving a location") : tr("waiving %L1 locations").arg(waivers.size()),
+                m_list, std::move(after));
 }
 
 void RuleWaivers::withdraw(const List& waivers) {
     List after = m_list;
     std::erase_if(after, [&](const model::Waiver& one) { return std::ranges::find(waivers, one) != waivers.end(); });
     if (after != m_list) {
-        m_part.edit(tr("withdrawing a waiver"), m_list, std::move(after));
+        const std::size_t count = m_list.size() - after.size();
+        m_part.edit(count == 1 ? tr("withdrawing a waiver") : tr("withdrawing %L1 waivers").arg(count), m_list,
+                    std::move(after));
     }
 }
 

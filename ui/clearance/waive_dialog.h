@@ -6,7 +6,7 @@ class QLineEdit;
 
 namespace ui {
 
-/// Why a location is waived, and by whom: it cannot be accepted without both.
+/// Why a location is waived, or several, and by whom: it cannot be accepted without both.
 class WaiveDialog : public QDialog {
     Q_OBJECT
 

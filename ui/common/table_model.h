@@ -101,10 +101,6 @@ protected:
     [[nodiscard]] Cell length(double nm) const {
         return {.text = fixedLengthText(nm, m_unit), .value = nm / nmPer(m_unit), .length = nm};
     }
-    /// The length that a list is for, in both systems.
-    [[nodiscard]] Cell lengthInBothSystems(double nm) const {
-        return {.text = fixedLengthInBoth(nm, m_unit), .value = nm / nmPer(m_unit)};
-    }
     [[nodiscard]] Cell area(double nm2) const;  ///< its value is in mm²
     /// Grouped for reading.
     [[nodiscard]] static Cell count(qulonglong number);

@@ -10,11 +10,13 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QtTest>
+#include <algorithm>
 
 #include "tests/locations.h"
 #include "tests/patience.h"
 #include "tests/ui/clearance/clearance_fixture.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/clearance/system_user.h"
 #include "ui/clearance/waive_dialog.h"
 #include "ui/common/table_view.h"
 
@@ -49,7 +51,10 @@ private slots:
         const QString spacing = at(0, ClearanceModel::Spacing);
         QVERIFY2(dialog->findChild<QLabel*>("location")->text().contains(spacing), "it says what the list says");
         QTest::keyClicks(dialog->findChild<QLineEdit*>("reason"), "looked at");
-        QTest::keyClicks(dialog->findChild<QLineEdit*>("author"), "Me");
+        auto* author = dialog->findChild<QLineEdit*>("author");
+        QCOMPARE(author->text(), ui::systemUserName());  // before anyone has waived anything
+        author->selectAll();
+        QTest::keyClicks(author, "Me");
         QTest::mouseClick(ok, Qt::LeftButton);
         QTRY_VERIFY(!window().workspace().isWorking());
         QCOMPARE(waivedRows(), 1);
@@ -95,16 +100,16 @@ private slots:
         other.reason = "looked at as well";
         other.author = "Me";
         other.date = "2026-11-23";
-        waivers.add(other);
+        waivers.add({other});
         QTRY_VERIFY(!window().workspace().isWorking());
         QCOMPARE(waivers.list().size(), std::size_t{2});
         const int first = rowOfWaiver(0);
         const int second = rowOfWaiver(1);
         QVERIFY(first >= 0 && second >= 0);
-        emit panel().withdrawalAsked(first);
+        emit panel().withdrawalAsked({first});
         QCOMPARE(waivers.list(), std::vector{other});
-        emit panel().withdrawalAsked(first);  // again, which is no step of the history
-        emit panel().withdrawalAsked(second);
+        emit panel().withdrawalAsked({first});  // again, which is no step of the history
+        emit panel().withdrawalAsked({second});
         QVERIFY(waivers.list().empty());
         QTRY_VERIFY(!window().workspace().isWorking());
         QCOMPARE(waivedRows(), 0);
@@ -114,6 +119,59 @@ private slots:
         }
         QCOMPARE(waivers.list().size(), std::size_t{1});
         QCOMPARE(waivedRows(), 1);
+    }
+
+    void severalLocationsAreWaivedAtOnceAndTheNextOneIsCurrent() {
+        ui::RuleModel& rules = window().find<ui::RuleModel>();
+        QVERIFY(rules.setData(rules.index(0, ui::RuleModel::Least), "0.5 mm", Qt::EditRole));
+        check();
+        QVERIFY(failing() > 3);
+        const std::vector<ClearanceModel::Location> chosen{locations().location(0), locations().location(1),
+                                                           locations().location(2)};
+        selectFirst(3);
+        QCOMPARE(panel().currentRow(), 2);  // which the views show
+        QCOMPARE(command("waive").text(), QString::fromUtf8("Waive 3 locations…"));
+        QVERIFY(!command("withdraw").isEnabled());
+        command("waive").trigger();
+        auto* dialog = window().findChild<ui::WaiveDialog*>();
+        QVERIFY(dialog != nullptr && dialog->isVisible());
+        QVERIFY(dialog->findChild<QLabel*>("location")->text().startsWith("3 locations, the first: "));
+        QTest::keyClicks(dialog->findChild<QLineEdit*>("reason"), "looked at together");
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        QTRY_VERIFY(!window().workspace().isWorking());
+        for (const ClearanceModel::Location& each : chosen) {
+            const int row = locations().rowOf(each);
+            QVERIFY(locations().location(row).waiver);
+            QVERIFY(at(row, ClearanceModel::Waived).startsWith("looked at together (Me, 20"));
+        }
+        QCOMPARE(panel().currentRow(), 0);
+    }
+
+    /// Of those that are selected only waived ones can be withdrawn, and only others waived.
+    void allWaiversAreWithdrawnAtOnceAndEachStepIsUndone() {
+        const int waived = waivedRows();
+        panel().table().setFocus();
+        QTest::keyClick(&panel().table(), Qt::Key_A, Qt::ControlModifier);
+        QCOMPARE(command("withdraw").text(), QStringLiteral("Withdraw %L1 waivers").arg(waived));
+        QCOMPARE(command("waive").text(), QString::fromUtf8("Waive %L1 locations…").arg(failing()));
+        command("withdraw").trigger();
+        QTRY_VERIFY(!window().workspace().isWorking());
+        QCOMPARE(waivedRows(), 0);
+        undo();
+        QCOMPARE(waivedRows(), waived);
+        undo();
+        QCOMPARE(window().find<ui::RuleWaivers>().list().size(), std::size_t{1});
+        undo();  // the rule
+        check();
+        QCOMPARE(waivedRows(), 1);
+        panel().setCurrentRow(0);
+        QCOMPARE(command("waive").text(), QString::fromUtf8("Waive…"));
+    }
+
+    void theFirstAuthorIsTheUserOfTheSystem() {
+        QCOMPARE(ui::userNameOf("Jane Doe,Room 12,,", "jane"), "Jane Doe");
+        QCOMPARE(ui::userNameOf("& Doe", "jane"), "Jane Doe");
+        QCOMPARE(ui::userNameOf(",,,", "jane"), "jane");
     }
 
     void waiversAreFilesToo() {
@@ -202,6 +260,24 @@ private:
     void check() {
         window().actions()[ActionId::SearchClearances].trigger();
         QTRY_VERIFY(!window().workspace().isWorking());
+    }
+    void undo() {
+        window().actions()[ActionId::Undo].trigger();
+        QTRY_VERIFY(!window().workspace().isWorking());
+    }
+    /// With the keys.
+    void selectFirst(int count) {
+        window().showPanel("clearances");
+        panel().setCurrentRow(0);
+        panel().table().setFocus();
+        for (int row = 1; row < count; ++row) {
+            QTest::keyClick(&panel().table(), Qt::Key_Down, Qt::ShiftModifier);
+        }
+    }
+    /// An entry of the menu of rows.
+    [[nodiscard]] QAction& command(const QString& name) {
+        const QList<QAction*> actions = panel().table().actions();
+        return **std::ranges::find(actions, name, &QAction::objectName);
     }
     /// A right click on a row, and the entry of the menu.
     void chooseInMenu(int row, const char* name) {
