@@ -86,6 +86,7 @@ constexpr Option kOptions[] = {
 };
 
 enum Area { Board, Shown };
+constexpr int kAreaLetters = 16;  ///< its choice has room for at least so many
 
 QString text(std::string_view utf8) {
     return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
@@ -160,8 +161,9 @@ ExportDialog::ExportDialog(const ExportSource& source, Settings& settings, QWidg
     column->addWidget(answers());
     m_export->setDefault(true);  // once it is in the dialog, or Enter cancels
     m_format->setFocus();
-    resizeToScreen(*this, {760, 520});
+    resizeToScreen(*this, {920, 520});
     restore();
+    listChoices();
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::onFormat);
     connect(m_path, &ExportPath::formatTyped, this, [this](const ExportFormat& format) {
         m_format->setCurrentIndex(static_cast<int>(&format - model::exportFormats().data()));
@@ -183,8 +185,12 @@ ExportDialog::ExportDialog(const ExportSource& source, Settings& settings, QWidg
 
 QWidget* ExportDialog::target(const ExportSource& source) {
     m_area->setObjectName(QStringLiteral("exportArea"));
-    m_area->addItems({tr("Whole board"), tr("What the 2D view shows")});
-    m_area->setToolTip(tr("Elements that reach into the area are exported whole; the substrate stays whole too"));
+    m_area->addItems({tr("Whole board"), tr("What reaches into the 2D view, uncut")});
+    m_area->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // small screens cut it
+    m_area->setMinimumContentsLength(kAreaLetters);
+    m_area->setToolTip(tr(
+        "Elements that reach into what the 2D view shows are exported whole, and not cut at its edges; the substrate "
+        "stays whole too"));
     qobject_cast<QStandardItemModel*>(m_area->model())->item(Shown)->setEnabled(source.window.has_value());
     auto* box = new QWidget;
     auto* form = new QFormLayout(box);
@@ -251,13 +257,26 @@ void ExportDialog::setEstimate(const QString& text) {
     m_estimate->setText(text);
 }
 
+void ExportDialog::listChoices() {
+    m_choices.push_back({m_area, "currentIndex", int{Board}, &ExportFormat::isSolid});
+    m_choices.push_back({m_minHole, "value", 0.0, &ExportFormat::isSolid});
+    for (std::size_t row = 0; row < m_options.size(); ++row) {
+        m_choices.push_back({m_options[row], "checked", false, kOptions[row].isKnown});
+    }
+}
+
+QVariant ExportDialog::chosen(const QWidget* widget) const {
+    const auto choice = std::ranges::find_if(m_choices, [&](const Choice& each) { return each.widget == widget; });
+    return widget->isEnabled() ? widget->property(choice->property) : choice->chosen;
+}
+
 void ExportDialog::onFormat() {
     m_path->setFormat(format());
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_nets, m_area, m_minHole}) {
-        widget->setEnabled(format().isSolid);
-    }
-    for (std::size_t row = 0; row < m_options.size(); ++row) {
-        m_options[row]->setEnabled(format().*kOptions[row].isKnown);
+    m_nets->setApplied(format().isSolid);
+    for (Choice& choice : m_choices) {
+        choice.chosen = chosen(choice.widget);
+        choice.widget->setEnabled(format().*choice.isKnown);
+        choice.widget->setProperty(choice.property, choice.widget->isEnabled() ? choice.chosen : choice.none);
     }
     showProblem();
     emit changed();
@@ -297,10 +316,10 @@ void ExportDialog::remember() {
     m_settings.setExportChoice(QStringLiteral("format"), text(format().name));
     m_layers->remember(m_settings);
     m_nets->remember(m_settings);
-    m_settings.setExportChoice(QStringLiteral("area"), m_area->currentIndex());
-    m_settings.setExportChoice(QStringLiteral("minHole"), m_minHole->value() * m_nmPerUnit);
+    m_settings.setExportChoice(QStringLiteral("area"), chosen(m_area));
+    m_settings.setExportChoice(QStringLiteral("minHole"), chosen(m_minHole).toDouble() * m_nmPerUnit);
     for (const QCheckBox* option : m_options) {
-        m_settings.setExportChoice(option->objectName(), option->isChecked());
+        m_settings.setExportChoice(option->objectName(), chosen(option));
     }
     m_settings.setLastFolder(QFileInfo(path()).path());
 }

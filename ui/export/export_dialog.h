@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QVariant>
 #include <optional>
 #include <vector>
 
@@ -32,8 +33,8 @@ struct ExportSource {
 };
 
 /// What of a board is exported, as what, and where to: the choices of `copperscope export`. Those that the format does
-/// not know are disabled and do not count. It begins with what was exported the last time, and asks before it replaces
-/// a file. `layers` must live longer.
+/// not know are disabled, do not count and show nothing that is not done; they come back with a format that knows them.
+/// It begins with what was exported the last time, and asks before it replaces a file. `layers` must live longer.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
@@ -57,12 +58,24 @@ signals:
     void pictureWanted();
 
 private:
+    /// What some formats know.
+    struct Choice {
+        QWidget* widget;
+        const char* property;  ///< of the widget: what is chosen
+        QVariant none;         ///< what the widget shows while it does not apply
+        bool model::ExportFormat::*isKnown;
+        QVariant chosen{};  ///< meanwhile
+    };
+
     QWidget* target(const ExportSource& source);
     QWidget* contents();
     QWidget* answers();
     void restore();
     void remember();
     void onFormat();
+    void listChoices();
+    /// Of a widget of a choice, also while that does not apply.
+    [[nodiscard]] QVariant chosen(const QWidget* widget) const;
     void showProblem();
     [[nodiscard]] QString problem() const;
 
@@ -76,6 +89,7 @@ private:
     QComboBox* m_area;
     QDoubleSpinBox* m_minHole;
     std::vector<QCheckBox*> m_options;  ///< rows of the table of options
+    std::vector<Choice> m_choices;      ///< these options among them
     QLabel* m_estimate;
     QLabel* m_problem;
     QPushButton* m_export = nullptr;

@@ -120,9 +120,15 @@ void ExportNets::restore(const Settings& settings) {
     }
 }
 
+void ExportNets::setApplied(bool isApplied) {
+    m_chosen = chosen();
+    setEnabled(isApplied);
+    m_which->setCurrentIndex(isApplied ? m_chosen : All);
+}
+
 void ExportNets::remember(Settings& settings) const {
     settings.setExportChoice(QStringLiteral("netNames"), m_names->text());
-    settings.setExportChoice(QStringLiteral("nets"), which());
+    settings.setExportChoice(QStringLiteral("nets"), chosen());
 }
 
 }  // namespace ui

@@ -28,6 +28,8 @@ public:
     [[nodiscard]] QString problem() const;
     /// As the last time, where this board has such nets.
     void restore(const Settings& settings);
+    /// What does not apply is disabled and exports all nets, as it then says; what was chosen comes back.
+    void setApplied(bool isApplied);
     void remember(Settings& settings) const;
 
 signals:
@@ -35,6 +37,8 @@ signals:
 
 private:
     [[nodiscard]] int which() const;
+    /// Also while that does not apply.
+    [[nodiscard]] int chosen() const { return isEnabled() ? which() : m_chosen; }
     /// Between commas, without what is no net of the board, which `problem` names.
     [[nodiscard]] std::vector<std::string> typed(QString* problem = nullptr) const;
     void completeNames();
@@ -42,6 +46,7 @@ private:
     std::vector<std::string> m_selected;
     std::map<QString, std::string> m_nets;  ///< by name in the job, and by what people type
     QComboBox* m_which;
+    int m_chosen = All;  ///< while it does not apply
     QLineEdit* m_names;
 };
 

@@ -66,6 +66,44 @@ private slots:
         QCOMPARE(dialog().request().choice.minHole, 0);
     }
 
+    void whatIsDisabledShowsNothingThatIsNotDoneAndComesBack() {
+        open();
+        chooseFormat(rowOf("STEP"));
+        auto& area = part<QComboBox>("exportArea");
+        area.setCurrentIndex(1);
+        QVERIFY2(area.currentText().endsWith(", uncut"), qPrintable(area.currentText()));
+        part<QDoubleSpinBox>("exportMinHole").setValue(0.4);
+        part<QComboBox>("exportNets").setCurrentIndex(2);
+        click(box("merge"));
+        chooseFormat(rowOf("PDF"));
+        QCOMPARE(area.currentText(), "Whole board");
+        QCOMPARE(part<QDoubleSpinBox>("exportMinHole").text(), "None");
+        QCOMPARE(part<QComboBox>("exportNets").currentText(), "All nets");
+        QVERIFY(!box("merge").isChecked());
+        click(box("onePage"));
+        chooseFormat(rowOf("STEP"));
+        QCOMPARE(area.currentIndex(), 1);
+        QCOMPARE(part<QDoubleSpinBox>("exportMinHole").value(), 0.4);
+        QCOMPARE(part<QComboBox>("exportNets").currentIndex(), 2);
+        QVERIFY(box("merge").isChecked() && !box("onePage").isChecked());
+    }
+
+    void whatDoesNotApplyIsRememberedToo() {
+        open();
+        chooseFormat(rowOf("STEP"));
+        click(box("merge"));
+        part<QDoubleSpinBox>("exportMinHole").setValue(0.4);
+        click(button("&Copper"));
+        chooseFormat(rowOf("DXF"));
+        click(exportButton());
+        QVERIFY(waitUntilWritten());
+        open();
+        QVERIFY(!box("merge").isChecked());
+        chooseFormat(rowOf("STEP"));
+        QVERIFY(box("merge").isChecked());
+        QCOMPARE(part<QDoubleSpinBox>("exportMinHole").value(), 0.4);
+    }
+
     void theFileIsProposedBesideTheLastFolderAndItsEndingChoosesTheFormat() {
         open();
         chooseFormat(rowOf("DXF"));
