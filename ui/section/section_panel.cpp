@@ -39,6 +39,8 @@ SectionPanel::SectionPanel(SelectionModel& selection, SectionListModel& saved, c
                            &actions[ActionId::OpenAlongSection], &actions[ActionId::SaveSection],
                            &actions[ActionId::ExportSection], clear});
     row->addWidget(m_heights);
+    m_view->addActions({&actions[ActionId::OpenAlongSection], &actions[ActionId::SaveSection],
+                        &actions[ActionId::ExportSection], clear});
     auto* all = columnIn(*this, 4);
     all->addLayout(row);
     const auto showList = [this, &saved] { m_list->setVisible(saved.rowCount() > 0); };

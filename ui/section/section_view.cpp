@@ -1,7 +1,9 @@
 #include "ui/section/section_view.h"
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
@@ -11,6 +13,7 @@
 
 #include "model/board/board_heights.h"
 #include "model/export/section_export.h"
+#include "model/index/pin_names.h"
 #include "ui/canvas/camera_controller.h"
 #include "ui/common/thickness_text.h"
 
@@ -239,6 +242,9 @@ QString SectionView::tipAt(QPointF at) const {
     const model::StackupRow* row = model::stackupRowOf(board(), *piece);
     QString tip = QString::fromStdString(row != nullptr ? row->name : board().layer(piece->layer).name);
     tip += isBore ? tr(", drilled out") : QStringLiteral(" · ") + model::toString(piece->material);
+    if (const QString component = componentOf(*piece); !component.isEmpty()) {
+        tip += QStringLiteral(" · ") + component;
+    }
     if (const std::string net = model::netOf(*m_board, *piece); !net.empty()) {
         tip += QStringLiteral(" · ") + QString::fromStdString(net);
     }
@@ -250,6 +256,19 @@ QString SectionView::tipAt(QPointF at) const {
            tr("%1 high, from %2 to %3 above the bottom")
                .arg(text(piece->top - piece->bottom), text(piece->bottom), text(piece->top)) +
            (row != nullptr ? '\n' + dielectricText(*piece, *row) : QString());
+}
+
+QString SectionView::componentOf(const SectionPiece& piece) const {
+    if (!piece.at.element.isValid()) {
+        return {};
+    }
+    const model::Document& step = m_board->stepOf(piece.at.copy);
+    const model::PinFinder& finder = m_board->pinsOf(piece.at.copy);
+    if (const std::vector<model::PinId> pins = finder.pinsOf(piece.at.element); pins.size() == 1) {
+        return QString::fromStdString(model::fullPinName(step, pins.front()));
+    }
+    const model::ComponentId component = finder.componentOf(piece.at.element);
+    return component.isValid() ? QString::fromStdString(step.components[component.row()].refdes) : QString();
 }
 
 /// What the stackup says of a dielectric, which is less than its height where it fills the space beside copper too.
@@ -311,19 +330,53 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SectionView::mouseReleaseEvent(QMouseEvent* event) {
-    if (std::exchange(m_endsDoubleClick, false) || m_isDragged || event->button() != Qt::LeftButton) {
+    if (std::exchange(m_endsDoubleClick, false) || m_isDragged) {
+        return;
+    }
+    if (event->button() == Qt::RightButton) {
+        openMenu(event->position());
+    }
+    if (event->button() != Qt::LeftButton) {
         return;
     }
     if (m_isMeasuring || event->modifiers().testFlag(Qt::ShiftModifier)) {
         measureAt(event->position());
         return;
     }
+    selectAt(event->position());
+}
+
+void SectionView::selectAt(QPointF at) {
     if (!m_section) {
         return;
     }
-    const SectionPiece* piece = pieceAt(event->position());
+    const SectionPiece* piece = pieceAt(at);
     const bool isElement = piece != nullptr && piece->at.element.isValid();
     m_selection.select(isElement ? std::vector{piece->at} : std::vector<model::BoardElement>{});
+}
+
+/// Of the mouse it opens once the right button is released where it was pressed: a drag pans.
+void SectionView::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() == QContextMenuEvent::Keyboard) {
+        openMenu(event->pos());
+    }
+    event->accept();
+}
+
+void SectionView::openMenu(QPointF at) {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const SectionPiece* piece = pieceAt(at);
+    const QString component = piece != nullptr ? componentOf(*piece).replace('&', QStringLiteral("&&")) : QString();
+    QAction* select =
+        menu->addAction(component.isEmpty() ? tr("Select element") : tr("Select element of %1").arg(component), this,
+                        [this, at] { selectAt(at); });
+    select->setObjectName(QStringLiteral("select"));
+    select->setEnabled(piece != nullptr && piece->at.element.isValid());
+    menu->addAction(tr("Show whole section"), this, &SectionView::fit)->setEnabled(m_section.has_value());
+    menu->addSeparator();
+    menu->addActions(actions());
+    menu->popup(mapToGlobal(at.toPoint()));
 }
 
 void SectionView::measureAt(QPointF at) {

@@ -21,7 +21,8 @@ namespace ui {
 /// distance, and Del takes the last one back; what the next click is for, and why one has measured nothing, is
 /// signalled for whoever can say it. The wheel zooms, a drag pans, a double click shows all again, a click
 /// selects the element, whose pieces are highlighted as are those of highlighted nets. A tool tip describes what is
-/// under the pointer, but not while a distance is being measured.
+/// under the pointer, but not while a distance is being measured. A right click opens a menu of what clicks do, and of
+/// the actions that were added to the view.
 class SectionView : public QWidget {
     Q_OBJECT
 
@@ -103,6 +104,7 @@ protected:
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
@@ -116,6 +118,11 @@ private:
     [[nodiscard]] bool isHighlighted(const model::SectionPiece& piece) const;
     [[nodiscard]] bool isEdge(const model::SectionPosition& position) const;
     void measureAt(QPointF at);
+    /// The element that is drawn there, or nothing.
+    void selectAt(QPointF at);
+    void openMenu(QPointF at);
+    /// "R20.1", or "R20" of bodies and of pads of several pins; empty: it is of no component.
+    [[nodiscard]] QString componentOf(const model::SectionPiece& piece) const;
     /// Repaints, and signals the prompt if it is another.
     void updateMeasuring();
     [[nodiscard]] std::pair<double, double> fittedHeights() const;

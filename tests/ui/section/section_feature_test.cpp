@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
+#include <QMenu>
 #include <QRegularExpression>
 #include <QStatusBar>
 #include <QWheelEvent>
@@ -71,6 +72,25 @@ private slots:
         QVERIFY(differingPixels(before, view().grab().toImage()) > 5);
         QVERIFY(view().pieceAt({2, 2}) == nullptr);
         QVERIFY(view().tipAt({2, 2}).isEmpty());
+    }
+
+    void aBodyIsNamedByItsComponentAndSelectedByTheMenu() {
+        const auto [piece, name] = aBodyInSight();
+        QVERIFY2(!name.isEmpty(), "no body is met");
+        const QPointF at = lowIn(piece);
+        QVERIFY2(view().tipAt(at).section('\n', 0, 0).endsWith(" · " + name), qPrintable(view().tipAt(at)));
+        QTest::mouseClick(&view(), Qt::RightButton, {}, at.toPoint());
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        QVERIFY(menu != nullptr);
+        QVERIFY(menu->actions().contains(&window().actions()[ActionId::SaveSection]));
+        QVERIFY(menu->actions().contains(&window().actions()[ActionId::ExportSection]));
+        auto* select = menu->findChild<QAction*>("select");
+        QVERIFY2(select != nullptr && select->text().endsWith(' ' + name), "it says what it selects");
+        select->trigger();
+        QCOMPARE(window().selection().selected(), std::vector{piece.at});
+        menu->close();
+        window().activateWindow();  // the offscreen platform does not give it back
+        (void)QTest::qWaitForWindowActive(&window());
     }
 
     void theWheelZoomsToTheCursorADragPansAndADoubleClickShowsAll() {
@@ -526,6 +546,27 @@ private:
         QMouseEvent event(type, at, solid.mapToGlobal(at), isMove ? Qt::NoButton : Qt::LeftButton,
                           type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(&solid.canvas(), &event);
+    }
+    /// Near the board, which is in sight where the part is not whole.
+    [[nodiscard]] QPointF lowIn(const SectionPiece& piece) {
+        constexpr double kAbove = 50'000.0;
+        return view().positionOf((piece.from + piece.to) / 2, piece.bottom + kAbove);
+    }
+    /// Cuts through it; with the name of its component, empty for no such body.
+    [[nodiscard]] std::pair<SectionPiece, QString> aBodyInSight() {
+        for (const model::Body& body : m_index->board->bodies) {
+            const model::Box box = m_index->board->boxOf(body.element);
+            const double y = static_cast<double>(box.middle().y);
+            sections().cutAlong({{box.min.x - 1e6, y}, {box.max.x + 1e6, y}});
+            for (const SectionPiece& piece : view().section()->pieces) {
+                const SectionPiece* seen = piece.at.element == body.element ? view().pieceAt(lowIn(piece)) : nullptr;
+                if (seen != nullptr && seen->at == piece.at) {
+                    const auto& components = m_index->board->components;
+                    return {piece, QString::fromStdString(components[body.component.row()].refdes)};
+                }
+            }
+        }
+        return {};
     }
     [[nodiscard]] SectionPiece aCopperPiece() {
         const SectionPiece* widest = nullptr;
