@@ -93,9 +93,7 @@ void SavedViewsFeature::addPanel(FeatureContext& context) {
     table->horizontalHeader()->setStretchLastSection(true);
     // A double click is a click that was meant well: it goes there, and the next key does not overwrite the name.
     table->setEditTriggers(QAbstractItemView::EditKeyPressed);
-    const QAction* rename = table->addAction(tr("Rename\tF2"));
-    connect(rename, &QAction::triggered, table,
-            [table] { table->edit(table->currentIndex().siblingAtColumn(ViewListModel::Name)); });
+    addRowCommands(*table);
     QAction& remove = table->addDelete(tr("Delete the selected view or selection (Del)"));
     connect(table, &TableView::deleteRequested, this,
             [this](const auto& rows) { m_saved.remove(tr("deleting a view"), rows); });
@@ -104,6 +102,21 @@ void SavedViewsFeature::addPanel(FeatureContext& context) {
     context.addPanel(
         {ActionId::ShowSavedViewsDock, "views", tr("Saved views"), Qt::LeftDockWidgetArea},
         *panelOf(buttonRow({&actions[ActionId::SaveView], &actions[ActionId::SaveSelection], &remove}), table));
+}
+
+void SavedViewsFeature::addRowCommands(TableView& table) {
+    const auto add = [&table](const char* name, const QString& text, auto run) {
+        QAction* action = table.addAction(text, &table, [&table, run] {
+            if (table.currentIndex().isValid()) {
+                run(table.currentIndex());
+            }
+        });
+        action->setObjectName(QLatin1String(name));
+    };
+    add("show", tr("Show"), [&table](const QModelIndex& at) { table.choose(at); });
+    add("update", tr("Update"), [this](const QModelIndex& at) { update(at.row()); });
+    add("rename", tr("Rename\tF2"),
+        [&table](const QModelIndex& at) { table.edit(at.siblingAtColumn(ViewListModel::Name)); });
 }
 
 void SavedViewsFeature::take(const std::vector<session::SavedView>& views) {
@@ -117,42 +130,71 @@ void SavedViewsFeature::take(const std::vector<session::SavedView>& views) {
     m_layers.offerSets(std::move(sets));
 }
 
-void SavedViewsFeature::saveView() {
+session::SavedView SavedViewsFeature::shownView() const {
     const SelectionModel& selection = m_workspace.selection();
-    m_saved.addAndReport(tr("saving a view"),
-                         {{},
-                          {},
-                          poseOf(m_views.flat().controller(), origin()),
-                          poseOf(m_views.solid().controller(), origin()),
-                          m_layers.visibleNames(),
-                          std::nullopt,
-                          session::saveSelection(selection.tree(), {}, selection.nets()).nets,
-                          nameOf(m_workspace.currentLayer())},
-                         "View ");
+    return {{},
+            {},
+            poseOf(m_views.flat().controller(), origin()),
+            poseOf(m_views.solid().controller(), origin()),
+            m_layers.visibleNames(),
+            std::nullopt,
+            session::saveSelection(selection.tree(), {}, selection.nets()).nets,
+            nameOf(m_workspace.currentLayer())};
 }
 
-void SavedViewsFeature::saveSelection() {
+void SavedViewsFeature::saveView() {
+    m_saved.addAndReport(tr("saving a view"), shownView(), "View ");
+}
+
+std::optional<session::SavedView> SavedViewsFeature::shownSelection() const {
     const SelectionModel& selection = m_workspace.selection();
     if (selection.selected().empty() && selection.nets().empty()) {
         m_workspace.report(tr("Select elements or highlight nets to save them"));
-        return;
+        return std::nullopt;
     }
     if (selection.selected().size() > session::kMostSavedElements) {
         m_workspace.report(tr("%L1 elements are too many to save, %L2 is the most; highlight nets instead")
                                .arg(selection.selected().size())
                                .arg(session::kMostSavedElements));
-        return;
+        return std::nullopt;
     }
     session::SavedView saved;
     saved.selection = session::saveSelection(selection.tree(), selection.selected(), selection.nets());
-    m_saved.add(tr("saving a selection"), std::move(saved), "Selection ");
+    return saved;
+}
+
+void SavedViewsFeature::saveSelection() {
+    if (std::optional<session::SavedView> saved = shownSelection()) {
+        m_saved.add(tr("saving a selection"), std::move(*saved), "Selection ");
+    }
+}
+
+void SavedViewsFeature::update(int row) {
+    const session::SavedView& before = m_saved.entries()[static_cast<std::size_t>(row)];
+    const QString name = QString::fromStdString(before.name);
+    if (!m_workspace.isOpen(before.step)) {
+        reportOtherStep(before);
+        return;
+    }
+    std::optional<session::SavedView> now = before.selection ? shownSelection() : std::optional(shownView());
+    if (now) {
+        now->name = before.name;
+        now->step = before.step;
+        m_saved.change(tr("updating a view"), row, [&now](session::SavedView& view) { view = *now; });
+        m_workspace.report(tr("%1 is updated").arg(name));
+    }
+}
+
+void SavedViewsFeature::reportOtherStep(const session::SavedView& view) const {
+    m_workspace.report(tr("%1 shows step %2, which is not open")
+                           .arg(QString::fromStdString(view.name), QString::fromStdString(view.step)));
 }
 
 void SavedViewsFeature::goTo(int row) {
     const session::SavedView& view = m_saved.entries()[static_cast<std::size_t>(row)];
     const QString name = QString::fromStdString(view.name);
     if (!m_workspace.isOpen(view.step)) {
-        m_workspace.report(tr("%1 shows step %2, which is not open").arg(name, QString::fromStdString(view.step)));
+        reportOtherStep(view);
         return;
     }
     if (view.selection) {

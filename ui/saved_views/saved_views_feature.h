@@ -6,9 +6,11 @@
 
 namespace ui {
 
+class TableView;
+
 /// Ways of looking at the board that the user saves by name: where both cameras are, which layers are visible and which
-/// nets are highlighted; and selections. They are saved in the session file beside the job; saving, renaming and
-/// deleting are undone like every other edit. What the window shows is saved there too, on request, and shown again
+/// nets are highlighted; and selections. They are saved in the session file beside the job; saving, renaming, updating
+/// and deleting are undone like every other edit. What the window shows is saved there too, on request, and shown again
 /// when the board is opened.
 class SavedViewsFeature : public QObject {
     Q_OBJECT
@@ -18,6 +20,9 @@ public:
 
     /// Saves what is seen now under a name of its own, "View 1" and so on.
     void saveView();
+    /// Saves what is seen now, or selected, in place of what is saved there, under the same name. One of another step
+    /// stays as it is, and so does a selection while nothing is selected; that is reported.
+    void update(int row);
     /// Saves what is selected and which nets are highlighted, as "Selection 1" and so on.
     void saveSelection();
     /// Looks at the board as saved. A view without nets leaves those highlighted that are. Of a view of another step
@@ -35,8 +40,14 @@ private:
         std::string currentLayer;  ///< its name; empty for none
     };
 
-    /// A click on a row, or Enter, restores it; F2 or its menu renames it, Del deletes it.
+    /// A click on a row, or Enter, restores it; F2 renames it, Del deletes it; its menu does all that and updates it.
     void addPanel(FeatureContext& context);
+    void addRowCommands(TableView& table);
+    /// Without a name and a step.
+    [[nodiscard]] model::session::SavedView shownView() const;
+    /// The same of what is selected; none if that cannot be saved, which is reported.
+    [[nodiscard]] std::optional<model::session::SavedView> shownSelection() const;
+    void reportOtherStep(const model::session::SavedView& view) const;
     /// Lists the views, and offers their layers to whoever shows layers.
     void take(const std::vector<model::session::SavedView>& views);
     /// Shows what was saved for this step of the board, or what was shown before the same board was read anew.

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QtTest>
+#include <algorithm>
 
 #include "model/session/session.h"
 #include "tests/locations.h"
@@ -126,6 +127,37 @@ private slots:
         QVERIFY(table().findChild<QLineEdit*>() == nullptr);
         rename(0, "By F2");
         QTRY_COMPARE(names(), QStringList{"By F2"});
+    }
+
+    void theMenuOfARowUpdatesAndShowsAView() {
+        window().layers().showOnly({"TOP"});
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        window().layers().showAll();
+        const std::vector<std::string> all = window().layers().visibleNames();
+        table().setCurrentIndex(table().model()->index(0, 0));
+        command("update").trigger();
+        QCOMPARE(names(), QStringList{"View 1"});
+        QCOMPARE(window().savedViews().views()[0].layers, all);
+        window().actions()[ui::ActionId::Undo].trigger();
+        QCOMPARE(window().savedViews().views()[0].layers, std::vector<std::string>{"TOP"});
+        command("show").trigger();
+        QCOMPARE(window().layers().visibleNames(), std::vector<std::string>{"TOP"});
+    }
+
+    void aSelectionIsUpdatedByWhatIsSelectedAndNotByNothing() {
+        window().selection().select({{0, model::ElementId{std::size_t{0}}}});
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+        const auto saved = [&] { return window().savedViews().views()[0].selection; };
+        const auto before = saved();
+        QVERIFY(before && before->elements.size() == 1);
+        window().selection().select({});
+        table().setCurrentIndex(table().model()->index(0, 0));
+        command("update").trigger();
+        QCOMPARE(saved(), before);
+        window().selection().select({{0, model::ElementId{std::size_t{1}}}});
+        command("update").trigger();
+        QVERIFY(saved() && saved() != before);
+        QCOMPARE(names(), QStringList{"Selection 1"});
     }
 
     void whereThe2DViewIsNarrowerThanThenAllThatWasSeenIsSeen() {
@@ -372,6 +404,11 @@ private:
     TestWindow& window() { return m_fixture->window(); }
     ui::CameraController& solid() { return window().views().solid().controller(); }
     ui::TableView& table() { return window().table("views"); }
+    /// An entry of the menu of rows.
+    QAction& command(const QString& name) {
+        const QList<QAction*> actions = table().actions();
+        return **std::ranges::find(actions, name, &QAction::objectName);
+    }
     static void rest() { QTest::qWait(ui::ViewHistory::kRestMs + 100); }
     static bool isNear(const render::CameraPose& a, const render::CameraPose& b) {
         return glm::length(a.target - b.target) < 1e-3F && std::abs(a.distance - b.distance) < 1e-3F &&
