@@ -30,6 +30,12 @@ void LinkedTable::giveRoom(const std::vector<int>& columns) {
             m_spread.clear();  // by hand
         }
     });
+    connect(model(), &QAbstractItemModel::headerDataChanged, this, [this](Qt::Orientation, int first, int last) {
+        for (int column = first; column <= last; ++column) {
+            m_headingWidths[column] = horizontalHeader()->sectionSizeHint(column);
+        }
+        measureSoon();
+    });
     connect(model(), &QAbstractItemModel::dataChanged, this, [this] { m_neededWidths.clear(); });
     connect(model(), &QAbstractItemModel::modelReset, this, [this] {
         m_neededWidths.clear();
@@ -43,8 +49,11 @@ void LinkedTable::resizeEvent(QResizeEvent* event) {
 }
 
 bool LinkedTable::measureNext() {
-    if (TableView::measureNext()) {
-        return true;
+    {
+        const QScopedValueRollback guard(m_isSpreading, true);  // columns that grow for their headings do not by hand
+        if (TableView::measureNext()) {
+            return true;
+        }
     }
     for (const int column : m_spread) {
         if (!isColumnHidden(column) && !m_neededWidths.contains(column)) {
@@ -70,12 +79,18 @@ void LinkedTable::spread() {
     int room = roomBehind();
     for (const int column : m_spread) {
         if (!isColumnHidden(column)) {
-            const int least = m_leastWidths[static_cast<std::size_t>(column)];
+            const int least = leastWidthOf(column);
             const int more = std::clamp(m_neededWidths[column] - least, 0, std::max(room, 0));
             setColumnWidth(column, least + more);
             room -= more;
         }
     }
+}
+
+int LinkedTable::leastWidthOf(int column) const {
+    const auto heading = m_headingWidths.find(column);
+    return std::max(m_leastWidths[static_cast<std::size_t>(column)],
+                    heading != m_headingWidths.end() ? heading->second : 0);
 }
 
 /// If the columns that take it had their least widths, and the last one, which always ends with the table, its own.
@@ -89,7 +104,7 @@ int LinkedTable::roomBehind() const {
             continue;
         }
         const bool takes = std::ranges::find(m_spread, column) != m_spread.end();
-        const int least = m_leastWidths[static_cast<std::size_t>(column)];
+        const int least = leastWidthOf(column);
         room -= takes ? least : isLast ? std::max(least, header.sectionSizeHint(column)) : columnWidth(column);
         isLast = false;
     }

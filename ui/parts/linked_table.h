@@ -43,6 +43,7 @@ protected:
 private:
     void spread();
     [[nodiscard]] int roomBehind() const;
+    [[nodiscard]] int leastWidthOf(int column) const;
     void watch(const QLineEdit& filter);
     void showMarked();
     void scrollToMarked();
@@ -50,9 +51,10 @@ private:
 
     SortedRows& m_sorted;
     std::vector<int> m_marked;
-    std::vector<int> m_spread;          ///< columns that take what room there is
-    std::vector<int> m_leastWidths;     ///< of all columns
-    std::map<int, int> m_neededWidths;  ///< of those of m_spread that were measured, for their cells
+    std::vector<int> m_spread;           ///< columns that take what room there is
+    std::vector<int> m_leastWidths;      ///< of all columns
+    std::map<int, int> m_headingWidths;  ///< of headings that were replaced since
+    std::map<int, int> m_neededWidths;   ///< of those of m_spread that were measured, for their cells
     bool m_isSpreading = false;
     bool m_follows = true;
     bool m_isMarking = false;

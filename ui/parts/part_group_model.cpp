@@ -12,25 +12,34 @@ namespace {
 
 const QLatin1String kBetween(", ");  // designators
 
+/// As those of the PartModel.
+std::vector<Column> columnsFor(const QString& attribute) {
+    return {{PartGroupModel::tr("Quantity"),
+             PartGroupModel::tr("How many of them are on the board; of placed steps, on one copy"), kNumber},
+            {PartGroupModel::tr("Part"), PartGroupModel::tr("Part name or number in the job")},
+            {PartGroupModel::tr("Value"), PartGroupModel::tr("The attribute of that name")},
+            {PartGroupModel::tr("Package"), PartGroupModel::tr("Name of the package")},
+            {attribute.isEmpty() ? PartGroupModel::tr("Attributes") : attribute,
+             PartGroupModel::tr("The attribute chosen above the table, or all that are the same in all of them; "
+                                "a filter looks through all either way")},
+            {PartGroupModel::tr("Fitted"),
+             PartGroupModel::tr("Whether they are assembled: the job may say that they are not populated")},
+            {PartGroupModel::tr("Step"), PartGroupModel::tr("The step they are on; seen in all its copies")},
+            {PartGroupModel::tr("Designators"), PartGroupModel::tr("Reference designators")}};
+}
+
 }  // namespace
 
 PartGroupModel::PartGroupModel(const PartModel& parts, QObject* parent)
-    : TableModel(
-          {{tr("Quantity"), tr("How many of them are on the board; of placed steps, on one copy"), kNumber},
-           {tr("Part"), tr("Part name or number in the job")},
-           {tr("Value"), tr("The attribute of that name")},
-           {tr("Package"), tr("Name of the package")},
-           {tr("Attributes"), tr("The attribute chosen above the table, or all that are the same in all of them; "
-                                 "a filter looks through all either way")},
-           {tr("Fitted"), tr("Whether they are assembled: the job may say that they are not populated")},
-           {tr("Step"), tr("The step they are on; seen in all its copies")},
-           {tr("Designators"), tr("Reference designators")}},
-          parent),
-      m_parts(parts) {
+    : TableModel(columnsFor(parts.attribute()), parent), m_parts(parts) {
     connect(&parts, &QAbstractItemModel::modelReset, this, [this] {
         if (m_isOn) {
             group();
         }
+    });
+    connect(&parts, &QAbstractItemModel::headerDataChanged, this, [this] {
+        setColumns(columnsFor(m_parts.attribute()));
+        emit headerDataChanged(Qt::Horizontal, Attributes, Attributes);
     });
     connect(&parts, &QAbstractItemModel::dataChanged, this, &PartGroupModel::announceChange);
 }

@@ -42,32 +42,37 @@ Cell inPlace(Cell cell, const model::Component& component) {
     return cell;
 }
 
+/// While an attribute is chosen its column is called as it is.
+std::vector<Column> columnsFor(const QString& attribute) {
+    return {
+        {PartModel::tr("Designator"), PartModel::tr("Reference designator")},
+        {PartModel::tr("Part"), PartModel::tr("Part name or number in the job")},
+        {attribute.isEmpty() ? PartModel::tr("Attributes") : attribute,
+         PartModel::tr("The attribute chosen above the table, or all of them; a filter looks through all either way")},
+        {PartModel::tr("Package"), PartModel::tr("Name of the package")},
+        {PartModel::tr("Side"), PartModel::tr("Side of the board it is mounted on")},
+        {PartModel::tr("X"),
+         PartModel::tr("Position of its origin, in the coordinates of the step; in italics: not in the job, the middle "
+                       "of its pins"),
+         kNumber | kLength},
+        {PartModel::tr("Y"),
+         PartModel::tr("Position of its origin, in the coordinates of the step; in italics: not in the job, the middle "
+                       "of its pins"),
+         kNumber | kLength},
+        {PartModel::tr("Rotation cw"), PartModel::tr("Clockwise, as the job states it; empty where it does not"),
+         kNumber},
+        {PartModel::tr("Height"),
+         PartModel::tr("As the job states it; empty where it does not: bodies have an assumed height then, and "
+                       "components that are bare copper or a hole have no body"),
+         kNumber | kLength},
+        {PartModel::tr("Pins"), PartModel::tr("Pins of the component"), kNumber},
+        {PartModel::tr("Fitted"), PartModel::tr("Whether it is assembled: the job may say that it is not populated")},
+        {PartModel::tr("Step"), PartModel::tr("The step it is on; seen in all its copies")}};
+}
+
 }  // namespace
 
-PartModel::PartModel(QObject* parent)
-    : TableModel({{tr("Designator"), tr("Reference designator")},
-                  {tr("Part"), tr("Part name or number in the job")},
-                  {tr("Attributes"), tr("The attribute chosen above the table, or all of them; a filter looks "
-                                        "through all either way")},
-                  {tr("Package"), tr("Name of the package")},
-                  {tr("Side"), tr("Side of the board it is mounted on")},
-                  {tr("X"),
-                   tr("Position of its origin, in the coordinates of the step; in italics: not in the job, the middle "
-                      "of its pins"),
-                   kNumber | kLength},
-                  {tr("Y"),
-                   tr("Position of its origin, in the coordinates of the step; in italics: not in the job, the middle "
-                      "of its pins"),
-                   kNumber | kLength},
-                  {tr("Rotation cw"), tr("Clockwise, as the job states it; empty where it does not"), kNumber},
-                  {tr("Height"),
-                   tr("As the job states it; empty where it does not: bodies have an assumed height then, and "
-                      "components that are bare copper or a hole have no body"),
-                   kNumber | kLength},
-                  {tr("Pins"), tr("Pins of the component"), kNumber},
-                  {tr("Fitted"), tr("Whether it is assembled: the job may say that it is not populated")},
-                  {tr("Step"), tr("The step it is on; seen in all its copies")}},
-                 parent) {}
+PartModel::PartModel(QObject* parent) : TableModel(columnsFor({}), parent) {}
 
 void PartModel::setBoard(std::shared_ptr<const model::Document> board) {
     beginResetModel();
@@ -75,8 +80,10 @@ void PartModel::setBoard(std::shared_ptr<const model::Document> board) {
     m_steps = m_board ? model::distinctSteps(*m_board) : std::vector<const model::Document*>();
     sortRows();
     listAttributeNames();
+    setColumns(columnsFor(attribute()));
     m_ranks = {};
     endResetModel();
+    emit headerDataChanged(Qt::Horizontal, Attributes, Attributes);
 }
 
 void PartModel::sortRows() {
@@ -139,6 +146,8 @@ void PartModel::setAttribute(const QString& name) {
     const std::string chosen = m_attributeNames.contains(name) ? name.toStdString() : std::string();
     if (std::exchange(m_attribute, chosen) != chosen) {
         m_ranks[Attributes].clear();
+        setColumns(columnsFor(attribute()));
+        emit headerDataChanged(Qt::Horizontal, Attributes, Attributes);
         announceChange();
     }
 }

@@ -11,7 +11,7 @@ namespace ui {
 
 /// The components of the board and of the steps it places, each step's once, in the order people count: U2 before U10.
 /// Of their attributes (part number, value, tolerance …) one column shows all but the height in one line, or the one
-/// that is chosen; a filter looks through all of them either way.
+/// that is chosen, by whose name it is called then; a filter looks through all of them either way.
 class PartModel : public TableModel {
     Q_OBJECT
 
@@ -25,6 +25,8 @@ public:
     [[nodiscard]] const QStringList& attributeNames() const { return m_attributeNames; }
     /// Which the column shows; empty or of no component: all of them.
     void setAttribute(const QString& name);
+    /// Empty while the column shows all of them.
+    [[nodiscard]] QString attribute() const { return QString::fromStdString(m_attribute); }
     /// Of these rows: "no heights", "3 without a package outline"; empty if nothing is missing. Or that the job has no
     /// components.
     [[nodiscard]] QStringList missing(const std::vector<int>& shown) const;

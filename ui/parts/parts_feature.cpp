@@ -10,7 +10,7 @@ PartsFeature::PartsFeature(FeatureContext& context)
     : QObject(&context.window),
       m_parts(this),
       m_pins(this),
-      m_partsPanel(new PartsPanel(m_parts, context.parts)),
+      m_partsPanel(new PartsPanel(m_parts, context.parts, context.actions)),
       m_pinsPanel(new PinsPanel(m_pins, context.parts, context.workspace.selection())) {
     context.addPanel({ActionId::ShowPartsDock, "parts", tr("Parts"), Qt::BottomDockWidgetArea}, *m_partsPanel);
     context.addPanel({ActionId::ShowPinsDock, "pins", tr("Pins"), Qt::LeftDockWidgetArea}, *m_pinsPanel);
@@ -38,16 +38,17 @@ void PartsFeature::connectFollowing(const FeatureContext& context) {
 }
 
 void PartsFeature::connectExports(const FeatureContext& context) {
-    const auto save = [&context](const QString& title, const QString& what, auto* panel) {
-        context.saveFile(title, what, {tr("Table (*.csv)")},
-                         [panel](const QString&) { return tableCsv(*panel->table().model()).toStdString(); });
+    const auto save = [&context](const QString& title, const QString& what, const auto& csv) {
+        context.saveFile(title, what, {tr("Table (*.csv)")}, [csv](const QString&) { return csv().toStdString(); });
     };
-    connect(m_partsPanel, &PartsPanel::exportRequested, this, [this, save] {
-        m_partsPanel->isGrouped() ? save(tr("Export the bill of materials"), tr("bill of materials"), m_partsPanel)
-                                  : save(tr("Export the components"), tr("components"), m_partsPanel);
+    const auto parts = [this] { return m_partsPanel->csv(); };
+    const auto pins = [this] { return tableCsv(*m_pinsPanel->table().model()); };
+    connect(m_partsPanel, &PartsPanel::exportRequested, this, [this, save, parts] {
+        m_partsPanel->isGrouped() ? save(tr("Export the bill of materials"), tr("bill of materials"), parts)
+                                  : save(tr("Export the components"), tr("components"), parts);
     });
     connect(m_pinsPanel, &PinsPanel::exportRequested, this,
-            [this, save] { save(tr("Export the pins"), tr("pins"), m_pinsPanel); });
+            [save, pins] { save(tr("Export the pins"), tr("pins"), pins); });
 }
 
 }  // namespace ui

@@ -4,10 +4,12 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScopedValueRollback>
+#include <QSortFilterProxyModel>
 #include <algorithm>
 #include <iterator>
 
 #include "ui/common/panel_parts.h"
+#include "ui/common/table_text.h"
 
 namespace ui {
 
@@ -28,9 +30,21 @@ constexpr std::pair<int, int> kGroupWidths[] = {
 /// What most people look for first.
 constexpr const char* kFirstAttribute = "value";
 
+/// The rows of a table, in their order.
+class WithoutColumn : public QSortFilterProxyModel {
+public:
+    explicit WithoutColumn(int column) : m_column(column) {}
+
+protected:
+    [[nodiscard]] bool filterAcceptsColumn(int column, const QModelIndex&) const override { return column != m_column; }
+
+private:
+    int m_column;
+};
+
 }  // namespace
 
-PartsPanel::PartsPanel(PartModel& model, PartPicking& parts, QWidget* parent)
+PartsPanel::PartsPanel(PartModel& model, PartPicking& parts, const ActionSet& actions, QWidget* parent)
     : QWidget(parent),
       m_model(model),
       m_parts(parts),
@@ -41,6 +55,9 @@ PartsPanel::PartsPanel(PartModel& model, PartPicking& parts, QWidget* parent)
       m_count(new QLabel) {
     setUp(*m_table, kWidths, {PartModel::Part, PartModel::Package, PartModel::Attributes});
     setUp(*m_groupTable, kGroupWidths, {PartGroupModel::Part, PartGroupModel::Package, PartGroupModel::Value});
+    for (LinkedTable* table : {m_table, m_groupTable}) {
+        addRowCommands(*table, actions);
+    }
     layOut();
     connect(m_table, &LinkedTable::rowsSelected, this, &PartsPanel::takeParts);
     connect(m_groupTable, &LinkedTable::rowsSelected, this, &PartsPanel::takeGroups);
@@ -60,11 +77,19 @@ void PartsPanel::setUp(LinkedTable& table, std::span<const std::pair<int, int>> 
     table.giveRoom(names);
     table.horizontalHeader()->setStretchLastSection(true);
     connect(&table, &LinkedTable::filtered, this, &PartsPanel::showCount);
-    connect(&table, &QTableView::activated, this, [this, &table] {
+}
+
+/// Enter and a double click do the first of them.
+void PartsPanel::addRowCommands(LinkedTable& table, const ActionSet& actions) {
+    QAction* show = table.addAction(tr("Show"), this, [this, &table] {
         if (!table.selectedRows().empty()) {
             m_parts.showSelected();
         }
     });
+    show->setObjectName(QStringLiteral("show"));
+    connect(&table, &QTableView::activated, show, &QAction::trigger);
+    table.addAction(&actions[ActionId::HighlightNet]);
+    table.addAction(&actions[ActionId::SaveSelection]);
 }
 
 void PartsPanel::layOut() {
@@ -122,12 +147,11 @@ void PartsPanel::setBoard(std::shared_ptr<const model::Document> board) {
 
 /// Columns that say nothing, or the same as another one, are left out.
 void PartsPanel::showColumns() {
-    const bool isValue = m_attribute->currentText().compare(QLatin1String(kFirstAttribute), Qt::CaseInsensitive) == 0;
     m_table->setColumnHidden(PartModel::Step, !m_model.hasSeveralSteps());
     m_table->setColumnHidden(PartModel::Height, !m_model.hasHeights());
     m_groupTable->setColumnHidden(PartGroupModel::Step, !m_model.hasSeveralSteps());
     m_groupTable->setColumnHidden(PartGroupModel::Value, !m_groups.hasValues());
-    m_groupTable->setColumnHidden(PartGroupModel::Attributes, isValue);
+    m_groupTable->setColumnHidden(PartGroupModel::Attributes, isValueChosen());
 }
 
 void PartsPanel::listAttributes() {
@@ -145,6 +169,19 @@ void PartsPanel::listAttributes() {
 /// Empty: all.
 QString PartsPanel::chosenAttribute() const {
     return m_attribute->currentIndex() > 0 ? m_attribute->currentText() : QString();
+}
+
+bool PartsPanel::isValueChosen() const {
+    return chosenAttribute().compare(QLatin1String(kFirstAttribute), Qt::CaseInsensitive) == 0;
+}
+
+QString PartsPanel::csv() {
+    if (!isGrouped() || !isValueChosen()) {
+        return tableCsv(*table().model());
+    }
+    WithoutColumn rows(PartGroupModel::Attributes);
+    rows.setSourceModel(table().model());
+    return tableCsv(rows);
 }
 
 /// Rows of the PartModel that the filter leaves, or whose groups it leaves.

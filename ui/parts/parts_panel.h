@@ -12,13 +12,14 @@ class QLabel;
 namespace ui {
 
 /// The components of the board: filter, sort, export; a row each, or equal ones as one row (PartGroupModel). Selected
-/// rows are the components that are selected in the views, both ways; Enter or a double click shows them there. A line
-/// above says how many there are and what the job does not say of them.
+/// rows are the components that are selected in the views, both ways; Enter, a double click or the menu of a row shows
+/// them there, and the menu has what else is done with what is selected. A line above says how many there are and what
+/// the job does not say of them.
 class PartsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    PartsPanel(PartModel& model, PartPicking& parts, QWidget* parent = nullptr);
+    PartsPanel(PartModel& model, PartPicking& parts, const ActionSet& actions, QWidget* parent = nullptr);
 
     /// The selection must be of this board already.
     void setBoard(std::shared_ptr<const model::Document> board);
@@ -29,6 +30,8 @@ public:
     [[nodiscard]] bool isGrouped() const { return m_groups.isOn(); }
     /// The table that is shown.
     [[nodiscard]] LinkedTable& table() { return isGrouped() ? *m_groupTable : *m_table; }
+    /// Its rows as a file, without a second column of values.
+    [[nodiscard]] QString csv();
 
 signals:
     void exportRequested();
@@ -36,6 +39,7 @@ signals:
 private:
     /// `names`: columns that take what room there is.
     void setUp(LinkedTable& table, std::span<const std::pair<int, int>> widths, const std::vector<int>& names);
+    void addRowCommands(LinkedTable& table, const ActionSet& actions);
     void layOut();
     void setGrouped(bool isOn);
     void showColumns();
@@ -46,6 +50,8 @@ private:
     [[nodiscard]] std::vector<int> shownParts() const;
     void listAttributes();
     [[nodiscard]] QString chosenAttribute() const;
+    /// Is it the one that equal parts have a column of anyway?
+    [[nodiscard]] bool isValueChosen() const;
     void showCount();
 
     PartModel& m_model;

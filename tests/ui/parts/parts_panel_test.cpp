@@ -2,10 +2,14 @@
 // net to its components, filters, export, and boards that have none of it.
 
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QMenu>
 #include <QRegularExpression>
+#include <QScrollBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QtTest>
 
@@ -46,6 +50,34 @@ private slots:
         const float before = window().views().flat().controller().mmPerPixel();
         QTest::keyClick(&parts(), Qt::Key_Return);
         QVERIFY(window().views().flat().controller().mmPerPixel() != before);
+    }
+
+    void theMenuOfARowSelectsAndShowsItsComponent() {
+        const QModelIndex row = parts().model()->index(rowOf(parts(), "U1"), 0);
+        parts().scrollTo(row);
+        const QPoint cell = parts().visualRect(row).center();
+        const float before = window().views().flat().controller().mmPerPixel();
+        QTest::mouseClick(parts().viewport(), Qt::RightButton, {}, cell);
+        QCOMPARE(selectedIds(), finder().elementsOf(component("U1")));
+        QStringList entries;
+        QTimer::singleShot(0, this, [&entries] {
+            auto* open = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            for (QAction* action : open != nullptr ? open->actions() : QList<QAction*>()) {
+                entries += action->text().remove('&');
+                if (action->objectName() == QLatin1String("show")) {
+                    action->trigger();
+                }
+            }
+            if (open != nullptr) {
+                open->close();
+            }
+        });
+        QContextMenuEvent event(QContextMenuEvent::Mouse, cell, parts().viewport()->mapToGlobal(cell));
+        QApplication::sendEvent(parts().viewport(), &event);
+        QVERIFY(window().views().flat().controller().mmPerPixel() != before);
+        for (const char* entry : {"Show", "Highlight net", "Save selection"}) {
+            QVERIFY2(entries.contains(QLatin1String(entry)), qPrintable(entries.join(", ")));
+        }
     }
 
     void namesAreWholeWhereTheTableHasRoom() {
@@ -152,6 +184,39 @@ private slots:
         const QList<QByteArray> lines = exportedLines();
         QCOMPARE(lines.size(), static_cast<qsizetype>(window().document()->components.size()) + 1);
         QVERIFY(lines.front().startsWith("Designator,"));
+    }
+
+    void theColumnIsCalledByTheChosenAttribute() {
+        auto& attribute = *window().findChild<QComboBox*>("partAttribute");
+        const auto heading = [&] { return parts().model()->headerData(PartModel::Attributes, Qt::Horizontal); };
+        QVERIFY(attribute.count() > 1);
+        for (int row = 1; row < attribute.count(); ++row) {
+            attribute.setCurrentIndex(row);
+            QCOMPARE(heading().toString(), attribute.itemText(row));
+            QCOMPARE(groups().model()->headerData(PartGroupModel::Attributes, Qt::Horizontal), heading());
+        }
+        attribute.setCurrentIndex(0);
+        QCOMPARE(heading().toString(), "Attributes");
+    }
+
+    void theBillOfMaterialsHasValuesOnce() {
+        QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/everything"));
+        auto& attribute = *window().findChild<QComboBox*>("partAttribute");
+        const int value = attribute.findText("value", Qt::MatchFixedString);
+        QVERIFY(value > 0);
+        attribute.setCurrentIndex(value);
+        QTest::mouseClick(window().findChild<QToolButton*>("groupParts"), Qt::LeftButton);
+        QCOMPARE(exportedLines().front(), QByteArray("Quantity,Part,Value,Package,Fitted,Step,Designators"));
+    }
+
+    void aTableThatIsSortedBeginsAtItsTop() {
+        click(parts(), parts().model()->rowCount() - 1);
+        QVERIFY(parts().verticalScrollBar()->value() > 0);
+        const QHeaderView& header = *parts().horizontalHeader();
+        const QPoint heading(header.sectionViewportPosition(PartModel::Designator) + 20, header.height() / 2);
+        QTest::mouseClick(header.viewport(), Qt::LeftButton, {}, heading);
+        QCOMPARE(header.sortIndicatorSection(), static_cast<int>(PartModel::Designator));
+        QCOMPARE(parts().verticalScrollBar()->value(), 0);
     }
 
     void equalPartsBecomeOneRow() {

@@ -114,9 +114,8 @@ private slots:
         model.setUnit(ui::LengthUnit::Mil);
         const QStringList lines = ui::tableCsv(model).split('\n');
         QCOMPARE(lines.size(), 5);  // a heading, three rows, and the end of the last
-        QVERIFY2(
-            lines[0].startsWith("Designator,Part,Attributes,Package,Side,X (mil),Y (mil),Rotation cw,Height (mil)"),
-            qPrintable(lines[0]));
+        QVERIFY2(lines[0].startsWith("Designator,Part,Value,Package,Side,X (mil),Y (mil),Rotation cw,Height (mil)"),
+                 qPrintable(lines[0]));
         QVERIFY2(lines[2].startsWith("U2,,\"20n, X7R\",SO8,Top,78.74"), qPrintable(lines[2]));
     }
 
