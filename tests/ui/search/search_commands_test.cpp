@@ -60,6 +60,10 @@ private slots:
         QTest::newRow("rule") << QStringList{"Check rules"};
         QTest::newRow("Mirror") << QStringList{"Flip board"};
         QTest::newRow("print") << QStringList{"Export…"};
+        QTest::newRow("step") << QStringList{"Export…"};
+        QTest::newRow("placement") << QStringList{"Parts"};
+        QTest::newRow("annular") << QStringList{"Check rules", "Edit rules…"};
+        QTest::newRow("compare") << QStringList{"Netlist check"};
     }
     void everydayWordsFindCommands() {
         QFETCH(const QStringList, commands);
