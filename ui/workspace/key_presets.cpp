@@ -15,7 +15,6 @@ struct PresetKeys {
     const char* keys;  ///< all that the command has, as in ActionSpec::shortcuts
 };
 
-// KiCad and others highlight nets by a backtick, which many keyboards cannot type alone: N stays.
 constexpr PresetKeys kPresetKeys[] = {
     {KeyPreset::KiCad, Fit, "Home F"},
     {KeyPreset::KiCad, ShowSelection, "Ctrl+Home"},
@@ -33,6 +32,7 @@ constexpr PresetKeys kPresetKeys[] = {
     {KeyPreset::KiCad, ShowSolid, "Alt+3 3"},
     {KeyPreset::KiCad, NextUnit, "Ctrl+U"},
     {KeyPreset::KiCad, MeasurePoints, "Ctrl+Shift+M"},
+    {KeyPreset::KiCad, HighlightNet, "N `"},  // many keyboards cannot type the backtick alone
     {KeyPreset::KiCad, Redo, "Ctrl+Y Ctrl+Shift+Z"},
 
     {KeyPreset::Altium, Fit, "V,F V,D Ctrl+PgDown"},
