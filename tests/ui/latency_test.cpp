@@ -1,5 +1,6 @@
 // From what the hand does to what the eye sees. Times are told, not judged: machines differ. They are of the sample
-// board, or of the one that COPPERSCOPE_LATENCY_BOARD names; who names one wants figures, and has each thing done more often.
+// board, or of the one that COPPERSCOPE_LATENCY_BOARD names; who names one wants figures, and has each thing done more
+// often.
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
