@@ -43,10 +43,6 @@ std::optional<Spacing> ringOf(const BoardIndex& index, const Pieces& hole, const
     return isPair ? annularRing(hole.figures, copper.figures) : std::nullopt;
 }
 
-bool contains(const Box& box, Point at) {
-    return box.min.x <= at.x && at.x <= box.max.x && box.min.y <= at.y && at.y <= box.max.y;
-}
-
 }  // namespace
 
 std::optional<Spacing> annularRing(const FigureTable& hole, const FigureTable& copper) {
@@ -85,7 +81,7 @@ std::optional<PadHole> holeInPad(const BoardIndex& index, BoardElement pad) {
     std::vector<ElementId> holes;
     index.elements[stepRow].visit(box, [&](std::uint32_t row) {
         const ElementId hole{row};
-        const bool isPlated = isPlatedHole(step.elements.flags[row]) && contains(box, step.boxOf(hole).middle());
+        const bool isPlated = isPlatedHole(step.elements.flags[row]) && box.holds(step.boxOf(hole).middle());
         if (isPlated && mayBelong(index, {pad.copy, hole}, pad) && step.layer(step.elements.layer[row]).spans(layer) &&
             step.platedSpanOf(hole).joins(layer)) {
             holes.push_back(hole);

@@ -15,12 +15,6 @@ std::string titleOf(const model::Rule& rule, const model::RuleFinding& found) {
     return model::titleOf(rule) + (reason.empty() ? "" : ": " + reason);
 }
 
-/// Its column may be too narrow for it.
-Cell longText(const std::string& utf8) {
-    const QString text = QString::fromStdString(utf8);
-    return {.text = text, .tip = text};
-}
-
 }  // namespace
 
 ClearanceModel::ClearanceModel(QObject* parent)
@@ -177,7 +171,7 @@ Cell ClearanceModel::stackupCell(const model::StackupClearance& found, int colum
     const std::string& second = m_board->layer(found.layerB).name;
     const auto sideOf = [&](const model::BoardElement& at) {
         const std::string copy = m_tree.copies.size() == 1 ? "" : "copy " + std::to_string(at.copy) + ": ";
-        return longText(copy + model::textOf(m_names[stepOf(at)]->of(at.element)));
+        return text(copy + model::textOf(m_names[stepOf(at)]->of(at.element)));
     };
     switch (column) {
         case Layer: return text(first == second ? first : first + ", " + second);
@@ -200,10 +194,10 @@ Cell ClearanceModel::plainCell(int row, int column) const {
         return stackupCell(*through, column);
     }
     switch (column) {
-        case Rule: return m_rules.rules.empty() ? Cell{QString()} : longText(titleOf(m_rules.rules[found.rule], found));
+        case Rule: return m_rules.rules.empty() ? Cell{QString()} : text(titleOf(m_rules.rules[found.rule], found));
         case Waived: return text(location(row).reason);
-        case First: return longText(model::textOf(m_names[location(row).step]->of(found).first));
-        case Second: return longText(model::textOf(m_names[location(row).step]->of(found).second));
+        case First: return text(model::textOf(m_names[location(row).step]->of(found).first));
+        case Second: return text(model::textOf(m_names[location(row).step]->of(found).second));
         case Spacing: return length(found.spacing.distance);
         case Required: return requiredCell(found);
         case Layer: return text(step.layer(found.layer).name);

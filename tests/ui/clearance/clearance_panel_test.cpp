@@ -85,10 +85,12 @@ private slots:
         }
         const auto& locations = window().find<ClearanceModel>();
         QCOMPARE(locations.index(0, ClearanceModel::Required).data().toString(), "0.2000 mm");
-        const QModelIndex first = locations.index(0, ClearanceModel::First);
-        QCOMPARE(first.data(Qt::ToolTipRole), first.data());  // whole, where it is cut
         floatAt(420);
         QTRY_VERIFY(left(ClearanceModel::Required) <= table.viewport()->width());
+        const QModelIndex first = table.model()->index(0, ClearanceModel::First);
+        panel().table().setColumnWidth(ClearanceModel::First, 40);
+        QCOMPARE(tipAt(table, first), first.data().toString());  // whole, where it is cut
+        QToolTip::hideText();
         rules.replaceRules(before);
         dock().setFloating(false);
         box("what").setCurrentIndex(static_cast<int>(ClearancePanel::What::Smallest));
@@ -145,16 +147,10 @@ private slots:
         floatAt(320);
         const QModelIndex title = rules().model()->index(0, ui::RuleModel::Title);
         const int before = rules().columnWidth(ui::RuleModel::Title);
-        const auto tip = [&] {
-            const QPoint at = rules().visualRect(title).topLeft() + QPoint(5, 5);
-            QHelpEvent event(QEvent::ToolTip, at, rules().viewport()->mapToGlobal(at));
-            QCoreApplication::sendEvent(rules().viewport(), &event);
-            return QToolTip::text();
-        };
         rules().setColumnWidth(ui::RuleModel::Title, 40);
-        QCOMPARE(tip(), title.data().toString());
+        QCOMPARE(tipAt(rules(), title), title.data().toString());
         rules().setColumnWidth(ui::RuleModel::Title, 2'000);
-        QTRY_VERIFY(tip() != title.data().toString());
+        QTRY_VERIFY(tipAt(rules(), title) != title.data().toString());
         rules().setColumnWidth(ui::RuleModel::Title, before);
         QToolTip::hideText();
         dock().setFloating(false);
@@ -199,6 +195,14 @@ private slots:
     }
 
 private:
+    /// What a pointer that rests on a cell is shown.
+    static QString tipAt(const ui::TableView& table, const QModelIndex& cell) {
+        const QPoint at = table.visualRect(cell).topLeft() + QPoint(5, 5);
+        QHelpEvent event(QEvent::ToolTip, at, table.viewport()->mapToGlobal(at));
+        QCoreApplication::sendEvent(table.viewport(), &event);
+        return QToolTip::text();
+    }
+
     ui::TableView& rules() { return *panel().findChild<ui::TableView*>("rules"); }
     QDockWidget& dock() { return *window().findChild<QDockWidget*>("clearances"); }
     void checkRules() {
