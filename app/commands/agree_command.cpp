@@ -87,14 +87,15 @@ ordered_json pointJson(const std::optional<base::Point>& point) {
     return point ? ordered_json({point->x, point->y}) : ordered_json(nullptr);
 }
 
+ordered_json boxJson(const base::Box& box) {
+    return box.isEmpty() ? ordered_json(nullptr) : ordered_json({box.min.x, box.min.y, box.max.x, box.max.y});
+}
+
 void addRegion(ordered_json& json, const model::RegionDifference& region) {
     json["area_nm2"] = {region.areas[0], region.areas[1]};
     json["only_nm2"] = {region.only[0], region.only[1]};
     json["share"] = region.share();
-    json["box_nm"] = nullptr;
-    if (!region.box.isEmpty()) {
-        json["box_nm"] = {region.box.min.x, region.box.min.y, region.box.max.x, region.box.max.y};
-    }
+    json["box_nm"] = boxJson(region.box);
 }
 
 ordered_json comparisonJson(const Comparison& comparison) {
@@ -113,7 +114,9 @@ ordered_json comparisonJson(const Comparison& comparison) {
     json["differing"] = comparison.differing;
     json["differences"] = ordered_json::array();
     for (const model::Difference& difference : comparison.differences) {
-        json["differences"].push_back({{"text", difference.text}, {"at_nm", pointJson(difference.location)}});
+        json["differences"].push_back({{"text", difference.text},
+                                       {"at_nm", pointJson(difference.location)},
+                                       {"box_nm", boxJson(difference.box)}});
     }
     return json;
 }

@@ -39,17 +39,26 @@ enum class Accord : std::uint8_t {
 [[nodiscard]] const char* toString(Accord accord);  ///< "agree", "differ", "not_compared"
 
 struct Difference {
-    std::string text;               ///< "R5 is on the bottom in A and on the top in B"
-    std::optional<Point> location;  ///< in the coordinates of the first job
+    std::string text;                 ///< "R5 is on the bottom in A and on the top in B"
+    std::optional<Point> location{};  ///< in the coordinates of the first job
+    Box box{};                        ///< likewise, of layers and outlines: around what differs there; else empty
+};
+
+/// Layers of two boards that are the same layer; one of them is none where only one board has it.
+struct LayerPair {
+    Aspect aspect = Aspect::Copper;
+    LayerId a;
+    LayerId b;
 };
 
 /// One aspect, or one layer of it.
 struct Comparison {
     Aspect aspect = Aspect::Copper;
     Accord accord = Accord::Agree;
-    std::array<std::string, 2> layers;         ///< names in either job; empty where there is none
+    LayerPair pair{};                          ///< of layers
+    std::array<std::string, 2> layers;         ///< their names; empty where there is none
     std::array<std::size_t, 2> counts{};       ///< how many holes, parts, pins, nets or copper layers either job has
-    std::optional<RegionDifference> region{};  ///< of layers and outlines
+    std::optional<RegionDifference> region{};  ///< of layers and outlines; a difference for each of its places
     std::string note{};
     std::optional<double> farthest{};       ///< of holes, parts and pins: largest distance between two of a pair, nm
     std::size_t differing = 0;              ///< how many differences there are

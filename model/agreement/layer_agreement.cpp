@@ -1,10 +1,12 @@
 #include "model/agreement/layer_agreement.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "model/base/ascii.h"
 #include "model/board/copies.h"
 #include "model/figures/element_polygons.h"
+#include "model/geometry/boolean.h"
 #include "model/text/formatting.h"
 
 namespace model {
@@ -12,6 +14,8 @@ namespace model {
 namespace {
 
 constexpr Discretisation kChords{1000.0, false};
+constexpr Box kEverywhere{{std::numeric_limits<Nm>::min(), std::numeric_limits<Nm>::min()},
+                          {std::numeric_limits<Nm>::max(), std::numeric_limits<Nm>::max()}};
 
 bool isOfAspect(const Layer& layer, Aspect aspect) {
     if (layer.isSynthetic || layer.context != LayerContext::Board) {
@@ -103,17 +107,22 @@ private:
     std::vector<LayerPair> m_pairs;
 };
 
-/// What is drawn on a layer of the board, copies included.
-PolygonSet polygonsOn(const Document& board, const StepTree& tree, LayerId layer, const Placement& shift) {
+/// What is drawn on a layer of the board, copies included, by elements that reach into `box`, all whole.
+PolygonSet polygonsOn(const Document& board, const StepTree& tree, LayerId layer, const Placement& shift,
+                      const Box& box) {
     PolygonSet all;
     for (const StepCopy& copy : tree.copies) {
         const Document& step = *tree.steps[copy.step];
+        const Placement placement = shift.after(copy.placement);
         const Range range = step.layer(board.layerOfCopy(layer, copy.isFlipped)).elements;
         PolygonSet own;
         for (std::uint32_t i = 0; i < range.count; ++i) {
-            own.append(discretise(step, ElementId{std::size_t{range.first} + i}, kChords));
+            const ElementId element{std::size_t{range.first} + i};
+            if (placement.boxOf(step.boxOf(element)).meets(box)) {
+                own.append(discretise(step, element, kChords));
+            }
         }
-        all.append(placed(own, shift.after(copy.placement)));
+        all.append(placed(own, placement));
     }
     return all;
 }
@@ -124,6 +133,13 @@ PolygonSet outlineOf(const Document& board, const Placement& shift) {
 
 std::string squareMm(double nm2) {
     return formatted("%.4f mm²", nm2 / 1e12);
+}
+
+/// "only in A 0.1044 mm²"
+std::string onlyText(const RegionDifference::Place& place) {
+    const std::string a = "only in A " + squareMm(place.only[0]);
+    const std::string b = "only in B " + squareMm(place.only[1]);
+    return place.only[1] == 0.0 ? a : place.only[0] == 0.0 ? b : a + ", " + b;
 }
 
 class LayerComparer {
@@ -139,19 +155,21 @@ public:
     [[nodiscard]] Comparison compare(const LayerPair& pair) const {
         Comparison comparison;
         comparison.aspect = pair.aspect;
+        comparison.pair = pair;
         comparison.layers = {pair.a.isValid() ? m_a.layer(pair.a).name : "",
                              pair.b.isValid() ? m_b.layer(pair.b).name : ""};
         if (!pair.a.isValid() || !pair.b.isValid()) {
             compareWithNothing(pair, comparison);
             return comparison;
         }
-        judge(polygonsOn(m_a, m_treeA, pair.a, {}), polygonsOn(m_b, m_treeB, pair.b, m_shift), comparison);
+        judge(polygonsOn(m_a, m_treeA, pair.a, {}, kEverywhere), polygonsOn(m_b, m_treeB, pair.b, m_shift, kEverywhere),
+              comparison);
         return comparison;
     }
 
     [[nodiscard]] Comparison compareOutlines() const {
         Comparison comparison;
-        comparison.aspect = Aspect::Outline;
+        comparison.aspect = comparison.pair.aspect = Aspect::Outline;
         const PolygonSet ours = outlineOf(m_a, {});
         const PolygonSet theirs = outlineOf(m_b, m_shift);
         if (ours.points.empty() || theirs.points.empty()) {
@@ -178,12 +196,12 @@ private:
     }
 
     void judge(const PolygonSet& ours, const PolygonSet& theirs, Comparison& comparison) const {
-        const RegionDifference region = differenceOf(ours, theirs, m_request.tolerance);
-        comparison.region = region;
-        if (region.share() > m_request.allowed) {
-            comparison.add(
-                {"only in A " + squareMm(region.only[0]) + ", only in B " + squareMm(region.only[1]), region.at},
-                m_request.most);
+        comparison.region = differenceOf(ours, theirs, m_request.tolerance);
+        if (comparison.region->share() <= m_request.allowed) {
+            return;
+        }
+        for (const RegionDifference::Place& place : comparison.region->places) {
+            comparison.add({onlyText(place), place.at, place.box}, m_request.most);
         }
     }
 
@@ -196,6 +214,22 @@ private:
 };
 
 }  // namespace
+
+std::array<PolygonSet, 2> onlyDrawn(const Document& a, const Document& b, Point shift, const LayerPair& pair,
+                                    const Box& box) {
+    PolygonSet window;
+    window.beginPolygon();
+    window.addLoop(std::array<Point, 4>{{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}});
+    const auto within = [&](const Document& board, LayerId layer, const Placement& placement) {
+        const PolygonSet drawn = pair.aspect == Aspect::Outline ? outlineOf(board, placement)
+                                 : layer.isValid() ? polygonsOn(board, unfoldCopies(board), layer, placement, box)
+                                                   : PolygonSet{};
+        return intersect(drawn, window);
+    };
+    const PolygonSet ours = within(a, pair.a, {});
+    const PolygonSet theirs = within(b, pair.b, {shift, 0.0, false});
+    return {subtract(ours, theirs), subtract(theirs, ours)};
+}
 
 std::vector<LayerPair> pairLayers(const Document& a, const Document& b) {
     return LayerPairer(a, b).run();

@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
+#include <utility>
 
+#include "model/base/disjoint_sets.h"
 #include "model/base/parallel.h"
 
 namespace model {
 
 namespace {
 
+/// Differences are collected by square cells of so many pixels: a word of a row, and as many rows.
+constexpr std::int64_t kCell = 64;
 /// Rows that one task holds.
-constexpr std::int64_t kBandRows = 128;
+constexpr std::int64_t kBandRows = 2 * kCell;
 
 /// Where the pixels are; the middle of a pixel decides.
 struct Grid {
@@ -156,28 +161,37 @@ private:
     std::vector<Crossing> m_crossings;
 };
 
-/// What the task of a band finds; columns and rows in pixels of the grid.
-struct BandCount {
-    std::int64_t areas[2]{};
+/// What differs in a cell; columns and rows in pixels of the grid.
+struct DifferingCell {
+    std::int64_t column = 0;  ///< in cells
+    std::int64_t row = 0;
     std::int64_t only[2]{};
-    std::int64_t low[2]{};  ///< column and row of the first pixel that differs
+    std::int64_t lowest[2]{};  ///< column and row of its first pixel that differs
     std::int64_t minColumn = 0, maxColumn = -1, minRow = 0, maxRow = -1;
 
-    void note(std::int64_t column, std::int64_t row) {
+    void note(std::int64_t first, std::int64_t last, std::int64_t inRow) {
         if (maxRow < 0) {
-            low[0] = minColumn = maxColumn = column;
-            low[1] = minRow = row;
+            lowest[0] = minColumn = first;
+            lowest[1] = minRow = inRow;
         }
-        minColumn = std::min(minColumn, column);
-        maxColumn = std::max(maxColumn, column);
-        maxRow = row;
+        minColumn = std::min(minColumn, first);
+        maxColumn = std::max(maxColumn, last);
+        maxRow = inRow;
     }
+};
+
+/// What the task of a band finds.
+struct BandCount {
+    std::int64_t areas[2]{};
+    std::vector<DifferingCell> cells;  ///< row by row
 };
 
 /// Counts the rows of a band that are its own; one more row on either side belongs to its neighbours.
 class BandCounter {
 public:
-    BandCounter(const Bitmap& a, const Bitmap& b, std::int64_t firstRow) : m_bits{&a, &b}, m_firstRow(firstRow) {}
+    /// `firstRow` of the grid is row 0 of the bitmaps.
+    BandCounter(const Bitmap& a, const Bitmap& b, std::int64_t firstRow)
+        : m_bits{&a, &b}, m_firstRow(firstRow), m_cells(a.words()) {}
 
     BandCount count(std::int64_t first, std::int64_t last) {
         for (std::int64_t row = first; row < last; ++row) {
@@ -187,8 +201,11 @@ public:
                     countWord(side, row, word);
                 }
             }
+            if (row + 1 == last || (m_firstRow + row + 1) % kCell == 0) {
+                endCells((m_firstRow + row) / kCell);
+            }
         }
-        return m_count;
+        return std::move(m_count);
     }
 
 private:
@@ -213,14 +230,24 @@ private:
         if (eroded == 0) {
             return;
         }
-        m_count.only[side] += std::popcount(eroded);
-        const auto column = static_cast<std::int64_t>(64 * word);
-        m_count.note(column + std::countr_zero(eroded), m_firstRow + row);
-        m_count.note(column + 63 - std::countl_zero(eroded), m_firstRow + row);
+        m_cells[word].only[side] += std::popcount(eroded);
+        const auto column = kCell * static_cast<std::int64_t>(word);
+        m_cells[word].note(column + std::countr_zero(eroded), column + 63 - std::countl_zero(eroded), m_firstRow + row);
+    }
+
+    void endCells(std::int64_t row) {
+        for (std::size_t column = 0; column < m_cells.size(); ++column) {
+            if (m_cells[column].maxRow >= 0) {
+                m_cells[column].column = static_cast<std::int64_t>(column);
+                m_cells[column].row = row;
+                m_count.cells.push_back(std::exchange(m_cells[column], {}));
+            }
+        }
     }
 
     const Bitmap* m_bits[2];
     std::int64_t m_firstRow;
+    std::vector<DifferingCell> m_cells;  ///< of the row of cells that is being counted
     BandCount m_count;
 };
 
@@ -263,20 +290,52 @@ Point cornerOf(const Grid& grid, std::int64_t column, std::int64_t row) {
             static_cast<Nm>(grid.origin.y + static_cast<double>(row) * grid.pixel)};
 }
 
-void addBand(RegionDifference& sum, const BandCount& band, const Grid& grid) {
-    const double area = grid.pixel * grid.pixel;
+/// Sets of cells, which come row by row, that touch at a side or corner.
+DisjointSets joined(const std::vector<DifferingCell>& cells) {
+    DisjointSets sets(cells.size());
+    const auto joinWith = [&](std::size_t cell, std::int64_t column, std::int64_t row) {
+        const auto found = std::ranges::lower_bound(cells, std::pair(row, column), {}, [](const DifferingCell& each) {
+            return std::pair(each.row, each.column);
+        });
+        if (found != cells.end() && found->row == row && found->column == column) {
+            sets.join(static_cast<std::uint32_t>(cell), static_cast<std::uint32_t>(found - cells.begin()));
+        }
+    };
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        joinWith(i, cells[i].column - 1, cells[i].row);
+        for (const std::int64_t beside : {-1, 0, 1}) {
+            joinWith(i, cells[i].column + beside, cells[i].row - 1);
+        }
+    }
+    return sets;
+}
+
+void addCell(RegionDifference::Place& place, const DifferingCell& cell, const Grid& grid) {
+    const Point at = cornerOf(grid, cell.lowest[0], cell.lowest[1]);
+    if (place.box.isEmpty() || std::pair(at.y, at.x) < std::pair(place.at.y, place.at.x)) {
+        place.at = at;
+    }
+    place.box.include(cornerOf(grid, cell.minColumn, cell.minRow));
+    place.box.include(cornerOf(grid, cell.maxColumn + 1, cell.maxRow + 1));
     for (const int side : {0, 1}) {
-        sum.areas[side] += area * static_cast<double>(band.areas[side]);
-        sum.only[side] += area * static_cast<double>(band.only[side]);
+        place.only[side] += grid.pixel * grid.pixel * static_cast<double>(cell.only[side]);
     }
-    if (band.maxRow < 0) {
-        return;
+}
+
+std::vector<RegionDifference::Place> placesOf(const std::vector<DifferingCell>& cells, const Grid& grid) {
+    DisjointSets sets = joined(cells);
+    std::vector<RegionDifference::Place> places;
+    std::vector<std::size_t> placeOf(cells.size());
+    for (std::uint32_t i = 0; i < cells.size(); ++i) {
+        const std::uint32_t root = sets.find(i);  // the first of its set
+        if (root == i) {
+            placeOf[i] = places.size();
+            places.emplace_back();
+        }
+        addCell(places[placeOf[root]], cells[i], grid);
     }
-    sum.box.include(cornerOf(grid, band.minColumn, band.minRow));
-    sum.box.include(cornerOf(grid, band.maxColumn + 1, band.maxRow + 1));
-    if (!sum.at) {
-        sum.at = cornerOf(grid, band.low[0], band.low[1]);
-    }
+    std::ranges::stable_sort(places, std::greater(), [](const auto& place) { return place.only[0] + place.only[1]; });
+    return places;
 }
 
 }  // namespace
@@ -294,8 +353,18 @@ RegionDifference differenceOf(const PolygonSet& a, const PolygonSet& b, Nm pixel
         bands[band] = countBand(grid, polygons, static_cast<std::int64_t>(band) * kBandRows);
     });
     RegionDifference sum;
+    std::vector<DifferingCell> cells;
     for (const BandCount& band : bands) {
-        addBand(sum, band, grid);
+        for (const int side : {0, 1}) {
+            sum.areas[side] += grid.pixel * grid.pixel * static_cast<double>(band.areas[side]);
+        }
+        cells.insert(cells.end(), band.cells.begin(), band.cells.end());
+    }
+    sum.places = placesOf(cells, grid);
+    for (const RegionDifference::Place& place : sum.places) {
+        sum.only[0] += place.only[0];
+        sum.only[1] += place.only[1];
+        sum.box.include(place.box);
     }
     return sum;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "model/geometry/discretise.h"
 
@@ -9,10 +9,17 @@ namespace model {
 /// How two regions differ, counted on a grid of square pixels. What only one of them covers counts once a pixel is
 /// taken away all around it, so that rounding and chords, which make slivers along edges, do not.
 struct RegionDifference {
-    double areas[2]{};        ///< of either region, nm²
-    double only[2]{};         ///< what only the first, and only the second, covers beyond a pixel from its edge, nm²
-    Box box;                  ///< around that; empty if they do not differ
-    std::optional<Point> at;  ///< a location in it: of the lowest the leftmost
+    /// What differs in one place; any two are more than 64 pixels apart.
+    struct Place {
+        Box box;           ///< around what differs
+        Point at;          ///< a location in that: of the lowest the leftmost
+        double only[2]{};  ///< its share of RegionDifference::only
+    };
+
+    double areas[2]{};  ///< of either region, nm²
+    double only[2]{};   ///< what only the first, and only the second, covers beyond a pixel from its edge, nm²
+    Box box;            ///< around that; empty if they do not differ
+    std::vector<Place> places{};  ///< the largest first
 
     /// Of the larger region.
     [[nodiscard]] double share() const;

@@ -1,6 +1,7 @@
 #include "model/agreement/agreement.h"
 
 #include <QtTest>
+#include <numbers>
 
 #include "model/agreement/layer_agreement.h"
 #include "tests/unit/model/formats/drawing/drawn_testing.h"
@@ -130,6 +131,33 @@ private slots:
         AgreementRequest others;
         others.aspects = {Aspect::Holes, Aspect::SolderMask};
         QVERIFY(compared(board(), other, others).isAgreed());
+    }
+
+    void whatDiffersIsDrawnByItsPlace() {
+        DrawnJob other = board();
+        const std::int32_t pen = addRound(other.steps[0], 200'000);
+        draw(other.steps[0], 1, line(pen, mm(70, 40), mm(80, 40), 0));
+        moveAll(other, {2 * kMm, kMm});
+        const auto a = assembled(board());
+        const auto b = assembled(other);
+        base::Progress progress;
+        const Agreement agreement = *compareBoards(*a, *b, {}, progress);
+        const Comparison& copper = *find(agreement, Aspect::Copper);
+        QCOMPARE(copper.differing, std::size_t{1});
+        const model::Box place = copper.differences[0].box.grownBy(50'000);
+        QVERIFY(place.holds(mm(70, 40)) && place.holds(mm(80, 40)) && !place.holds(mm(52, 30)));
+        const auto [ours, theirs] = onlyDrawn(*a, *b, agreement.shift, copper.pair, place);
+        QVERIFY(ours.polygons.empty());
+        QCOMPARE(theirs.polygons.size(), std::size_t{1});
+        const double exact = 2.0 * (2e5 * 1e7 + std::numbers::pi * 1e10);  // twice the area, of a capsule
+        QVERIFY(std::abs(static_cast<double>(twiceArea(theirs)) - exact) < 0.01 * exact);
+        // All of the layer, and a layer that only one of them has.
+        const model::Box all{{0, 0}, {100 * kMm, 50 * kMm}};
+        QCOMPARE(onlyDrawn(*a, *b, agreement.shift, copper.pair, all)[1].polygons.size(), std::size_t{1});
+        const auto alone = onlyDrawn(*a, *b, agreement.shift, {Aspect::Copper, copper.pair.a, {}}, all);
+        QVERIFY(!alone[0].polygons.empty() && alone[1].polygons.empty());
+        const auto outlines = onlyDrawn(*a, *b, {}, {Aspect::Outline, {}, {}}, all);
+        QCOMPARE(static_cast<double>(twiceArea(outlines[0])), 2.0 * (2e6 * 50e6 + 98e6 * 1e6));
     }
 
     void holesAreComparedOneByOne() {

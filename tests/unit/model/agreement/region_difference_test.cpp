@@ -44,7 +44,9 @@ private slots:
         QCOMPARE(d.only[0], 0.0);
         QCOMPARE(d.only[1], 1e6 * 180.0 * 180.0);  // a pixel less on all sides
         QCOMPARE(d.box, (model::Box{{110 * kUm, 110 * kUm}, {290 * kUm, 290 * kUm}}));
-        QCOMPARE(*d.at, (Point{110 * kUm, 110 * kUm}));
+        QCOMPARE(d.places.size(), std::size_t{1});
+        QCOMPARE(d.places[0].at, (Point{110 * kUm, 110 * kUm}));
+        QCOMPARE(d.places[0].box, d.box);
         QCOMPARE(d.share(), 180.0 * 180.0 / (1000.0 * 500.0));
     }
 
@@ -53,7 +55,7 @@ private slots:
         const PolygonSet b = box({-9 * kUm, 8 * kUm}, {5009 * kUm, 2991 * kUm});
         const RegionDifference d = model::differenceOf(a, b, kPixel);
         QCOMPARE(d.only[0] + d.only[1], 0.0);
-        QVERIFY(d.box.isEmpty() && !d.at);
+        QVERIFY(d.box.isEmpty() && d.places.empty());
         const RegionDifference farther = model::differenceOf(a, box({-40 * kUm, 0}, {5000 * kUm, 3000 * kUm}), kPixel);
         QVERIFY(farther.only[1] > 0.0 && farther.only[0] == 0.0);
     }
@@ -100,7 +102,43 @@ private slots:
         QVERIFY(all.only[1] > 0.0);
         QCOMPARE(single.only[1], all.only[1]);
         QCOMPARE(single.areas[0], all.areas[0]);
-        QCOMPARE(*single.at, *all.at);
+        QCOMPARE(single.places.size(), all.places.size());
+        for (std::size_t i = 0; i < all.places.size(); ++i) {
+            QCOMPARE(single.places[i].at, all.places[i].at);
+            QCOMPARE(single.places[i].box, all.places[i].box);
+        }
+    }
+
+    void whatLiesApartIsAPlaceOfItsOwn() {
+        const PolygonSet common = box({0, 0}, {1000 * kUm, 1000 * kUm});
+        PolygonSet a = common;
+        PolygonSet b = common;
+        addBox(a, {5000 * kUm, 20'000 * kUm}, {5100 * kUm, 20'100 * kUm});
+        addBox(b, {30'000 * kUm, 100 * kUm}, {30'400 * kUm, 500 * kUm});
+        addBox(b, {5060 * kUm, 20'200 * kUm}, {5120 * kUm, 20'300 * kUm});  // beside that of A
+        const RegionDifference d = model::differenceOf(a, b, kPixel);
+        QCOMPARE(d.places.size(), std::size_t{2});
+        QCOMPARE(d.places[0].box, (model::Box{{30'010 * kUm, 110 * kUm}, {30'390 * kUm, 490 * kUm}}));
+        QCOMPARE(d.places[0].only[0], 0.0);
+        QCOMPARE(d.places[0].only[1], 1e6 * 380.0 * 380.0);
+        QCOMPARE(d.places[1].box, (model::Box{{5010 * kUm, 20'010 * kUm}, {5110 * kUm, 20'290 * kUm}}));
+        QCOMPARE(d.places[1].at, (Point{5010 * kUm, 20'010 * kUm}));
+        QCOMPARE(d.places[1].only[0], 1e6 * 80.0 * 80.0);
+        QCOMPARE(d.places[1].only[1], 1e6 * 40.0 * 80.0);
+        QCOMPARE(d.only[1], d.places[0].only[1] + d.places[1].only[1]);
+    }
+
+    void whatLiesAcrossCellsAndBandsIsOnePlace() {
+        PolygonSet a = box({0, 0}, {100 * kUm, 100 * kUm});
+        const PolygonSet b = a;
+        // A ring whose sides pass many cells, from the lower edge up, and back down to a place that lies lower.
+        addBox(a, {10'000 * kUm, 3000 * kUm}, {10'200 * kUm, 30'000 * kUm});
+        addBox(a, {10'000 * kUm, 29'800 * kUm}, {20'000 * kUm, 30'000 * kUm});
+        addBox(a, {19'800 * kUm, 2000 * kUm}, {20'000 * kUm, 30'000 * kUm});
+        const RegionDifference d = model::differenceOf(a, b, kPixel);
+        QCOMPARE(d.places.size(), std::size_t{1});
+        QCOMPARE(d.places[0].at, (Point{19'810 * kUm, 2010 * kUm}));
+        QCOMPARE(d.places[0].box, (model::Box{{10'010 * kUm, 2010 * kUm}, {19'990 * kUm, 29'990 * kUm}}));
     }
 
     void nothingAndNothingAgree() {
