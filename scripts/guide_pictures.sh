@@ -117,6 +117,16 @@ make_gerber_job() {
     printf 'M48\nMETRIC,TZ\nT1C0.3\n%%\nT1\nX10.0Y5.0\nX15.0Y5.0\nM30\n' >"$1/holes.drl"
 }
 
+# A later revision of the sample: on its top layer a pad is moved, another one is gone, and there is a track more.
+make_revision() {
+    local features=$scratch/revision/odb/steps/pcb/layers/l01-top_layer/features
+    mkdir "$scratch/revision"
+    tar -xzf "$scratch/timecard.tgz" -C "$scratch/revision"
+    awk '/^P 37\.85/ && $3 < 8 { $2 += 0.6 } !/^P 43\.1/' "$features" >"$scratch/features"
+    { cat "$scratch/features"; echo 'L 33 6 36 7 0 P 0'; } >"$features"
+    tar -czf "$1" -C "$scratch/revision" odb
+}
+
 views() {
     take window
     press ctrl+f
@@ -173,12 +183,24 @@ cuts() {
     take_window '^Export$' export
 }
 
+revisions() {
+    make_revision "$scratch/revision-b.tgz"
+    press ctrl+F9 ctrl+alt+c
+    write "$scratch/revision-b.tgz"
+    press Return
+    sleep "${settle:-3}"
+    click 600 665
+    take comparing 1280x736+0+30
+}
+
 start_display
 cp "$root/resources/sample/ocp_tap_sa45_odb.tgz" "$scratch/timecard.tgz"
 start "$scratch/timecard.tgz"
 views
 distances
 cuts
+start "$scratch/timecard.tgz"
+revisions
 
 mkdir "$scratch/board"
 cp "$scratch/timecard.tgz" "$root/tests/data/kicad/small.kicad_pcb" "$scratch/board"

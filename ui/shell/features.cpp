@@ -2,6 +2,7 @@
 
 #include "ui/assignment/assignment_feature.h"
 #include "ui/clearance/clearance_feature.h"
+#include "ui/comparison/comparison_feature.h"
 #include "ui/element/element_feature.h"
 #include "ui/export/export_feature.h"
 #include "ui/layers/layers_feature.h"
@@ -37,6 +38,7 @@ constexpr void (*kFeatures[])(FeatureContext&) = {
     add<SavedViewsFeature>,
     addMessages,
     add<NetlistCheckFeature>,
+    add<ComparisonFeature>,
     add<ClearanceFeature>,
     add<MeasureFeature>,
     add<SectionFeature>,

@@ -14,10 +14,8 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <span>
 
 #include "model/formats/board_forms.h"
-#include "model/formats/registry.h"
 #include "ui/common/first_size.h"
 #include "ui/common/paths.h"
 #include "ui/shell/change_bar.h"
@@ -52,18 +50,6 @@ constexpr MenuId kViewMenus[] = {MenuId::Solid, MenuId::Arrangement, MenuId::Use
                                  MenuId::Theme, MenuId::Backend,     MenuId::Keys};
 constexpr MenuId kMenus[] = {MenuId::File,  MenuId::Edit,    MenuId::View,   MenuId::Layers, MenuId::Nets,
                              MenuId::Board, MenuId::Measure, MenuId::Select, MenuId::Help};
-
-/// Of a file dialog: all boards, then format by format.
-QString boardFilters() {
-    const auto filter = [](const QString& name, std::span<const model::BoardFormat> formats) {
-        return QStringLiteral("%1 (%2);;").arg(name, QString::fromStdString(model::namePatterns(formats)));
-    };
-    QString filters = filter(MainWindow::tr("Boards of all formats"), model::knownFormats());
-    for (const model::BoardFormat& format : model::knownFormats()) {
-        filters += filter(QString::fromStdString(std::string(format.name)), {&format, 1});
-    }
-    return filters + MainWindow::tr("All files (*)");
-}
 
 QPushButton* buttonFor(QAction& action) {
     auto* button = new QPushButton(action.text());
@@ -224,15 +210,12 @@ void MainWindow::createMenus() {
 }
 
 void MainWindow::connectFiles() {
-    const auto choose = [this](const QString& title, const QString& filters) {
-        const QString folder = m_settings.boardsFolder(m_workspace.boardFolder());
-        m_nextBoard = &m_features.openFile(title, filters, folder, [this](const QString& path) {
-            m_settings.setBoardsFolder(QFileInfo(path).absolutePath());
-            openPath(path);
-        });
+    const auto choose = [this](const QString& title, FeatureContext::BoardPath kind) {
+        m_nextBoard = &m_features.openBoardPath(title, kind, [this](const QString& path) { openPath(path); });
     };
-    m_features.on(ActionId::OpenFile, [choose] { choose(tr("Open a board"), boardFilters()); });
-    m_features.on(ActionId::OpenFolder, [choose] { choose(tr("Open a board folder"), {}); });
+    m_features.on(ActionId::OpenFile, [choose] { choose(tr("Open a board"), FeatureContext::BoardPath::File); });
+    m_features.on(ActionId::OpenFolder,
+                  [choose] { choose(tr("Open a board folder"), FeatureContext::BoardPath::Folder); });
     m_features.on(ActionId::Reload, [this] { m_workspace.reload(); });
     m_features.on(ActionId::CancelLoading, [this] { m_workspace.cancelWork(); });
     m_features.on(ActionId::Quit, [this] { close(); });

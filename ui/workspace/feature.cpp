@@ -6,7 +6,9 @@
 #include <QFileInfo>
 #include <QLineEdit>
 #include <algorithm>
+#include <span>
 
+#include "model/formats/registry.h"
 #include "model/text/whole_file.h"
 #include "ui/common/paths.h"
 
@@ -57,6 +59,18 @@ bool areCut(const QString& filters) {
     constexpr qsizetype kMostLetters = 50;
     const QStringList kinds = filters.split(QStringLiteral(";;"));
     return std::ranges::any_of(kinds, [](const QString& kind) { return kind.size() > kMostLetters; });
+}
+
+/// Of a file dialog: all boards, then format by format.
+QString boardFilters() {
+    const auto filter = [](const QString& name, std::span<const model::BoardFormat> formats) {
+        return QStringLiteral("%1 (%2);;").arg(name, QString::fromStdString(model::namePatterns(formats)));
+    };
+    QString filters = filter(Workspace::tr("Boards of all formats"), model::knownFormats());
+    for (const model::BoardFormat& format : model::knownFormats()) {
+        filters += filter(QString::fromStdString(std::string(format.name)), {&format, 1});
+    }
+    return filters + Workspace::tr("All files (*)");
 }
 
 }  // namespace
@@ -139,6 +153,15 @@ QDialog& FeatureContext::openFile(const QString& title, const QString& filters, 
     QObject::connect(dialog, &QFileDialog::fileSelected, &workspace, open);
     dialog->open();
     return *dialog;
+}
+
+QDialog& FeatureContext::openBoardPath(const QString& title, BoardPath kind,
+                                       const std::function<void(const QString&)>& open) const {
+    return openFile(title, kind == BoardPath::File ? boardFilters() : QString(),
+                    settings.boardsFolder(workspace.boardFolder()), [this, open](const QString& path) {
+                        settings.setBoardsFolder(QFileInfo(path).absolutePath());
+                        open(path);
+                    });
 }
 
 }  // namespace ui

@@ -105,6 +105,9 @@ struct FeatureContext {
     /// a folder is chosen.
     QDialog& openFile(const QString& title, const QString& filters, const QString& folder,
                       const std::function<void(const QString&)>& open) const;
+    /// The same for a board: a file of any format, or a folder. The dialog begins where the last one was chosen.
+    enum class BoardPath { File, Folder };
+    QDialog& openBoardPath(const QString& title, BoardPath kind, const std::function<void(const QString&)>& open) const;
 };
 
 }  // namespace ui
