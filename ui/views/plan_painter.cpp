@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "model/figures/distance.h"
+#include "model/geometry/outlines.h"
 #include "model/index/pin_names.h"
 #include "ui/common/net_name.h"
 #include "ui/views/label_placing.h"
@@ -466,23 +468,52 @@ std::optional<PlanPainter::Label> PlanPainter::labelFor(const model::BoardElemen
 }
 
 /// Copper that is selected on layers that the named one hides; none of what is more than can be named.
-std::vector<model::BoardElement> PlanPainter::selectedBeneath() const {
-    const std::vector<model::BoardElement>& selected = m_workspace.selection().selected();
-    const model::Box box = shownBox();
-    const model::LayerId named = namedLayer();
-    std::vector<model::BoardElement> beneath;
-    if (selected.size() > kMostNames) {
+/// Copper in sight that is seen through what lies over it, as it is selected or highlighted; not where it is too much
+/// to be named.
+std::vector<PlanPainter::PlacedElement> PlanPainter::standingOutBeneath() const {
+    const SelectionModel& selection = m_workspace.selection();
+    std::vector<model::BoardElement> standingOut = selection.selected();
+    std::vector<PlacedElement> beneath;
+    if (standingOut.size() > kMostNames) {
         return beneath;
     }
-    for (const model::BoardElement& at : selected) {
-        const model::LayerId layer = m_workspace.selection().layerOf(at);
+    if (const std::vector<model::BoardElement> ofNets = selection.elementsOf(selection.nets());
+        ofNets.size() <= kMostInSight) {
+        standingOut.insert(standingOut.end(), ofNets.begin(), ofNets.end());
+    }
+    const model::Box shown = shownBox();
+    const model::LayerId named = namedLayer();
+    for (const model::BoardElement& at : standingOut) {
+        const model::LayerId layer = selection.layerOf(at);
         const bool isBeneath =
             layer != named && m_index->board->layer(layer).isCopper() && m_view.styles()[layer.row()].isVisible;
-        if (isBeneath && placedBoxOf(at).meets(box)) {
-            beneath.push_back(at);
+        if (const model::Box box = isBeneath ? placedBoxOf(at) : model::Box(); isBeneath && box.meets(shown)) {
+            beneath.push_back({at, box});
         }
     }
     return beneath;
+}
+
+/// Does a name lie on one of them, with its middle or an end? It would pass for theirs.
+bool PlanPainter::liesOn(const Label& label, const std::vector<PlacedElement>& elements) const {
+    const double angle = label.angleDeg * std::numbers::pi / 180.0;
+    const QPointF half = boxOf(label).size.width() / 2.0 * QPointF(std::cos(angle), std::sin(angle));
+    for (const QPointF& end : {label.middle - half, label.middle, label.middle + half}) {
+        const base::PointD location = m_view.locationAt(end);
+        const auto covers = [&](const PlacedElement& element) {
+            if (!element.box.holds(model::rounded(location))) {
+                return false;
+            }
+            const model::StepCopy& copy = m_index->tree.copies[element.at.copy];
+            model::FigureTable point;
+            point.addDisc(model::rounded(model::unplaced(location, copy.placement)), 0.0);
+            return model::spacingBetween(*m_index->figuresOf(copy.step, element.at.element), point, 0.0).has_value();
+        };
+        if (std::ranges::any_of(elements, covers)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// What is selected comes first, then pads: a track has its name elsewhere too. A name that would lie on an earlier one
@@ -495,14 +526,15 @@ std::vector<PlanPainter::Label> PlanPainter::labels() const {
         return labels;
     }
     CoveringBodies bodies(m_view, *m_index, shownBox(), namedLayer());
+    const std::vector<PlacedElement> beneath = standingOutBeneath();
     const auto isPad = [&](const model::BoardElement& at) {
         return (m_index->stepOf(at.copy).elements.flags[at.element.row()] & model::kPad) != 0;
     };
     const auto add = [&](const model::BoardElement& at, bool isSeenThrough) {
         const std::optional<Label> label = labels.size() < kMostNames ? labelFor(at) : std::nullopt;
         const auto isOn = [&](const QRectF& pad) { return pad.contains(label->middle); };
-        const bool isSeen =
-            label && std::ranges::none_of(taken, isOn) && (isSeenThrough || !bodies.lieOver(label->middle));
+        const bool isSeen = label && std::ranges::none_of(taken, isOn) &&
+                            (isSeenThrough || (!bodies.lieOver(label->middle) && !liesOn(*label, beneath)));
         if (isSeen && room.take(boxOf(*label))) {
             labels.push_back(*label);
         }
@@ -519,7 +551,7 @@ std::vector<PlanPainter::Label> PlanPainter::labels() const {
     };
     const auto selected = std::ranges::stable_partition(others, isOther);
     std::ranges::for_each(selected, addSelected);
-    std::ranges::for_each(selectedBeneath(), addSelected);
+    std::ranges::for_each(beneath, addSelected, &PlacedElement::at);
     others.erase(selected.begin(), selected.end());
     std::ranges::stable_partition(others, isPad);
     std::ranges::for_each(others, [&](const model::BoardElement& at) { add(at, false); });

@@ -41,9 +41,9 @@ public:
         QString text;         ///< one line, or a pin and below it its net
     };
     /// Of `namedLayer`: names of what it hides would only confuse, and so would those of what bodies of components
-    /// cover there. But what is selected is seen through both: there its names are written, and no others. No two lie
-    /// on one another: where they would, pads come before tracks. Copies of steps count, and cost as much as is seen of
-    /// them.
+    /// cover there. But what is selected or highlighted is seen through both: there its names are written, and no
+    /// others. No two lie on one another: where they would, pads come before tracks. Copies of steps count, and cost as
+    /// much as is seen of them.
     [[nodiscard]] std::vector<Label> labels() const;
 
     enum class Ruler { Upper, Left };
@@ -80,7 +80,12 @@ private:
     void paintNames(QPainter& painter) const;
     [[nodiscard]] bool isNamed(const model::BoardElement& at) const;
     [[nodiscard]] std::vector<model::BoardElement> namedElements() const;
-    [[nodiscard]] std::vector<model::BoardElement> selectedBeneath() const;
+    struct PlacedElement {
+        model::BoardElement at;
+        model::Box box;  ///< on the board
+    };
+    [[nodiscard]] std::vector<PlacedElement> standingOutBeneath() const;
+    [[nodiscard]] bool liesOn(const Label& label, const std::vector<PlacedElement>& elements) const;
     [[nodiscard]] std::optional<Label> labelFor(const model::BoardElement& at) const;
     [[nodiscard]] QStringList pinNames(const model::BoardElement& at) const;
     [[nodiscard]] std::vector<QStringList> textsFor(const model::BoardElement& at) const;

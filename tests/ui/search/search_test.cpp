@@ -356,6 +356,16 @@ private slots:
         QVERIFY2(!names().filter("R1.1").isEmpty(), "a layer that is hidden names nothing");
     }
 
+    void namesOnAHighlightedNetAreItsOwn() {
+        QVERIFY(m_fixture->openAndWait(boardWithPartsBelowEachOther()));
+        type("b");
+        take();
+        QCOMPARE(window().selection().nets().size(), std::size_t{1});
+        QVERIFY2(names().filter("R2.").size() == 2 && names().filter("R1.").isEmpty(), qPrintable(names().join(' ')));
+        window().selection().setNets({});
+        QVERIFY2(names().filter("R2.").isEmpty() && names().filter("R1.").size() == 2, qPrintable(names().join(' ')));
+    }
+
     void aNetOfAPlacedStepIsHighlighted() {
         QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/panel"));
         type("b");
