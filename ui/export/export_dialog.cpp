@@ -165,9 +165,7 @@ ExportDialog::ExportDialog(const ExportSource& source, Settings& settings, QWidg
     restore();
     listChoices();
     connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::onFormat);
-    connect(m_path, &ExportPath::formatTyped, this, [this](const ExportFormat& format) {
-        m_format->setCurrentIndex(static_cast<int>(&format - model::exportFormats().data()));
-    });
+    connect(m_path, &ExportPath::formatTyped, this, &ExportDialog::choose);
     connect(m_path, &ExportPath::changed, this, &ExportDialog::showProblem);
     const auto change = [this] {
         showProblem();
@@ -229,6 +227,10 @@ QWidget* ExportDialog::answers() {
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     return buttons;
+}
+
+void ExportDialog::choose(const model::ExportFormat& format) {
+    m_format->setCurrentIndex(static_cast<int>(&format - model::exportFormats().data()));
 }
 
 const ExportFormat& ExportDialog::format() const {

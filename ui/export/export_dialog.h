@@ -41,6 +41,8 @@ class ExportDialog : public QDialog {
 public:
     ExportDialog(const ExportSource& source, Settings& settings, QWidget* parent = nullptr);
 
+    /// Instead of the format of the last time.
+    void choose(const model::ExportFormat& format);
     [[nodiscard]] const model::ExportFormat& format() const;
     /// Without colours and time.
     [[nodiscard]] model::ExportRequest request() const;

@@ -66,6 +66,12 @@ ExportFeature::ExportFeature(FeatureContext& context)
     connect(&m_workspace, &Workspace::boardLeaves, this, [this] { m_isOfThisBoard = false; });
     m_workspace.watchWriting(m_export.background(), [this] { return QFileInfo(m_path).fileName(); });
     context.on(ActionId::ExportBoard, this, [this] { ask(); });
+    context.on(ActionId::PrintBoard, this, [this] {
+        ask();
+        if (m_dialog) {
+            m_dialog->choose(*std::ranges::find_if(model::exportFormats(), &model::ExportFormat::isPdf));
+        }
+    });
 }
 
 void ExportFeature::ask() {

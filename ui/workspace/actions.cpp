@@ -32,6 +32,7 @@ const ActionSpec ActionSet::kSpecs[kActionCount] = {
     {CancelLoading, MenuId::File, QT_TR_NOOP("S&top work"), "Ctrl+.", QT_TR_NOOP("Stop what is being done, reading a board first; the board on the screen stays")},
     {SaveSession, MenuId::File, QT_TR_NOOP("Save sessio&n"), "Ctrl+S", QT_TR_NOOP("Save cameras, layers and unit in the session file beside the board; they are restored when it is opened"), kNewGroup | kNeedsBoard},
     {ExportBoard, MenuId::File, QT_TR_NOOP("E&xport…"), "Ctrl+E", QT_TR_NOOP("Export the board, or a part of it, as a file for other programs"), kNewGroup | kNeedsBoard, QT_TR_NOOP("print plot drawings PDF STEP GLB STL DXF SVG mechanical")},
+    {PrintBoard, MenuId::File, QT_TR_NOOP("Pr&int to PDF…"), "Ctrl+P", QT_TR_NOOP("Export layers as pages to scale, which any viewer of PDF prints"), kNeedsBoard, QT_TR_NOOP("print plot paper")},
     {SavePicture, MenuId::File, QT_TR_NOOP("&Save picture…"), "Ctrl+Shift+S", QT_TR_NOOP("Save the view as a PNG file"), kNeedsBoard, QT_TR_NOOP("screenshot image")},
     {SaveLargePicture, MenuId::File, QT_TR_NOOP("Save picture of any si&ze…"), "Ctrl+Alt+S", QT_TR_NOOP("Save the view as a PNG file of any number of pixels"), kNeedsBoard},
     {CopyPicture, MenuId::File, QT_TR_NOOP("Copy &picture"), "Ctrl+Shift+C", QT_TR_NOOP("Copy the view to the clipboard"), kNeedsBoard, QT_TR_NOOP("screenshot image")},

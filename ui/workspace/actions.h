@@ -16,7 +16,7 @@ namespace ui {
 // A menu a line or more, in the order of the table.
 // clang-format off
 enum class ActionId {
-    OpenFile, OpenFolder, Reload, AssignLayers, CancelLoading, SaveSession, ExportBoard, SavePicture, SaveLargePicture, CopyPicture,
+    OpenFile, OpenFolder, Reload, AssignLayers, CancelLoading, SaveSession, ExportBoard, PrintBoard, SavePicture, SaveLargePicture, CopyPicture,
     Quit,
     Undo, Redo, Find, Commands,
     Fit, ViewTop, ViewBottom, ViewIso, Flip, ZoomIn, ZoomOut, ViewBack, ViewForward, SaveView, Orthographic, Explode,

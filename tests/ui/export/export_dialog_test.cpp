@@ -36,6 +36,17 @@ private slots:
     }
     void cleanup() { QCOMPARE(validationErrorsOnClosing(m_fixture), 0U); }
 
+    void printingBeginsWithPdf() {
+        open();
+        part<QComboBox>("exportFormat").setCurrentIndex(static_cast<int>(rowOf("STEP")));
+        dialog().reject();
+        QTRY_VERIFY(window().findChild<ui::ExportDialog*>() == nullptr);
+        m_fixture->key(Qt::Key_P, Qt::ControlModifier);
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog()));
+        QVERIFY(dialog().format().isPdf);
+        QVERIFY2(path().endsWith(".pdf"), qPrintable(path()));
+    }
+
     void onlyWhatTheFormatKnowsIsEnabled() {
         open();
         for (std::size_t row = 0; row < model::exportFormats().size(); ++row) {
