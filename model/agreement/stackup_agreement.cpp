@@ -27,10 +27,6 @@ struct Thickness {
     [[nodiscard]] bool isKnown() const { return isStated && nm > 0.0; }
 };
 
-bool isCopper(const StackupRow& row) {
-    return row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
-}
-
 /// Copper and what lies between, in turn from the top.
 struct Core {
     std::vector<Thickness> parts;

@@ -542,10 +542,11 @@ Stackup buildStackup(std::vector<Layer>& layers, StackupFacts facts, Diagnostics
     return stackup;
 }
 
+bool isCopper(const StackupRow& row) {
+    return row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
+}
+
 Nm thicknessOf(const Stackup& stackup) {
-    const auto isCopper = [](const StackupRow& row) {
-        return row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
-    };
     const auto first = std::ranges::find_if(stackup.rows, isCopper);
     const auto last = std::ranges::find_if(stackup.rows.rbegin(), stackup.rows.rend(), isCopper);
     if (first == stackup.rows.end()) {
@@ -578,9 +579,7 @@ const StackupRow* findRow(const Stackup& stackup, std::string_view name) {
 }
 
 std::optional<CopperWeight> copperWeightOf(const StackupRow& row) {
-    const bool isCopper =
-        row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
-    if (!isCopper) {
+    if (!isCopper(row)) {
         return std::nullopt;
     }
     if (row.material.copperOz && row.source != Source::Session) {

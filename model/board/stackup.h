@@ -44,6 +44,7 @@ inline constexpr double kOunceTolerance = 0.035;
 /// is checked apart (model/board/stackup_checks.h).
 [[nodiscard]] Stackup buildStackup(std::vector<Layer>& layers, StackupFacts facts, Diagnostics& diagnostics);
 
+[[nodiscard]] bool isCopper(const StackupRow& row);
 /// From the lowest to the highest face of copper and what lies between; the substrate of a single copper layer for
 /// itself.
 [[nodiscard]] Nm thicknessOf(const Stackup& stackup);

@@ -10,10 +10,6 @@ namespace model {
 
 namespace {
 
-bool isCopper(const StackupRow& row) {
-    return row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
-}
-
 bool isCore(const StackupRow& row) {
     return isCopper(row) || row.type == LayerType::Dielectric;
 }

@@ -16,10 +16,6 @@ constexpr double kMostTimes = 40.0;
 constexpr double kBoresBesideZones = 0.25;
 constexpr double kBesideZone = 0.02;
 
-bool isCopper(const StackupRow& row) {
-    return row.type == LayerType::Signal || row.type == LayerType::PowerGround || row.type == LayerType::Mixed;
-}
-
 double copperTimes(const std::vector<StackupRow>& rows) {
     double copper = 0.0;
     double substrate = 0.0;
