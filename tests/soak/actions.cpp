@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "ui/common/paths.h"
+#include "ui/comparison/comparison_feature.h"
 #include "ui/export/export_dialog.h"
 
 namespace soak {
@@ -190,6 +191,18 @@ void checkNets(Driver& driver, Dice&) {
     driver.trigger(ActionId::CheckNets);
 }
 
+/// With another board, which may be the same, and a row of what comes out.
+void compare(Driver& driver, Dice& dice) {
+    const std::size_t other = dice.below(driver.boards().size());
+    const bool isAwaited = dice.oneIn(2);
+    driver.window().showPanel("comparison");
+    driver.window().find<ui::ComparisonFeature>().start(ui::fromPath(driver.boards()[other]));
+    if (isAwaited) {
+        driver.settle();
+    }
+    driver.clickRow(driver.window().table("comparison"), dice);
+}
+
 void exportBoard(Driver& driver, Dice& dice) {
     const std::size_t format = dice.below(model::exportFormats().size());
     const std::uint64_t number = dice.below(1000);
@@ -230,7 +243,7 @@ void find(Driver& driver, Dice& dice) {
 }
 
 void chooseRow(Driver& driver, Dice& dice) {
-    constexpr const char* kTables[] = {"nets", "parts", "clearances", "measurements", "messages"};
+    constexpr const char* kTables[] = {"nets", "parts", "clearances", "comparison", "measurements", "messages"};
     const char* panel = oneOf(kTables, dice);
     driver.window().showPanel(panel);
     driver.clickRow(driver.window().table(panel), dice);
@@ -318,6 +331,7 @@ constexpr Action kActions[] = {
     {"finding", 4, true, false, walkFindings},
     {"clearances", 3, true, false, lookAtClearances},
     {"netcheck", 1, true, false, checkNets},
+    {"compare", 1, true, false, compare},
     {"export", 3, true, false, exportBoard},
     {"picture", 1, true, false, savePicture},
     {"find", 4, true, false, find},

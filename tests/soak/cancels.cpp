@@ -13,6 +13,7 @@
 #include "tests/soak/modes.h"
 #include "tests/soak/resources.h"
 #include "ui/common/paths.h"
+#include "ui/comparison/comparison_feature.h"
 #include "ui/export/export_dialog.h"
 
 namespace soak {
@@ -56,6 +57,10 @@ constexpr Work kWorks[] = {
     {"rules", search, choose<ui::ClearancePanel::What::Rules>},
     {"through stackup", search, choose<ui::ClearancePanel::What::ThroughStackup>},
     {"netlist check", [](Driver& driver) { driver.trigger(ActionId::CheckNets); }},
+    {"comparison",
+     [](Driver& driver) {
+         driver.window().find<ui::ComparisonFeature>().start(ui::fromPath(driver.boards()[1]));
+     }},
     {"export STEP", [](Driver& driver) { exportAs(driver, "STEP", "a.step"); }},
     {"export GLB", [](Driver& driver) { exportAs(driver, "GLB", "a.glb"); }},
     {"save picture",
