@@ -6,6 +6,7 @@
 #include <set>
 
 #include "model/figures/distance.h"
+#include "model/text/formatting.h"
 
 namespace model {
 
@@ -15,7 +16,7 @@ namespace {
 struct KindTraits {
     const char* name;
     std::array<RuleSide, 2> sides;
-    bool hasLeast;
+    RuleLimit limit;
     bool hasLayer;
     const char* meaning;
 };
@@ -23,36 +24,48 @@ constexpr auto kNone = RuleSide::None;
 constexpr auto kNet = RuleSide::Net;
 constexpr auto kCopper = RuleSide::Copper;
 constexpr auto kAHole = RuleSide::Hole;
+constexpr auto kLength = RuleLimit::Length;
 constexpr std::array<KindTraits, kRuleKindCount> kKinds = {{
     {"copper-copper",
      {kCopper, kCopper},
-     true,
+     kLength,
      true,
      "Between nets, on one layer; walls of plated holes count as copper."},
     {"copper-hole",
      {kCopper, kAHole},
-     true,
+     kLength,
      true,
      "From copper to holes as drilled: NPTHs, and plated ones of other nets."},
-    {"copper-edge", {kCopper, kNone}, true, true, "From copper to the outline of the board and its cut-outs."},
-    {"hole-hole", {kAHole, kAHole}, true, false, "Between holes as drilled that pass a common copper layer."},
+    {"copper-edge", {kCopper, kNone}, kLength, true, "From copper to the outline of the board and its cut-outs."},
+    {"hole-hole", {kAHole, kAHole}, kLength, false, "Between holes as drilled that pass a common copper layer."},
     {"annular-ring",
      {kAHole, kNone},
-     true,
+     kLength,
      true,
      "What is left of the pads around a plated hole or slot, on every layer; where a layer has none, of other copper."},
-    {"mask-sliver", {kNone, kNone}, true, true, "What is left of solder mask between two openings."},
-    {"mask-copper", {kNet, kNone}, true, true, "By how much a solder mask opening is larger than the pad in it."},
+    {"hole-size", {kAHole, kNone}, kLength, false, "Diameter of round holes as drilled."},
+    {"slot-width", {kAHole, kNone}, kLength, false, "Width of slots and routed paths as drilled or routed."},
+    {"aspect-ratio",
+     {kAHole, kNone},
+     RuleLimit::Ratio,
+     false,
+     "How many times as deep as wide a round plated hole is drilled."},
+    {"mask-sliver", {kNone, kNone}, kLength, true, "What is left of solder mask between two openings."},
+    {"mask-copper", {kNet, kNone}, kLength, true, "By how much a solder mask opening is larger than the pad in it."},
     {"mask-foreign",
      {kCopper, kNone},
-     true,
+     kLength,
      true,
      "From a solder mask opening to copper of other nets than what it is for."},
-    {"silk-pad", {kNone, kNone}, true, true, "From silkscreen to pads that solder mask leaves free."},
-    {"track-width", {kNet, kNone}, true, true, "Width of tracks."},
-    {"acute-angle", {kNet, kNone}, false, true, "Tracks of a net that meet at less than 90 degrees."},
-    {"floating-copper", {kNone, kNone}, false, true, "Copper that reaches no pad and no plated hole."},
-    {"creepage", {kCopper, kCopper}, true, true, "Between nets along an outer face, around cut-outs, slots and NPTHs."},
+    {"silk-pad", {kNone, kNone}, kLength, true, "From silkscreen to pads that solder mask leaves free."},
+    {"track-width", {kNet, kNone}, kLength, true, "Width of tracks."},
+    {"acute-angle", {kNet, kNone}, RuleLimit::None, true, "Tracks of a net that meet at less than 90 degrees."},
+    {"floating-copper", {kNone, kNone}, RuleLimit::None, true, "Copper that reaches no pad and no plated hole."},
+    {"creepage",
+     {kCopper, kCopper},
+     kLength,
+     true,
+     "Between nets along an outer face, around cut-outs, slots and NPTHs."},
 }};
 
 const KindTraits& traitsOf(RuleKind kind) {
@@ -111,8 +124,12 @@ const char* meaningOf(RuleKind kind) {
     return traitsOf(kind).meaning;
 }
 
+RuleLimit limitOf(RuleKind kind) {
+    return traitsOf(kind).limit;
+}
+
 bool hasLeast(RuleKind kind) {
-    return traitsOf(kind).hasLeast;
+    return limitOf(kind) == RuleLimit::Length;
 }
 
 std::array<RuleSide, 2> sidesOf(RuleKind kind) {
@@ -167,6 +184,10 @@ std::string titleOf(const Rule& rule) {
     return rule.layer.empty() ? title : title + " on " + rule.layer;
 }
 
+std::string ratioText(double ratio) {
+    return formatted("%.4g : 1", ratio);
+}
+
 std::size_t netClassCount(const RuleTable& table) {
     std::set<std::string> named;
     for (const Rule& rule : table.rules) {
@@ -176,9 +197,13 @@ std::size_t netClassCount(const RuleTable& table) {
     return table.classes.size() + named.size();
 }
 
-bool isBroken(const Rule& rule, Nm tolerance, double distance) {
+bool isBelow(double limit, Nm tolerance, double distance) {
     constexpr double kRounding = 0.01;  // distances are exact to a tenth of this
-    return distance <= kTouchNm || distance < rule.least - std::max<double>(tolerance, kRounding);
+    return distance < limit - std::max<double>(tolerance, kRounding);
+}
+
+bool isBroken(const Rule& rule, Nm tolerance, double distance) {
+    return distance <= kTouchNm || isBelow(rule.least, tolerance, distance);
 }
 
 RuleTable defaultRules() {
@@ -195,13 +220,18 @@ RuleTable defaultRules() {
              {RuleKind::HoleToHole, 150 * kUm, {}, true, {HoleClass::Microvia, HoleClass::Any}},
              {RuleKind::AnnularRing, 75 * kUm, {}, true, {HoleClass::Microvia}},
              {RuleKind::TrackWidth, 100 * kUm, {}},
+             {RuleKind::HoleSize, 200 * kUm, {}},
+             {RuleKind::HoleSize, 100 * kUm, {}, true, {HoleClass::Microvia}},
+             {RuleKind::SlotWidth, 500 * kUm, {}},
              {RuleKind::CopperToCopper, 100 * kUm, {}, kOff, {}, {}, "", true},
              {RuleKind::MaskToCopper, 25 * kUm, {}, kOff},
              {RuleKind::MaskToForeign, 50 * kUm, {}, kOff},
              {RuleKind::SilkToPad, 100 * kUm, {}, kOff},
              {RuleKind::AcuteAngle, 0, {}, kOff},
              {RuleKind::FloatingCopper, 0, {}, kOff},
-             {RuleKind::Creepage, 600 * kUm, {}, kOff, {}, {}, "", false, 1000 * kUm}}};
+             {RuleKind::Creepage, 600 * kUm, {}, kOff, {}, {}, "", false, 1000 * kUm},
+             {RuleKind::AspectRatio, 0, {}, kOff, {}, {}, "", false, 0, 10.0},
+             {RuleKind::AspectRatio, 0, {}, kOff, {HoleClass::Microvia}, {}, "", false, 0, 1.0}}};
 }
 
 }  // namespace model

@@ -8,7 +8,7 @@
 
 #include "model/board/document.h"
 
-/// What a board must keep: distances and rings, by net class.
+/// What a board must keep: distances, rings and sizes, by net class.
 namespace model {
 
 enum class RuleKind : std::uint8_t {
@@ -17,6 +17,9 @@ enum class RuleKind : std::uint8_t {
     CopperToEdge,    ///< from copper to the board's outline and cut-outs
     HoleToHole,      ///< between holes as drilled that pass a common copper layer
     AnnularRing,     ///< what is left of a pad around a plated hole, on every layer where it has one
+    HoleSize,        ///< diameter of round holes as drilled
+    SlotWidth,       ///< width of slots and routed paths as drilled or routed
+    AspectRatio,     ///< how many times as deep as wide a round plated hole is drilled; a ratio, no length
     MaskSliver,      ///< what is left of solder mask between two openings
     MaskToCopper,    ///< by how much a solder mask opening is larger than the pad in it
     MaskToForeign,   ///< from a solder mask opening to copper of other nets than what it is for
@@ -26,13 +29,21 @@ enum class RuleKind : std::uint8_t {
     FloatingCopper,  ///< copper that reaches no pad and no plated hole; asks for no length
     Creepage         ///< between nets along an outer face, around cut-outs, slots and NPTHs
 };
-inline constexpr std::size_t kRuleKindCount = 13;
+inline constexpr std::size_t kRuleKindCount = 16;
 /// As rule files and tables have it: "copper-copper", "copper-hole", …
 [[nodiscard]] const char* nameOf(RuleKind kind);
 [[nodiscard]] std::optional<RuleKind> ruleKindOf(std::string_view name);
 /// What a rule of this kind is about, in a sentence.
 [[nodiscard]] const char* meaningOf(RuleKind kind);
-/// Is there a least value? Otherwise Rule::least does not count.
+
+/// What the values that a rule of a kind finds are held against.
+enum class RuleLimit : std::uint8_t {
+    None,    ///< nothing: all that is found breaks the rule
+    Length,  ///< Rule::least, the least that passes
+    Ratio    ///< Rule::mostRatio, the largest that passes
+};
+[[nodiscard]] RuleLimit limitOf(RuleKind kind);
+/// Is the limit a length? Otherwise Rule::least does not count.
 [[nodiscard]] bool hasLeast(RuleKind kind);
 
 /// What can be named of one side of a rule: nets of anything but None, objects of copper, hole classes of holes.
@@ -83,11 +94,17 @@ struct Rule {
     std::string layer{};
     bool isSameNet = false;  ///< CopperToCopper: within a net instead of between nets
     Nm leastSlot = 0;        ///< Creepage: cut-outs narrower than this are bridged (X of IEC 60664-1)
+    double mostRatio = 0.0;  ///< AspectRatio: kLeastRatio to kMostRatio; else 0
     bool operator==(const Rule&) const = default;
 };
 
 /// "copper-copper between power and any net", "annular-ring of microvias on inner"
 [[nodiscard]] std::string titleOf(const Rule& rule);
+
+inline constexpr double kLeastRatio = 0.1;
+inline constexpr double kMostRatio = 100.0;
+/// "8 : 1"
+[[nodiscard]] std::string ratioText(double ratio);
 
 /// A class that stands for the nets of some names.
 inline constexpr std::string_view kNetPrefix = "net:";
@@ -104,8 +121,10 @@ struct RuleTable {
     bool operator==(const RuleTable&) const = default;
 };
 
-/// Does a distance (nm) break the rule? Less than the limit by more than the tolerance; what touches, overlaps or
-/// breaks out does in any case.
+/// Is a distance less than a limit by more than the tolerance? All of them nm.
+[[nodiscard]] bool isBelow(double limit, Nm tolerance, double distance);
+/// Does a distance (nm) break a rule whose limit is a length? Where it is below that, and in any case what touches,
+/// overlaps or breaks out.
 [[nodiscard]] bool isBroken(const Rule& rule, Nm tolerance, double distance);
 
 /// Of a table: net classes, and names of nets that stand for one ("net:CLK*").

@@ -1,6 +1,7 @@
 #include "model/clearance/kicad_conditions.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -39,6 +40,11 @@ public:
                 }
             }
         }
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (m_isHoleOfPad[side] && holesOf(side) != HoleClass::NonPlated) {
+                return {};  // holes of vias and of pads are not told apart
+            }
+        }
         return withMicrovias();
     }
 
@@ -65,6 +71,9 @@ private:
         if (term.name == "isMicroVia()") {
             return applyHoles(side, HoleClass::Microvia);
         }
+        if (term.name == "Pad_Type") {
+            return base::lowerCase(term.text) == "npth, mechanical" && applyHoles(side, HoleClass::NonPlated);
+        }
         return term.name == "Layer" && applyLayer(term.text);
     }
 
@@ -78,6 +87,10 @@ private:
         }
         if (m_rule.kind == RuleKind::SilkToPad) {
             return type == CopperObject::Pad;
+        }
+        if (sidesOf(m_rule.kind)[side] == RuleSide::Hole && type == CopperObject::Pad) {
+            m_isHoleOfPad[side] = true;
+            return true;
         }
         if (sidesOf(m_rule.kind)[side] != RuleSide::Copper || m_rule.objects[side] != CopperObject::Any) {
             return false;
@@ -100,7 +113,8 @@ private:
     }
 
     bool applyHoles(std::size_t side, HoleClass holes) {
-        if (sidesOf(m_rule.kind)[side] != RuleSide::Hole || holesOf(side) != HoleClass::Any) {
+        const bool isOther = holesOf(side) != HoleClass::Any && holesOf(side) != holes;
+        if (sidesOf(m_rule.kind)[side] != RuleSide::Hole || isOther) {
             return false;
         }
         holesOf(side) = holes;
@@ -162,6 +176,7 @@ private:
 
     Rule m_rule;
     std::size_t m_sideOfA;
+    std::array<bool, 2> m_isHoleOfPad{};  ///< by side, as a condition says
 };
 
 std::vector<Rule> rulesOf(const Rule& rule, const ConditionTerms& terms) {

@@ -37,19 +37,38 @@ struct Minimum {
     const char* word;
     RuleKind kind;
     const char* check;
+    HoleClass holes = HoleClass::Any;  ///< to KiCad slots are holes too, and microvias no through holes
 };
-constexpr Minimum kMinimums[] = {{"min_hole_clearance", RuleKind::CopperToHole, "hole_clearance"},
-                                 {"min_copper_edge_clearance", RuleKind::CopperToEdge, "copper_edge_clearance"},
-                                 {"min_hole_to_hole", RuleKind::HoleToHole, "hole_to_hole"},
-                                 {"min_via_annular_width", RuleKind::AnnularRing, "annular_width"},
-                                 {"min_track_width", RuleKind::TrackWidth, "track_width"},
-                                 {"min_silk_clearance", RuleKind::SilkToPad, "silk_overlap"},
-                                 {"solder_mask_to_copper_clearance", RuleKind::MaskToForeign, "solder_mask_bridge"}};
+constexpr const char* kThroughHole = "min_through_hole_diameter";
+constexpr const char* kDrill = "drill_out_of_range";
+constexpr Minimum kMinimums[] = {
+    {"min_hole_clearance", RuleKind::CopperToHole, "hole_clearance"},
+    {"min_copper_edge_clearance", RuleKind::CopperToEdge, "copper_edge_clearance"},
+    {"min_hole_to_hole", RuleKind::HoleToHole, "hole_to_hole"},
+    {"min_via_annular_width", RuleKind::AnnularRing, "annular_width"},
+    {"min_track_width", RuleKind::TrackWidth, "track_width"},
+    {"min_silk_clearance", RuleKind::SilkToPad, "silk_overlap"},
+    {"solder_mask_to_copper_clearance", RuleKind::MaskToForeign, "solder_mask_bridge"},
+    {kThroughHole, RuleKind::HoleSize, kDrill, HoleClass::Plated},
+    {kThroughHole, RuleKind::HoleSize, kDrill, HoleClass::NonPlated},
+    {kThroughHole, RuleKind::SlotWidth, kDrill},
+    {"min_microvia_drill", RuleKind::HoleSize, "microvia_drill_out_of_range", HoleClass::Microvia}};
 
 /// Minimums without a counterpart.
-constexpr const char* kOthers[] = {
-    "min_connection",  "min_groove_width",   "min_microvia_diameter",     "min_microvia_drill",
-    "min_text_height", "min_text_thickness", "min_through_hole_diameter", "min_via_diameter"};
+constexpr const char* kOthers[] = {"min_connection",  "min_groove_width",   "min_microvia_diameter",
+                                   "min_text_height", "min_text_thickness", "min_via_diameter"};
+
+/// The check that a rule is made for; empty if a project has no word for it.
+const char* checkOf(const Rule& rule) {
+    if (rule.kind == RuleKind::CopperToCopper || rule.kind == RuleKind::Creepage) {
+        return rule.kind == RuleKind::Creepage ? "creepage" : "clearance";
+    }
+    const auto isOfKind = [&](const Minimum& one) { return one.kind == rule.kind; };
+    const auto isOwn = [&](const Minimum& one) { return isOfKind(one) && one.holes == rule.holes[0]; };
+    const auto* own = std::ranges::find_if(kMinimums, isOwn);
+    own = own != std::end(kMinimums) ? own : std::ranges::find_if(kMinimums, isOfKind);
+    return own != std::end(kMinimums) ? own->check : "";
+}
 
 constexpr const char* kDefaultClass = "Default";
 
@@ -204,12 +223,13 @@ private:
 
     void addMinimums() {
         const json& rules = memberOf(m_design, "rules");
+        std::set<std::string> unread;
         for (const Minimum& minimum : kMinimums) {
             const json& value = memberOf(rules, minimum.word);
             const std::optional<Nm> least = lengthOf(value);
             if (least && *least > 0) {
-                m_file.table.rules.push_back({minimum.kind, *least, {}, !isIgnored(minimum.check)});
-            } else if (!least && !value.is_null()) {
+                m_file.table.rules.push_back({minimum.kind, *least, {}, !isIgnored(minimum.check), {minimum.holes}});
+            } else if (!least && !value.is_null() && unread.insert(minimum.word).second) {
                 leaveOut(kRules + minimum.word, std::string(minimum.word) + ", which is no length,");
             }
         }
@@ -394,12 +414,7 @@ void switchOffIgnored(RuleFile& custom, const fs::path& project) {
     const json root = read ? *read : json();
     const json& severities = memberOf(memberOf(memberOf(root, "board"), "design_settings"), "rule_severities");
     for (Rule& rule : custom.table.rules) {
-        const auto* const own = std::ranges::find(kMinimums, rule.kind, &Minimum::kind);
-        const char* check = rule.kind == RuleKind::CopperToCopper ? "clearance"
-                            : rule.kind == RuleKind::Creepage     ? "creepage"
-                            : own != std::end(kMinimums)          ? own->check
-                                                                  : "";
-        rule.isOn = rule.isOn && stringOf(memberOf(severities, check)) != "ignore";
+        rule.isOn = rule.isOn && stringOf(memberOf(severities, checkOf(rule))) != "ignore";
     }
 }
 

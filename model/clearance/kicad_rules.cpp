@@ -19,11 +19,26 @@ struct Constraint {
     const char* word;
     RuleKind kind;
 };
-constexpr Constraint kConstraints[] = {
-    {"clearance", RuleKind::CopperToCopper},    {"edge_clearance", RuleKind::CopperToEdge},
-    {"hole_clearance", RuleKind::CopperToHole}, {"hole_to_hole", RuleKind::HoleToHole},
-    {"annular_width", RuleKind::AnnularRing},   {"track_width", RuleKind::TrackWidth},
-    {"silk_clearance", RuleKind::SilkToPad},    {"creepage", RuleKind::Creepage}};
+constexpr Constraint kConstraints[] = {{"clearance", RuleKind::CopperToCopper},
+                                       {"edge_clearance", RuleKind::CopperToEdge},
+                                       {"hole_clearance", RuleKind::CopperToHole},
+                                       {"hole_to_hole", RuleKind::HoleToHole},
+                                       {"hole_size", RuleKind::HoleSize},
+                                       {"annular_width", RuleKind::AnnularRing},
+                                       {"track_width", RuleKind::TrackWidth},
+                                       {"silk_clearance", RuleKind::SilkToPad},
+                                       {"creepage", RuleKind::Creepage}};
+
+/// The size of a hole is to KiCad the width of a slot, too; microvias are round.
+std::vector<Rule> withSlots(std::vector<Rule> rules) {
+    for (Rule rule : std::vector(rules)) {
+        if (rule.kind == RuleKind::HoleSize && rule.holes[0] != HoleClass::Microvia) {
+            rule.kind = RuleKind::SlotWidth;
+            rules.push_back(std::move(rule));
+        }
+    }
+    return rules;
+}
 
 class Importer {
 public:
@@ -86,7 +101,7 @@ private:
             return leaveOut(constraint, name + constraint.at(1) + " with names that are no UTF-8");
         }
         std::ranges::for_each(rules, [this](const Rule& one) { addClasses(one); });
-        std::ranges::move(rules, std::back_inserter(m_file.table.rules));
+        std::ranges::move(withSlots(std::move(rules)), std::back_inserter(m_file.table.rules));
     }
 
     void addClasses(const Rule& rule) {

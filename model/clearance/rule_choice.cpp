@@ -57,6 +57,13 @@ const char* nameOf(RulePlane plane) {
     return kNames[static_cast<std::size_t>(plane)];
 }
 
+/// What holes rules of a kind are for (isHoleFor), in words.
+std::string holesOf(RuleKind kind) {
+    return kind == RuleKind::SlotWidth                                   ? "slots"
+           : kind == RuleKind::HoleSize || kind == RuleKind::AspectRatio ? "round holes"
+                                                                         : "holes";
+}
+
 /// Why there are no holes that a side of a rule is for; empty if there are some. Only plated holes have rings.
 std::string whyWithoutHoles(const Rule& rule, std::size_t side, const std::vector<HoleClass>& holes) {
     const HoleClass wanted = rule.holes[side];
@@ -67,9 +74,10 @@ std::string whyWithoutHoles(const Rule& rule, std::size_t side, const std::vecto
     if (std::ranges::any_of(holes, fits)) {
         return {};
     }
-    return wanted != HoleClass::Any             ? std::string("the step has no holes of the kind ") + nameOf(wanted)
-           : rule.kind == RuleKind::AnnularRing ? "the step has no plated holes"
-                                                : "the step has no holes";
+    const bool isOfPlated = rule.kind == RuleKind::AnnularRing || rule.kind == RuleKind::AspectRatio;
+    return wanted != HoleClass::Any ? "the step has no " + holesOf(rule.kind) + " of the kind " + nameOf(wanted)
+           : isOfPlated             ? "the step has no plated " + holesOf(rule.kind)
+                                    : "the step has no " + holesOf(rule.kind);
 }
 
 }  // namespace
@@ -109,6 +117,26 @@ std::vector<HoleClass> holeClassesOf(const Document& document) {
                      : isMicrovia[i]          ? HoleClass::Microvia
                      : (flags & kPlated) != 0 ? HoleClass::Plated
                                               : HoleClass::NonPlated;
+    }
+    return classes;
+}
+
+bool isHoleFor(const Document& document, RuleKind kind, ElementId hole) {
+    const bool isRound = document.elements.kind[hole.row()] == ElementKind::Circle;
+    const LayerUse use = document.layer(document.elements.layer[hole.row()]).use;
+    const bool isOwn = use != LayerUse::Backdrill && use != LayerUse::DualDiameter;
+    switch (kind) {
+        case RuleKind::HoleSize: return isOwn && isRound;
+        case RuleKind::SlotWidth: return isOwn && !isRound;
+        case RuleKind::AspectRatio: return isOwn && isRound && isPlatedHole(document.elements.flags[hole.row()]);
+        default: return true;
+    }
+}
+
+std::vector<HoleClass> holeClassesFor(const Document& document, RuleKind kind, std::vector<HoleClass> classes) {
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const bool isMet = classes[i] != HoleClass::Any && isHoleFor(document, kind, ElementId{i});
+        classes[i] = isMet ? classes[i] : HoleClass::Any;
     }
     return classes;
 }

@@ -14,6 +14,14 @@ namespace model {
 /// The class of every element that is a hole, by element; Any for what is none.
 [[nodiscard]] std::vector<HoleClass> holeClassesOf(const Document& document);
 
+/// Is a hole one that rules of this kind are for? Of hole-size round ones, of slot-width all others, of aspect-ratio
+/// round plated ones, each without back-drills and counterbores, which go into a hole that is there. Of other kinds
+/// any.
+[[nodiscard]] bool isHoleFor(const Document& document, RuleKind kind, ElementId hole);
+/// Classes of holes by element, with Any in place of those that rules of this kind are not for.
+[[nodiscard]] std::vector<HoleClass> holeClassesFor(const Document& document, RuleKind kind,
+                                                    std::vector<HoleClass> classes);
+
 /// What layers rules of a kind are held against.
 enum class RulePlane : std::uint8_t { Copper, SolderMask, Silkscreen };
 [[nodiscard]] RulePlane planeOf(RuleKind kind);
@@ -43,8 +51,8 @@ public:
     [[nodiscard]] double reachOf(RuleKind kind) const;
     /// Rows of the rules of a kind that are on.
     [[nodiscard]] std::vector<std::size_t> rowsOf(RuleKind kind) const;
-    /// Why no item of a step can meet a rule that is on: there are none of `holes` that it is for, or a later rule
-    /// holds for all it is for. Empty if some can.
+    /// Why no item of a step can meet a rule that is on: there are none of `holes` (holeClassesFor) that it is for, or
+    /// a later rule holds for all it is for. Empty if some can.
     [[nodiscard]] std::string whyUnused(std::size_t rule, const std::vector<HoleClass>& holes) const;
     /// Classes that a rule names and that no net of the document fits.
     [[nodiscard]] std::vector<std::string> emptyClassesOf(std::size_t rule) const;

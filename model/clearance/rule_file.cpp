@@ -78,7 +78,8 @@ base::Status parseNets(const ordered_json& json, const std::string& key, const R
 base::Status parseHoles(const ordered_json& json, const std::string& where, Rule& rule) {
     const auto names = namesOf(json, holeSidesOf(rule.kind));
     if (!names) {
-        return bad(where + ": \"holes\" names one kind of a copper-hole or annular-ring rule, two of a hole-hole rule");
+        return bad(where +
+                   ": \"holes\" names one kind of a rule like copper-hole or annular-ring, two of a hole-hole rule");
     }
     for (std::size_t i = 0; i < names->size(); ++i) {
         const std::optional<HoleClass> holes = holeClassOf((*names)[i]);
@@ -107,7 +108,8 @@ base::Status parseObjects(const ordered_json& json, const std::string& where, Ru
 
 base::Status parseLayer(const ordered_json& json, const std::string& where, Rule& rule) {
     if (!json.is_string() || !hasLayer(rule.kind)) {
-        return bad(where + ": \"layer\" is top, bottom, outer, inner or the name of one; a hole-hole rule has none");
+        return bad(where +
+                   ": \"layer\" is top, bottom, outer, inner or the name of one; a rule like hole-hole has none");
     }
     rule.layer = json.get<std::string>();
     return base::Done{};
@@ -139,6 +141,14 @@ base::Result<Nm> parseLength(const ordered_json& json, Nm least, const std::stri
     return static_cast<Nm>(std::lround(um * base::kNmPerUm));
 }
 
+base::Result<double> parseRatio(const ordered_json& json, const std::string& where) {
+    const double ratio = json.is_number() ? json.get<double>() : 0.0;
+    if (!(ratio >= kLeastRatio && ratio <= kMostRatio)) {
+        return bad(where + ": \"most_ratio\" must be a number from 0.1 to 100");
+    }
+    return ratio;
+}
+
 base::Status parseSlot(const ordered_json& json, const std::string& where, Rule& rule) {
     if (rule.kind != RuleKind::Creepage) {
         return bad(where + ": \"least_slot_um\" belongs to a creepage rule");
@@ -166,9 +176,31 @@ base::Result<RuleKind> parseKind(const ordered_json& json, const std::string& wh
     return kind ? base::Result<RuleKind>(*kind) : bad(where + ": there is no kind \"" + json.get<std::string>() + "\"");
 }
 
+constexpr std::pair<const char*, RuleLimit> kLimits[] = {{"least_um", RuleLimit::Length},
+                                                         {"most_ratio", RuleLimit::Ratio}};
+
+/// The limit that rules of the kind have, and no other one. `where` gives the line of a key.
+template <class Where>
+base::Status parseLimit(const ordered_json& json, const Where& where, Rule& rule) {
+    for (const auto& [key, limit] : kLimits) {
+        const bool isNeeded = limitOf(rule.kind) == limit;
+        const std::string quoted = '"' + std::string(key) + '"';
+        if (isNeeded != json.contains(key)) {
+            return bad(where("") + (isNeeded ? " needs a number " + quoted : ": a rule of this kind has no " + quoted));
+        }
+    }
+    if (limitOf(rule.kind) == RuleLimit::Length) {
+        ASSIGN_OR_RETURN(rule.least, parseLength(json["least_um"], 1, where("least_um"), "least_um"));
+    }
+    if (limitOf(rule.kind) == RuleLimit::Ratio) {
+        ASSIGN_OR_RETURN(rule.mostRatio, parseRatio(json["most_ratio"], where("most_ratio")));
+    }
+    return base::Done{};
+}
+
 base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, const StrictJson& file) {
-    constexpr const char* kKeys[] = {"kind",  "least_um", "between",       "of", "holes", "objects",
-                                     "layer", "same_net", "least_slot_um", "on"};
+    constexpr const char* kKeys[] = {"kind",    "least_um", "most_ratio", "between",       "of", "holes",
+                                     "objects", "layer",    "same_net",   "least_slot_um", "on"};
     const std::string path = "/rules/" + std::to_string(table.rules.size());
     const auto where = [&](const std::string& key) {
         return file.lineOf(path + '/' + key) + ", rule " + std::to_string(table.rules.size() + 1);
@@ -179,13 +211,7 @@ base::Result<Rule> parseRule(const ordered_json& json, const RuleTable& table, c
     RETURN_IF_ERROR(file.checkKeys(json, path, kKeys));
     Rule rule;
     ASSIGN_OR_RETURN(rule.kind, parseKind(json["kind"], where("kind")));
-    if (hasLeast(rule.kind) != json.contains("least_um")) {
-        return bad(where("") + (hasLeast(rule.kind) ? " needs a number \"least_um\""
-                                                    : ": a rule of this kind has no \"least_um\""));
-    }
-    if (hasLeast(rule.kind)) {
-        ASSIGN_OR_RETURN(rule.least, parseLength(json["least_um"], 1, where("least_um"), "least_um"));
-    }
+    RETURN_IF_ERROR(parseLimit(json, where, rule));
     for (const auto& [key, value] : json.items()) {
         RETURN_IF_ERROR(parseKey(key, value, table, where(key), rule));
     }
@@ -210,6 +236,9 @@ ordered_json jsonOf(const Rule& rule) {
     ordered_json json{{"kind", nameOf(rule.kind)}};
     if (hasLeast(rule.kind)) {
         json["least_um"] = rule.least / base::kNmPerUm;
+    }
+    if (limitOf(rule.kind) == RuleLimit::Ratio) {
+        json["most_ratio"] = rule.mostRatio;
     }
     if (rule.classes != std::array<std::string, 2>{}) {
         const std::size_t sides = netSidesOf(rule.kind);

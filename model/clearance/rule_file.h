@@ -21,7 +21,7 @@ namespace model {
 ///
 /// Rules of holes may name which: "holes": "microvia", of hole-hole two: "holes": ["microvia", "any"]; rules of copper
 /// objects: "objects": "pad", of copper-copper two. Rules of one net side name its class by "of" instead of "between".
-/// "layer": "outer", "same_net": true, "least_slot_um" of creepage are as in Rule.
+/// "layer": "outer", "same_net": true, "least_slot_um" of creepage, "most_ratio" of aspect-ratio are as in Rule.
 /// A rule without "on" is on; without "tolerance_um" it is kTolerance.
 /// Comments are allowed, unknown keys and keys that are there twice are not.
 /// Errors: BadInput, saying what is wrong with which rule, key and line.

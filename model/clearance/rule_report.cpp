@@ -3,17 +3,33 @@
 #include <algorithm>
 #include <array>
 
+#include "model/base/units.h"
+#include "model/text/formatting.h"
+
 namespace model {
 
 const char* toString(FindingReason reason) {
     constexpr std::array<const char*, kFindingReasonCount> kTexts = {
         "", "the drill removes the whole pad",     "no copper around the hole on any layer",
-        "", "tracks meet at less than 90 degrees", "reaches no pad and no plated hole"};
+        "", "tracks meet at less than 90 degrees", "reaches no pad and no plated hole",
+        ""};
     return kTexts[static_cast<std::size_t>(reason)];
 }
 
 std::string reasonOf(const RuleFinding& finding) {
+    if (finding.reason == FindingReason::TooDeep) {
+        return formatted("%.2f : 1, %.1f um deep", finding.depth / finding.spacing.distance,
+                         finding.depth / base::kNmPerUm);
+    }
     return finding.isWithoutPad ? "no pad there on this layer: the copper around it counts" : toString(finding.reason);
+}
+
+double requiredOf(const Rule& rule, const RuleFinding& finding) {
+    switch (limitOf(rule.kind)) {
+        case RuleLimit::Length: return rule.least;
+        case RuleLimit::Ratio: return finding.depth / rule.mostRatio;
+        default: return 0.0;
+    }
 }
 
 const char* toString(WaiverNote::State state) {

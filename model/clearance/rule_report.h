@@ -17,11 +17,12 @@ enum class FindingReason : std::uint8_t {
     TooClose,    ///< less than the rule's least value
     PadRemoved,  ///< the drill takes the whole pad of a plated hole, on this layer and perhaps on others
     NoPad,       ///< a plated hole has no copper around it on any layer it passes
-    TooNarrow,   ///< a track is less wide than the rule's least value
+    TooNarrow,   ///< a track, hole or slot is less wide than the rule's least value
     AcuteAngle,  ///< tracks leave a narrow notch where they meet
-    Floating     ///< copper that nothing joins to a pad or plated hole
+    Floating,    ///< copper that nothing joins to a pad or plated hole
+    TooDeep      ///< a plated hole is more times as deep as wide than the rule lets pass
 };
-inline constexpr std::size_t kFindingReasonCount = 6;
+inline constexpr std::size_t kFindingReasonCount = 7;
 /// "the drill removes the whole pad"; empty where the spacing says it all.
 [[nodiscard]] const char* toString(FindingReason reason);
 
@@ -30,13 +31,19 @@ struct RuleFinding {
     std::size_t rule = 0;  ///< row of RuleTable::rules
     LayerId layer;         ///< the first one where this is so
     ElementId a;
-    ElementId b;      ///< none for the edge of the board, and for the pad of a hole without one
-    Spacing spacing;  ///< nm; 0: they touch or overlap. Of a ring: from the hole's edge to the pad's
+    ElementId b;  ///< none for the edge of the board, and for the pad of a hole without one
+    /// nm; 0: they touch or overlap. Of a ring: from the hole's edge to the pad's. Of the size of a hole or slot: how
+    /// wide it is, both ends in its middle.
+    Spacing spacing;
     FindingReason reason = FindingReason::TooClose;
     bool isWithoutPad = false;  ///< of a ring: the layer has no pad there, other copper leaves it
+    double depth = 0.0;         ///< nm, TooDeep: of the hole
 };
 /// Why, in words; empty where the spacing says it all.
 [[nodiscard]] std::string reasonOf(const RuleFinding& finding);
+/// The least spacing that would pass there, nm: Rule::least, or the drill that a hole as deep as this needs. 0: rules
+/// of the kind have no limit.
+[[nodiscard]] double requiredOf(const Rule& rule, const RuleFinding& finding);
 
 /// Items that a rule could not be held against, though it should.
 struct Unchecked {

@@ -17,8 +17,8 @@ namespace {
 using Json = StrictJson::Json;
 
 constexpr const char* kVersionKey = "copperscope_waivers";
-constexpr std::array<const char*, kFindingReasonCount> kFaults = {"too-close",  "pad-removed", "no-pad",
-                                                                  "too-narrow", "acute-angle", "floating"};
+constexpr std::array<const char*, kFindingReasonCount> kFaults = {"too-close",   "pad-removed", "no-pad",  "too-narrow",
+                                                                  "acute-angle", "floating",    "too-deep"};
 constexpr double kMostNm = 1U << 30U;  ///< of coordinates and distances
 
 bool areNear(Point a, Point b) {
@@ -58,8 +58,8 @@ public:
         : m_file(file), m_json(json), m_path("/waivers/" + std::to_string(row)), m_row(row) {}
 
     [[nodiscard]] base::Result<Waiver> read() {
-        constexpr const char* kKeys[] = {"kind",        "fault", "step",   "layer",  "from_nm", "to_nm",
-                                         "distance_nm", "sides", "reason", "author", "date"};
+        constexpr const char* kKeys[] = {"kind",        "fault",    "step",  "layer",  "from_nm", "to_nm",
+                                         "distance_nm", "depth_nm", "sides", "reason", "author",  "date"};
         if (!m_json.is_object()) {
             return m_file.bad(where("") + " is no object");
         }
@@ -71,6 +71,7 @@ public:
         waiver.from = point("from_nm");
         waiver.to = point("to_nm");
         readDistance(waiver);
+        readDepth(waiver);
         readSides(waiver);
         waiver.reason = text("reason");
         waiver.author = text("author");
@@ -118,8 +119,8 @@ private:
         const Json fault = m_json.value("fault", Json(kFaults[0]));
         const auto* const found = std::ranges::find_if(kFaults, [&](const char* name) { return fault == name; });
         if (found == kFaults.end()) {
-            refuse("fault",
-                   "is too-close, pad-removed, no-pad, too-narrow, acute-angle or floating, not " + fault.dump());
+            refuse("fault", "is too-close, pad-removed, no-pad, too-narrow, acute-angle, floating or too-deep, not " +
+                                fault.dump());
             return;
         }
         waiver.fault = static_cast<FindingReason>(found - std::begin(kFaults));
@@ -131,6 +132,15 @@ private:
             return;
         }
         waiver.distance = json.get<double>();
+    }
+    void readDepth(Waiver& waiver) {
+        const Json json = value("depth_nm");
+        const bool isDeep = isNumber(json) && json.get<double>() > 0;
+        if (waiver.fault == FindingReason::TooDeep ? !isDeep : !json.is_null()) {
+            refuse("depth_nm", "is a number of nanometres above 0, of a fault too-deep");
+            return;
+        }
+        waiver.depth = isDeep ? json.get<double>() : 0.0;
     }
     void readSides(Waiver& waiver) {
         const Json json = value("sides");
@@ -190,6 +200,9 @@ Json jsonOf(const Waiver& waiver) {
     json["from_nm"] = {waiver.from.x, waiver.from.y};
     json["to_nm"] = {waiver.to.x, waiver.to.y};
     json["distance_nm"] = waiver.distance;
+    if (waiver.fault == FindingReason::TooDeep) {
+        json["depth_nm"] = waiver.depth;
+    }
     json["sides"] = {jsonOf(waiver.sides[0]), jsonOf(waiver.sides[1])};
     json["reason"] = waiver.reason;
     json["author"] = waiver.author;
@@ -209,6 +222,7 @@ Waiver waiverOf(const Document& step, const SideNames& names, const RuleTable& t
     waiver.from = rounded(finding.spacing.from);
     waiver.to = rounded(finding.spacing.to);
     waiver.distance = std::round(finding.spacing.distance * 10) / 10;  // nm; more digits say nothing
+    waiver.depth = finding.depth;
     const auto [a, b] = names.of(finding);
     waiver.sides = {WaivedSide{a.net, a.pin, a.kind}, WaivedSide{b.net, b.pin, b.kind}};
     return waiver;

@@ -36,6 +36,7 @@ struct Waiver {
     std::string reason;  ///< not empty
     std::string author;  ///< not empty
     std::string date;    ///< "2026-11-23"
+    double depth = 0.0;  ///< nm, of a hole that is too deep: what is deeper for its width is not waived; else 0
     bool operator==(const Waiver&) const = default;
 };
 
@@ -60,9 +61,10 @@ inline constexpr Nm kWaiverReach = 10'000;
 ///                   "distance_nm": 86700, "sides": [{"net": "GND", "pin": "U1.3", "kind": "pad"}, {"net": "VCC"}],
 ///                   "reason": "reviewed with the fabricator", "author": "A. Meier", "date": "2026-11-23"}]}
 ///
-/// A waiver of a pad that the drill removes has "fault": "pad-removed", of a hole without a pad "no-pad", and so on.
-/// Comments are allowed, unknown keys and keys that are there twice are not.
-/// Errors: BadInput, saying what is wrong with which waiver, key and line; also for two waivers of one location.
+/// A waiver of a pad that the drill removes has "fault": "pad-removed", of a hole without a pad "no-pad", and so on;
+/// one of a hole that is too deep has "fault": "too-deep" and "depth_nm". Comments are allowed, unknown keys and keys
+/// that are there twice are not. Errors: BadInput, saying what is wrong with which waiver, key and line; also for two
+/// waivers of one location.
 [[nodiscard]] base::Result<std::vector<Waiver>> parseWaivers(std::string_view json);
 [[nodiscard]] std::string toJson(std::span<const Waiver> waivers);
 /// From a file. Errors: BadInput.

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "model/design_rules/bridged.h"
+#include "model/design_rules/drilled_holes.h"
 #include "model/geometry/discretise.h"
 #include "model/nets/net_inference.h"
 #include "model/solids/region_distance.h"
@@ -17,18 +18,6 @@ namespace {
 
 /// The edge of the board is so near to its chords, nm: within that a point may be on the other side.
 constexpr double kEdgeChord = 2000.0;
-constexpr Nm kConcentric = 1000;  ///< holes this near to each other's middle have one middle
-
-bool areConcentric(const Box& a, const Box& b) {
-    const auto twice = [](const Box& box) {
-        return base::PointD{double{1} * box.min.x + box.max.x, double{1} * box.min.y + box.max.y};
-    };
-    return std::hypot(twice(a).x - twice(b).x, twice(a).y - twice(b).y) <= 2 * kConcentric;
-}
-
-bool areOfOneSize(const Box& a, const Box& b) {
-    return std::abs(a.width() - b.width()) <= kConcentric && std::abs(a.height() - b.height()) <= kConcentric;
-}
 
 std::optional<std::size_t> ruleOf(const RuleContext& context, RuleKind kind, LayerId layer, ElementId a, ElementId b) {
     return context.choice().of(kind, layer, context.partyOf(a), context.partyOf(b));
@@ -64,40 +53,13 @@ bool isInItsPad(const RuleContext& context, ElementId hole, ElementId copper) {
            (areConcentric(pad, drilled) || areOfOneRecord(document, copper, hole));
 }
 
-/// A hole that is drilled, and how far.
-struct DrilledHole {
-    ElementId element;
-    Box box;
-    const Layer& layer;
-    bool isPlated = false;
-
-    /// Back-drills and counterbores, which go into a hole that is there.
-    [[nodiscard]] bool isIntoAnother() const {
-        return layer.use == LayerUse::Backdrill || layer.use == LayerUse::DualDiameter;
-    }
-    [[nodiscard]] bool hasSpan() const { return layer.spanTop.isValid() && layer.spanBottom.isValid(); }
-};
-
-/// Do two holes meet in one copper layer at most? On which one lands the other begins, in a stack of microvias.
-bool areOfStack(const DrilledHole& a, const DrilledHole& b) {
-    return a.hasSpan() && b.hasSpan() &&
-           (a.layer.spanBottom <= b.layer.spanTop || b.layer.spanBottom <= a.layer.spanTop);
-}
-
 /// Are two holes with one middle meant so: the same hole in two drill layers, a back-drill or counterbore over a hole,
 /// vias of a net stacked on each other? All else is a hole that is drilled into another one.
 bool areMeantConcentric(const RuleContext& context, const DrilledHole& a, const DrilledHole& b) {
     const bool isSameNet = context.owners().of(a.element) == context.owners().of(b.element);
-    const bool isSameHole =
-        &a.layer != &b.layer && areOfOneSize(a.box, b.box) && a.isPlated == b.isPlated && (!a.isPlated || isSameNet);
+    const bool isSameHole = &a.layer != &b.layer && areOneHole(context, a, b);
     const bool isStack = a.isPlated && b.isPlated && isSameNet && areOfStack(a, b);
     return isSameHole || isStack || a.isIntoAnother() || b.isIntoAnother();
-}
-
-DrilledHole drilledHole(const Document& document, const LayerGeometry& holes, std::uint32_t row) {
-    const ElementId element = holes.elementOf(row);
-    return {element, holes.figures().box(row), document.layer(document.elements.layer[element.row()]),
-            isPlatedHole(document.elements.flags[element.row()])};
 }
 
 /// Two holes that have to keep apart: they pass some layer both, and are not meant to have one middle.
@@ -120,18 +82,6 @@ bool areOneOpening(const RuleContext& context, const DrilledHole& a, const Drill
     const bool isOfOnePlating =
         a.isPlated == b.isPlated && (!a.isPlated || context.owners().of(a.element) == context.owners().of(b.element));
     return isMilled(a) && isMilled(b) && isOfOnePlating && !(areConcentric(a.box, b.box) && areOfOneSize(a.box, b.box));
-}
-
-LayerGeometry allHoles(const Document& document) {
-    FigureTable figures;
-    for (const Layer& layer : document.layers) {
-        for (std::uint32_t i = layer.elements.first; i < layer.elements.first + layer.elements.count; ++i) {
-            if ((document.elements.flags[i] & kHole) != 0) {
-                figures.add(document, ElementId{i});
-            }
-        }
-    }
-    return LayerGeometry(std::move(figures));
 }
 
 /// The wall of a hole in a pad of its own, which comes nearer to everything.

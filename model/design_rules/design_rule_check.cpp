@@ -7,6 +7,7 @@
 #include "model/board/layers.h"
 #include "model/design_rules/copper_spacings.h"
 #include "model/design_rules/creepage.h"
+#include "model/design_rules/drill_checks.h"
 #include "model/design_rules/floating_copper.h"
 #include "model/design_rules/mask_checks.h"
 #include "model/design_rules/ring_checks.h"
@@ -22,13 +23,15 @@ namespace {
 void begin(RuleContext& context) {
     const RuleTable& table = context.table();
     RuleReport& report = context.report();
+    const auto whyUnused = [&](std::size_t rule) {
+        const RuleKind kind = table.rules[rule].kind;
+        return context.choice().whyUnused(rule, holeClassesFor(context.document(), kind, context.holeClasses()));
+    };
     report.counts.resize(table.rules.size());
     report.unchecked = uncheckedItems(context.document(), table, context.choice());
     for (std::size_t rule = 0; rule < table.rules.size(); ++rule) {
         const std::string beyond = context.whyBeyond(rule);
-        report.unused.push_back(!table.rules[rule].isOn ? ""
-                                : !beyond.empty()       ? beyond
-                                                        : context.choice().whyUnused(rule, context.holeClasses()));
+        report.unused.push_back(!table.rules[rule].isOn ? "" : !beyond.empty() ? beyond : whyUnused(rule));
     }
     std::erase_if(report.unchecked,
                   [&](const Unchecked& unchecked) { return !context.whyBeyond(unchecked.rule).empty(); });
@@ -91,6 +94,7 @@ public:
         }
         m_context.progress().beginPhase("Checking holes and floating copper");
         checkHoles(m_context);
+        checkDrills(m_context);
         m_rings.finish();
         RETURN_IF_ERROR(checkFloatingCopper(m_context));
         note(m_context);

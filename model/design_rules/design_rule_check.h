@@ -24,11 +24,12 @@ struct RuleScope {
 [[nodiscard]] bool isRuled(const Layer& layer);
 
 /// Checks a step's own elements against all rules; copies of other steps have a document of their own. One finding per
-/// layer and pair: of nets for copper, of elements for everything else; per hole for a pad that the drill removes, and
-/// for a hole without a pad. Copper without a net counts to the net that it touches (CopperOwners); what touches none
-/// is held against nets, and where it is a pad or plated hole also against other such copper. The result does not
-/// depend on the number of threads. Rules that are off find nothing. What a rule could not be held against is counted
-/// in RuleReport::unchecked, with the reason. On a single layer, holes are not said to have no pad. Errors: Cancelled.
+/// layer and pair: of nets for copper, of elements for everything else; per hole for its size and depth, for a pad that
+/// the drill removes, and for a hole without a pad. Copper without a net counts to the net that it touches
+/// (CopperOwners); what touches none is held against nets, and where it is a pad or plated hole also against other such
+/// copper. The result does not depend on the number of threads. Rules that are off find nothing. What a rule could not
+/// be held against is counted in RuleReport::unchecked, with the reason. On a single layer, holes are not said to have
+/// no pad. Errors: Cancelled.
 [[nodiscard]] base::Result<RuleReport> checkRules(const Document& document, const RuleTable& table,
                                                   base::Progress& progress, const RuleScope& scope = {});
 

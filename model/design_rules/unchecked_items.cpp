@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "model/board/layers.h"
 #include "model/clearance/layer_geometry.h"
 #include "model/design_rules/rule_context.h"
+#include "model/design_rules/unchecked_drills.h"
 #include "model/geometry/box_index.h"
 
 namespace model {
@@ -194,6 +196,7 @@ private:
         addHolesWithoutSize(RuleKind::CopperToHole, isHole);
         addHolesWithoutSize(RuleKind::HoleToHole, isHole);
         addHolesWithoutSize(RuleKind::AnnularRing, isPlated);
+        std::ranges::move(uncheckedDrills(m_document, m_choice), std::back_inserter(m_items));
     }
 
     void addHolesWithoutSpan(RuleKind kind, const ElementTest& isWanted) {

@@ -147,8 +147,7 @@ private:
             report.waiverNotes.push_back({row, state, "waiver of " + placeOf(waiver) + ": " + what});
         };
         if (met.worse != nullptr) {
-            say(State::Worse,
-                formatted("only %.3f um are left, so it does not hold", met.worse->spacing.distance / base::kNmPerUm));
+            say(State::Worse, leftOf(*met.worse) + ", so it does not hold");
         } else if (met.held != nullptr) {
             if (const std::string nets = otherNames(waiver, *met.held); !nets.empty()) {
                 say(State::Renamed, "it holds, but the nets are " + nets + " now");
@@ -158,6 +157,12 @@ private:
         } else if (isInScope(waiver)) {
             say(State::Gone, "no finding there any more");
         }
+    }
+
+    static std::string leftOf(const RuleFinding& found) {
+        return found.reason == FindingReason::TooDeep
+                   ? "it is " + reasonOf(found) + " now"
+                   : formatted("only %.3f um are left", found.spacing.distance / base::kNmPerUm);
     }
 
     /// "GND and VCC" if the waiver has other names.
@@ -231,7 +236,9 @@ bool WaiverMatch::isAt(std::size_t waiver, const RuleFinding& finding) const {
 
 bool WaiverMatch::isWorse(std::size_t waiver, const RuleFinding& finding) const {
     constexpr double kRounding = 0.1;  // waivers hold tenths of nanometres
-    return finding.spacing.distance < m_waivers[waiver].distance - static_cast<double>(m_table.tolerance) - kRounding;
+    const Waiver& own = m_waivers[waiver];
+    const double waived = own.depth > 0 ? own.distance * finding.depth / own.depth : own.distance;
+    return finding.spacing.distance < waived - static_cast<double>(m_table.tolerance) - kRounding;
 }
 
 std::size_t WaiverMatch::holderOf(const RuleFinding& finding) const {

@@ -14,8 +14,8 @@ namespace model {
 /// Which waivers hold for findings of one step. A waiver holds for a finding of the same step, layer, kind of rule and
 /// fault whose spacing has both ends within kWaiverReach of those of the waiver, either way round, or whose two
 /// elements both pass there (two tracks side by side are closest in many locations), as long as no less is left than
-/// when it was waived, give or take the tolerance of limits. Names of nets and pins do not count. All of it must
-/// outlive it.
+/// when it was waived, give or take the tolerance of limits: of a hole that is too deep, as long as it is no deeper for
+/// its width. Names of nets and pins do not count. All of it must outlive it.
 class WaiverMatch {
 public:
     WaiverMatch(const Document& step, const RuleTable& table, std::span<const Waiver> waivers);

@@ -165,16 +165,20 @@ std::string csvOf(const RuleTable& table, const StepRules& found, std::size_t mo
     std::string text;
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
         const Rule& rule = table.rules[row];
-        const std::string start = csvField(step.job.step) + ',' + csvField(titleOf(rule)) +
-                                  formatted(",%.3f,", micrometres(static_cast<double>(rule.least)));
+        const auto start = [&](double least) {
+            return csvField(step.job.step) + ',' + csvField(titleOf(rule)) + formatted(",%.3f,", micrometres(least));
+        };
         const auto addRow = [&](const char* result, const std::string& reason) {
-            text += start + ",,,,,,,,,,,,,," + result + ',' + csvField(reason) + end;
+            text += start(rule.least) + ",,,,,,,,,,,,,," + result + ',' + csvField(reason) + end;
+        };
+        const auto addFinding = [&](const RuleFinding& f, const char* result, const std::string& reason) {
+            text += start(requiredOf(rule, f)) + csvOf(step, names, f) + ',' + result + ',' + csvField(reason) + end;
         };
         for (const RuleFinding& f : findingsOf(found, row, most)) {
-            text += start + csvOf(step, names, f) + ',' + toString(Verdict::Failed) + ',' + csvField(reasonOf(f)) + end;
+            addFinding(f, toString(Verdict::Failed), reasonOf(f));
         }
         for (const WaivedFinding& waived : waivedOf(found, row, most)) {
-            text += start + csvOf(step, names, waived.found) + ",waived," + csvField(waived.reason) + end;
+            addFinding(waived.found, "waived", waived.reason);
         }
         for (const std::string& unlisted : unlistedOf(found, row, most)) {
             addRow("not listed", unlisted);
@@ -196,6 +200,10 @@ ordered_json jsonOf(const Unchecked& unchecked) {
 
 ordered_json ruleJson(const Document& step, const SideNames& names, const RuleFinding& finding) {
     ordered_json json = jsonOf(step, names, finding);
+    if (finding.reason == FindingReason::TooDeep) {
+        json["depth_um"] = micrometres(finding.depth);
+        json["aspect_ratio"] = finding.depth / finding.spacing.distance;
+    }
     if (const std::string reason = reasonOf(finding); !reason.empty()) {
         json["reason"] = reason;
     }
@@ -209,6 +217,9 @@ ordered_json jsonOf(const RuleTable& table, const StepRules& found, const SideNa
     ordered_json json{{"rule", titleOf(rule)}};
     if (hasLeast(rule.kind)) {
         json["least_um"] = micrometres(static_cast<double>(rule.least));
+    }
+    if (limitOf(rule.kind) == RuleLimit::Ratio) {
+        json["most_ratio"] = rule.mostRatio;
     }
     if (verdict == Verdict::Unused) {
         json["unused"] = found.report.unused[row];

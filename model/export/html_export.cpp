@@ -85,13 +85,13 @@ std::string locationsOf(const RuleTable& table, const StepRules& found, const Si
     return left == 0 ? text : text + tag("p", std::to_string(left) + " more locations are not listed.") + '\n';
 }
 
-std::string leastText(const Rule& rule) {
-    return hasLeast(rule.kind) ? formatted("%.1f µm", rule.least / base::kNmPerUm) : "";
+std::string limitCell(const Rule& rule) {
+    return hasLeast(rule.kind) ? formatted("%.1f µm", rule.least / base::kNmPerUm) : boundText(rule);
 }
 
 std::string rulesTable(const RuleTable& table, const StepRules& found, std::size_t at) {
     std::string text =
-        "<table><tr><th>Result</th><th>Rule</th><th>At least</th><th>Locations</th><th>Waived</th><th>"
+        "<table><tr><th>Result</th><th>Rule</th><th>Limit</th><th>Locations</th><th>Waived</th><th>"
         "Not checked</th></tr>\n";
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
         const Verdict verdict = verdictOf(table, found.report, row);
@@ -100,7 +100,7 @@ std::string rulesTable(const RuleTable& table, const StepRules& found, std::size
         const bool isListed = found.report.counts[row] + waived > 0;
         text += "<tr>" + tag("td", verdict == Verdict::Failed ? "fail" : toString(verdict), classOf(verdict)) + "<td>" +
                 (isListed ? "<a href=\"#" + anchorOf(at, row) + "\">" + title + "</a>" : title) + "</td>" +
-                tag("td", leastText(table.rules[row]), "n") + tag("td", std::to_string(found.report.counts[row]), "n") +
+                tag("td", limitCell(table.rules[row]), "n") + tag("td", std::to_string(found.report.counts[row]), "n") +
                 tag("td", std::to_string(waived), "n") +
                 tag("td", verdict == Verdict::Unused ? found.report.unused[row]
                                                      : joined(uncheckedOf(found.report, row), "; ")) +

@@ -67,8 +67,17 @@ std::string countsText(const RuleTable& table, const RuleReport& report, std::si
            (waived > 0 ? ", " + std::to_string(waived) + " waived" : "");
 }
 
+std::string boundText(const Rule& rule) {
+    switch (limitOf(rule.kind)) {
+        case RuleLimit::Length: return formatted("at least %.1f um", rule.least / base::kNmPerUm);
+        case RuleLimit::Ratio: return "at most " + ratioText(rule.mostRatio);
+        default: return {};
+    }
+}
+
 std::string limitText(const Rule& rule) {
-    return titleOf(rule) + (hasLeast(rule.kind) ? formatted(", at least %.1f um", rule.least / base::kNmPerUm) : "");
+    const std::string bound = boundText(rule);
+    return titleOf(rule) + (bound.empty() ? "" : ", " + bound);
 }
 
 std::string placeText(const Document& step, const SideNames& names, const RuleFinding& finding) {
@@ -80,10 +89,11 @@ std::string placeText(const Document& step, const SideNames& names, const RuleFi
 
 std::string shortfallText(const Rule& rule, const RuleFinding& finding) {
     const std::string reason = reasonOf(finding);
-    if (!hasLeast(rule.kind)) {
+    if (limitOf(rule.kind) == RuleLimit::None) {
         return reason;
     }
-    return formatted("%.3f um of %.1f um", finding.spacing.distance / base::kNmPerUm, rule.least / base::kNmPerUm) +
+    return formatted("%.3f um of %.1f um", finding.spacing.distance / base::kNmPerUm,
+                     requiredOf(rule, finding) / base::kNmPerUm) +
            (reason.empty() ? "" : ", " + reason);
 }
 

@@ -20,6 +20,8 @@ namespace model {
 
 /// "3 locations", "1 location, 2 waived"
 [[nodiscard]] std::string countsText(const RuleTable& table, const RuleReport& report, std::size_t rule);
+/// "at least 250.0 um", "at most 8 : 1"; empty where a kind has no limit.
+[[nodiscard]] std::string boundText(const Rule& rule);
 /// "copper-copper between power and any net, at least 250.0 um"
 [[nodiscard]] std::string limitText(const Rule& rule);
 /// "TOP at (12.3456, 7.5000) mm: GND, U1.3, pad and VCC, track", without numbers of elements, which are others in every

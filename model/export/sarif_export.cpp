@@ -38,6 +38,11 @@ std::vector<std::string> idsOf(const RuleTable& table) {
     return ids;
 }
 
+ordered_json limitJson(const Rule& rule) {
+    return limitOf(rule.kind) == RuleLimit::Ratio ? ordered_json{{"most_ratio", rule.mostRatio}}
+                                                  : ordered_json{{"least_um", rule.least / base::kNmPerUm}};
+}
+
 ordered_json rulesJson(const RuleTable& table, const std::vector<std::string>& ids) {
     ordered_json rules = ordered_json::array();
     for (std::size_t row = 0; row < table.rules.size(); ++row) {
@@ -46,7 +51,7 @@ ordered_json rulesJson(const RuleTable& table, const std::vector<std::string>& i
                          {"name", nameOf(rule.kind)},
                          {"shortDescription", {{"text", limitText(rule)}}},
                          {"defaultConfiguration", {{"enabled", rule.isOn}, {"level", "error"}}},
-                         {"properties", {{"least_um", rule.least / base::kNmPerUm}}}});
+                         {"properties", limitJson(rule)}});
     }
     return rules;
 }

@@ -22,7 +22,7 @@ ClearanceModel::ClearanceModel(QObject* parent)
                   {tr("Waived"), tr("Why it is no failure, and who says so")},
                   {tr("First"), tr("The one side: net, pin, what it is, and the number of its element")},
                   {tr("Second"), tr("The other side: net, pin, what it is, and the number of its element")},
-                  {tr("Spacing"), tr("How far apart; 0: they touch or overlap"), kNumber},
+                  {tr("Spacing"), tr("How far apart, or how wide; 0: they touch or overlap"), kNumber},
                   {tr("Required"), tr("The least value that passes"), kNumber},
                   {tr("Layer"), tr("Where it is")},
                   {tr("X"), tr("Where it is, in the coordinates of the step"), kNumber},
@@ -182,8 +182,8 @@ Cell ClearanceModel::stackupCell(const model::StackupClearance& found, int colum
 
 /// Some rules allow nothing at all, and have no least value.
 Cell ClearanceModel::requiredCell(const model::RuleFinding& found) const {
-    const bool hasLeast = !m_rules.rules.empty() && model::hasLeast(m_rules.rules[found.rule].kind);
-    return hasLeast ? length(static_cast<double>(m_rules.rules[found.rule].least)) : Cell{QString()};
+    const double least = m_rules.rules.empty() ? 0.0 : model::requiredOf(m_rules.rules[found.rule], found);
+    return least > 0 ? length(least) : Cell{QString()};
 }
 
 Cell ClearanceModel::plainCell(int row, int column) const {

@@ -16,6 +16,7 @@ constexpr QColor kBroken(0xd9, 0x4a, 0x3d);
 constexpr QColor kPassed(0x3a, 0x9a, 0x7a);
 constexpr QColor kIncomplete(0xb8, 0x86, 0x1b);
 constexpr model::Nm kCommonClearance = 100'000;
+constexpr double kCommonRatio = 10.0;
 
 QString anyNet() {
     return RuleModel::tr("any net");
@@ -39,6 +40,17 @@ std::optional<model::Nm> lengthOf(const QString& text, LengthUnit unit) {
     const double nm = nanometresOf(text, unit);
     const bool isLeast = nm >= 0.5 && nm <= static_cast<double>(model::kMostLeast);
     return isLeast ? std::optional(static_cast<model::Nm>(std::lround(nm))) : std::nullopt;
+}
+
+/// "8", "8:1", "8 : 1". None if the text is no ratio that a rule can have.
+std::optional<double> ratioOf(const QString& text) {
+    bool isNumber = false;
+    const QString one = text.section(':', 1).trimmed();
+    const std::string point = model::withDecimalPoint(text.section(':', 0, 0).trimmed().toStdString());
+    const double ratio = QString::fromStdString(point).toDouble(&isNumber);
+    const bool isRatio = isNumber && ratio >= model::kLeastRatio && ratio <= model::kMostRatio &&
+                         (one == QLatin1String("1") || !text.contains(':'));
+    return isRatio ? std::optional(ratio) : std::nullopt;
 }
 
 QString allLayers() {
@@ -124,7 +136,17 @@ model::Rule withKind(const model::Rule& rule, model::RuleKind kind, bool isSameN
         after.holes = rule.holes;
     }
     after.least = !model::hasLeast(kind) ? 0 : rule.least > 0 ? rule.least : kCommonClearance;
+    const bool hasRatio = model::limitOf(kind) == model::RuleLimit::Ratio;
+    after.mostRatio = !hasRatio ? 0.0 : rule.mostRatio > 0 ? rule.mostRatio : kCommonRatio;
     return after;
+}
+
+QString boundText(const model::Rule& rule, LengthUnit unit) {
+    switch (model::limitOf(rule.kind)) {
+        case model::RuleLimit::Length: return lengthText(static_cast<double>(rule.least), unit);
+        case model::RuleLimit::Ratio: return QString::fromStdString(model::ratioText(rule.mostRatio));
+        default: return {};
+    }
 }
 
 }  // namespace
@@ -139,7 +161,9 @@ RuleModel::RuleModel(QObject* parent)
            {tr("Of"), tr("Tracks, pads, vias or planes; kind of holes"), kEditable},
            {tr("And of"), tr("Tracks, pads, vias or planes; kind of holes"), kEditable},
            {tr("Layer"), tr("A side, outer or inner layers, one layer, or all of them"), kEditable},
-           {tr("At least"), tr("The least value that passes; with a unit (100um, 4 mil) or in yours"), kEditable},
+           {tr("Limit"),
+            tr("The least value that passes, with a unit (100um, 4 mil) or in yours; the largest aspect ratio (8 : 1)"),
+            kEditable},
            {tr("Result"), tr("In how many locations the rule is broken, or that it could not check everything")}},
           parent) {}
 
@@ -305,8 +329,7 @@ Cell RuleModel::cell(int row, int column) const {
         case FirstObject:
         case SecondObject: return {.text = objectText(rule, column), .choices = choicesOf(rule, column)};
         case Layer: return {.text = layerText(rule), .choices = choicesOf(rule, column)};
-        case Least:
-            return {model::hasLeast(rule.kind) ? lengthText(static_cast<double>(rule.least), unit()) : QString()};
+        case Least: return {boundText(rule, unit())};
         default: return resultOf(static_cast<std::size_t>(row));
     }
 }
@@ -352,17 +375,26 @@ Qt::ItemFlags RuleModel::flags(const QModelIndex& index) const {
     const Qt::ItemFlags flags = TableModel::flags(index);
     const model::Rule& rule = m_rules.rules[static_cast<std::size_t>(index.row())];
     const bool isChosen = index.column() >= Kind && index.column() <= Layer;
-    const bool isOpen =
-        isChosen ? !choicesOf(rule, index.column()).isEmpty() : index.column() != Least || model::hasLeast(rule.kind);
+    const bool hasLimit = model::limitOf(rule.kind) != model::RuleLimit::None;
+    const bool isOpen = isChosen ? !choicesOf(rule, index.column()).isEmpty() : index.column() != Least || hasLimit;
     return isOpen ? flags : flags & ~Qt::ItemIsEditable;
+}
+
+bool RuleModel::setLimit(model::Rule& rule, const QString& text) {
+    if (model::limitOf(rule.kind) == model::RuleLimit::Ratio) {
+        const std::optional<double> ratio = ratioOf(text);
+        rule.mostRatio = ratio.value_or(rule.mostRatio);
+        return ratio || refuse(tr("%1 is no aspect ratio: 8, 0.8 : 1, …").arg(text));
+    }
+    const std::optional<model::Nm> least = lengthOf(text, unit());
+    rule.least = least.value_or(rule.least);
+    return least || refuse(tr("%1 is no length: 100um, 4 mil, …").arg(text));
 }
 
 /// False if the text is none for this column.
 bool RuleModel::set(model::Rule& rule, int column, const QString& text) {
     if (column == Least) {
-        const std::optional<model::Nm> least = lengthOf(text, unit());
-        rule.least = least.value_or(rule.least);
-        return least || refuse(tr("%1 is no length: 100um, 4 mil, …").arg(text));
+        return setLimit(rule, text);
     }
     if (!choicesOf(rule, column).contains(text)) {
         return false;

@@ -63,10 +63,12 @@ private:
     [[nodiscard]] QStringList choicesOf(const model::Rule& rule, int column) const;
     [[nodiscard]] QStringList netChoices(const model::Rule& rule) const;
     [[nodiscard]] QStringList layerChoices(const model::Rule& rule) const;
-    /// Takes lengths with a unit ("100um", "4 mil"); without one in the user's. Kinds and classes go by name.
+    /// Takes lengths with a unit ("100um", "4 mil"); without one in the user's. Of an aspect ratio "8" or "8 : 1".
+    /// Kinds and classes go by name.
     bool edit(int row, int column, const QVariant& value) override;
     bool check(int row, int column, bool isChecked) override;
     [[nodiscard]] bool set(model::Rule& rule, int column, const QString& text);
+    [[nodiscard]] bool setLimit(model::Rule& rule, const QString& text);
     bool refuse(const QString& why);
     void change(model::RuleTable after);
 

@@ -1,5 +1,6 @@
 // Rules as files: what is written is read back, and what is wrong in one is named by line and key.
 #include <QtTest>
+#include <algorithm>
 
 #include "model/clearance/rule_file.h"
 #include "tests/unit/model/hand_made.h"
@@ -24,6 +25,23 @@ private slots:
         const auto again = model::parseRules(model::toJson(table));
         QVERIFY2(again, again ? "" : again.error().text.c_str());
         QVERIFY(*again == table);
+    }
+
+    void ratiosAndHolesAreRead() {
+        const auto table = model::parseRules(
+            R"({"copperscope_rules": 1, "rules": [{"kind": "hole-size", "least_um": 300, "holes": "non-plated"},
+                {"kind": "slot-width", "least_um": 500.5, "of": "net:A"},
+                {"kind": "aspect-ratio", "most_ratio": 0.8, "holes": "microvia"}]})");
+        QVERIFY2(table, table ? "" : table.error().text.c_str());
+        const model::Rule expected[] = {
+            {RuleKind::HoleSize, 300 * kUm, {}, true, {model::HoleClass::NonPlated}},
+            {RuleKind::SlotWidth, 500'500, {"net:A", ""}},
+            {RuleKind::AspectRatio, 0, {}, true, {model::HoleClass::Microvia}, {}, "", false, 0, 0.8}};
+        QVERIFY(std::ranges::equal(table->rules, expected));
+        QCOMPARE(model::titleOf(expected[0]), std::string("hole-size of NPTHs"));
+        QCOMPARE(model::titleOf(expected[1]), std::string("slot-width of A"));
+        QCOMPARE(model::titleOf(expected[2]), std::string("aspect-ratio of microvias"));
+        QVERIFY(*model::parseRules(model::toJson(*table)) == *table);
     }
 
     void rulesArePrintedWithComments() {
@@ -77,6 +95,20 @@ private slots:
         QTest::newRow("kind of class") << rules(R"({"kind": "mask-sliver", "least_um": 1, "between": ["p", ""]})")
                                        << QByteArray("copper-copper");
         QTest::newRow("switch") << rules(R"({"kind": "hole-hole", "least_um": 1, "on": 2})") << QByteArray("\"on\"");
+        QTest::newRow("no ratio") << rules(R"({"kind": "aspect-ratio"})")
+                                  << QByteArray("needs a number \"most_ratio\"");
+        QTest::newRow("ratio of none") << rules(R"({"kind": "aspect-ratio", "most_ratio": 0})")
+                                       << QByteArray("\"most_ratio\" must be a number from 0.1 to 100");
+        QTest::newRow("vast ratio") << rules(R"({"kind": "aspect-ratio", "most_ratio": 101})")
+                                    << QByteArray("from 0.1 to 100");
+        QTest::newRow("ratio as text") << rules(R"({"kind": "aspect-ratio", "most_ratio": "8 : 1"})")
+                                       << QByteArray("from 0.1 to 100");
+        QTest::newRow("length for ratio") << rules(R"({"kind": "aspect-ratio", "most_ratio": 8, "least_um": 1})")
+                                          << QByteArray("has no \"least_um\"");
+        QTest::newRow("ratio for length")
+            << rules(R"({"kind": "hole-size", "least_um": 1, "most_ratio": 8})") << QByteArray("has no \"most_ratio\"");
+        QTest::newRow("layer of holes") << rules(R"({"kind": "slot-width", "least_um": 1, "layer": "top"})")
+                                        << QByteArray("a rule like hole-hole has none");
         QTest::newRow("holes") << rules(R"({"kind": "annular-ring", "least_um": 1, "holes": "round"})")
                                << QByteArray("\"round\"");
         QTest::newRow("two holes") << rules(R"({"kind": "hole-hole", "least_um": 1, "holes": "plated"})")

@@ -25,7 +25,7 @@ constexpr const char* kProject = R"json({
     "solder_mask_to_copper_clearance": 0.02,
     "min_via_diameter": 0.5,
     "min_text_height": 0.0},
-  "rule_severities": {"annular_width": "ignore", "clearance": "error"}}},
+  "rule_severities": {"annular_width": "ignore", "clearance": "error", "microvia_drill_out_of_range": "ignore"}}},
 "net_settings": {
   "classes": [
     {"name": "Default", "clearance": 0.2, "track_width": 0.25, "via_diameter": 0.8},
@@ -85,6 +85,32 @@ private slots:
         QVERIFY(has({RuleKind::AnnularRing, 50 * kUm, {}, false}));
         QVERIFY(std::ranges::none_of(rules, [](const Rule& rule) { return rule.kind == RuleKind::SilkToPad; }));
         QVERIFY(model::parseRules(model::toJson(import(kProject).table)));
+    }
+
+    /// To KiCad microvias are no through holes, but slots and NPTHs are.
+    void smallestHolesAreRules() {
+        using model::HoleClass;
+        const auto rulesOf = [](const std::string& least, const std::string& severities) {
+            return import(("{\"board\": {\"design_settings\": {\"rules\": {" + least + "}, \"rule_severities\": {" +
+                           severities + "}}}}")
+                              .c_str());
+        };
+        const std::string both = R"("min_through_hole_diameter": 0.3, "min_microvia_drill": 0.1)";
+        std::vector<Rule> expected = {{RuleKind::HoleSize, 300 * kUm, {}, true, {HoleClass::Plated}},
+                                      {RuleKind::HoleSize, 300 * kUm, {}, true, {HoleClass::NonPlated}},
+                                      {RuleKind::SlotWidth, 300 * kUm, {}},
+                                      {RuleKind::HoleSize, 100 * kUm, {}, true, {HoleClass::Microvia}}};
+        QVERIFY(rulesOf(both, "").table.rules == expected);
+        QVERIFY(rulesOf(both, "").leftOut.empty());
+        expected[3].isOn = false;
+        QVERIFY(rulesOf(both, R"("microvia_drill_out_of_range": "ignore")").table.rules == expected);
+        for (Rule& rule : expected) {
+            rule.isOn = !rule.isOn;
+        }
+        QVERIFY(rulesOf(both, R"("drill_out_of_range": "ignore")").table.rules == expected);
+        QVERIFY(rulesOf(R"("min_through_hole_diameter": 0.0)", "").table.rules.empty());
+        QCOMPARE(textsOf(rulesOf(R"("min_through_hole_diameter": "small")", "").leftOut),
+                 std::vector<std::string>{"line 1: min_through_hole_diameter, which is no length, is left out"});
     }
 
     void twoClassesKeepTheLargerClearance() {
@@ -225,12 +251,16 @@ private slots:
         write(fs::path(board).replace_extension(".kicad_pro"), kProject);  // ignores annular_width
         write(fs::path(board).replace_extension(".kicad_dru"),
               "(version 1)\n(rule a (severity error) (constraint annular_width (min 1mm)))\n"
-              "(rule b (constraint clearance (min 2mm)))");
+              "(rule b (constraint clearance (min 2mm)))\n"
+              "(rule c (condition \"A.isMicroVia()\") (constraint hole_size (min 3mm)))\n"
+              "(rule d (condition \"!A.isPlated()\") (constraint hole_size (min 4mm)))");
         const auto isOn = [rules = model::kicadRulesOf(board)->table.rules](model::Nm least) {
             return std::ranges::find(rules, least, &Rule::least)->isOn;
         };
         QVERIFY(!isOn(1000 * kUm));
         QVERIFY(isOn(2000 * kUm));
+        QVERIFY(!isOn(3000 * kUm));
+        QVERIFY(isOn(4000 * kUm));
     }
 
     void clearancesOfSingleItemsAreNamed() {

@@ -112,6 +112,36 @@ private slots:
         QVERIFY(is(of("silk_clearance", "A.Type == 'pad' && B.Layer == '?.Silkscreen'"), {silk}));
     }
 
+    /// To KiCad the size of a hole is the width of a slot, too. All of its vias are round, and all of its NPTHs are
+    /// pads.
+    void sizesOfHolesAreThoseOfSlotsToo() {
+        using model::HoleClass;
+        const auto of = [](const std::string& condition) {
+            return import("(rule x (constraint hole_size (min 0.3mm) (max 6.3mm)) " + condition + ")").table.rules;
+        };
+        const auto is = [](const std::vector<Rule>& rules, const std::vector<Rule>& expected) {
+            return rules == expected;
+        };
+        const auto size = [](HoleClass holes) { return Rule{RuleKind::HoleSize, 300 * kUm, {}, true, {holes}}; };
+        const auto slot = [](HoleClass holes) { return Rule{RuleKind::SlotWidth, 300 * kUm, {}, true, {holes}}; };
+        QVERIFY(is(of(""), {size(HoleClass::Any), slot(HoleClass::Any)}));
+        QVERIFY(is(of("(condition \"A.isMicroVia()\")"), {size(HoleClass::Microvia)}));
+        QVERIFY(is(of("(condition \"A.isPlated()\")"),
+                   {size(HoleClass::Plated), size(HoleClass::Microvia), slot(HoleClass::Plated)}));
+        const std::vector<Rule> npth{size(HoleClass::NonPlated), slot(HoleClass::NonPlated)};
+        QVERIFY(is(of("(condition \"!A.isPlated()\")"), npth));
+        QVERIFY(is(of("(condition \"A.Type == 'Pad' && !A.isPlated()\")"), npth));
+        QVERIFY(is(of("(condition \"A.Type == 'Pad' && A.Pad_Type == 'NPTH, mechanical' && !A.isPlated()\")"), npth));
+        for (const char* condition :
+             {"A.Type == 'Via'", "A.Type == 'Pad'", "A.Type == 'Pad' && A.isPlated()", "A.Pad_Type == 'Through-hole'",
+              "A.Pad_Type == 'NPTH, mechanical' && A.isPlated()"}) {
+            QVERIFY2(of("(condition \"" + std::string(condition) + "\")").empty(), condition);
+        }
+        const model::RuleFile largest = import("(rule x (constraint hole_size (max 6.3mm)))");
+        QCOMPARE(model::textOf(largest.leftOut.at(0)),
+                 std::string("line 1: rule x, hole_size without min is left out"));
+    }
+
     void conditionsWithoutACounterpartAreNotCutShort() {
         for (const char* condition :
              {"A.hasNetclass('HV') || A.insideArea('x')", "A.hasNetclass('Default')", "!A.hasNetclass('HV')",

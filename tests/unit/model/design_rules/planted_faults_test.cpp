@@ -25,7 +25,8 @@ namespace {
 constexpr int kFaults = 1000;
 constexpr int kColumns = 50;
 constexpr Nm kLeast = 200 * kUm;
-constexpr Nm kRounding = 3;  ///< nm: ends of what is turned are rounded
+constexpr int kMostRatio = 8;  ///< of a hole of kLeast through the board
+constexpr Nm kRounding = 3;    ///< nm: ends of what is turned are rounded
 
 /// A place on the board with axes of its own, turned at random.
 struct Cell {
@@ -47,6 +48,7 @@ public:
                     addLayer(m_builder, "top", model::LayerType::Signal),
                     addLayer(m_builder, "bottom", model::LayerType::Signal)};
         m_layers.push_back(addDrill(m_builder, m_layers[Top], m_layers[Top + 1]));
+        m_builder.layer(m_layers[Drill]).thickness = kMostRatio * kLeast;
     }
 
     /// What comes now has nets of its own: some rules say one location for two nets.
@@ -67,6 +69,10 @@ public:
     void hole(Point at, Nm diameter, Net net, bool isPlated = false) {
         const int flags = model::kHole | (isPlated ? model::kPlated : 0);
         later(Drill, [=, this, id = netOf(net)] { m_builder.addCircle({at, diameter, diameter}, of(id, flags)); });
+    }
+
+    void slot(Point a, Point b, Nm width) {
+        later(Drill, [=, this] { m_builder.addLine({a, b, width, width}, of({}, model::kHole)); });
     }
 
     [[nodiscard]] std::shared_ptr<const model::Document> finish(Point min, Point max) {
@@ -145,6 +151,20 @@ void plantRing(Garden& garden, const Cell& cell, Random& random, bool isFault) {
     garden.pad(cell.at(0, 0), 2 * static_cast<Nm>(150e3 + ring + offset), Garden::A);
 }
 
+void plantHole(Garden& garden, const Cell& cell, Random& random, bool isFault) {
+    const bool isPlated = random() % 2 == 0;
+    garden.hole(cell.at(0, 0), static_cast<Nm>(sizeFor(random, isFault)), Garden::A, isPlated);
+}
+
+void plantSlot(Garden& garden, const Cell& cell, Random& random, bool isFault) {
+    const double half = between(random, 0.0, 200e3);
+    garden.slot(cell.at(-half, 0), cell.at(half, 0), static_cast<Nm>(sizeFor(random, isFault)));
+}
+
+void plantDeepHole(Garden& garden, const Cell& cell, Random& random, bool isFault) {
+    garden.hole(cell.at(0, 0), static_cast<Nm>(sizeFor(random, isFault)), Garden::A, true);
+}
+
 void plantSliver(Garden& garden, const Cell& cell, Random& random, bool isFault) {
     const double gap = sizeFor(random, isFault);
     garden.track(Garden::Mask, cell.at(0, 0), cell.at(600e3, 0), 150 * kUm, Garden::None);
@@ -221,6 +241,8 @@ struct Kind {
 std::vector<Kind> kinds() {
     Rule within{RuleKind::CopperToCopper, kLeast, {}};
     within.isSameNet = true;
+    Rule deep{RuleKind::AspectRatio, 0, {}};
+    deep.mostRatio = kMostRatio;
     return {{{RuleKind::CopperToCopper, kLeast, {}}, plantCopper},
             {within, plantOwnCopper},
             {{RuleKind::CopperToHole, kLeast, {}}, plantNearHole},
@@ -234,7 +256,10 @@ std::vector<Kind> kinds() {
             {{RuleKind::TrackWidth, kLeast, {}}, plantTrack},
             {{RuleKind::AcuteAngle, 0, {}}, plantAngle, 3 * kMm},
             {{RuleKind::FloatingCopper, 0, {}}, plantIsland},
-            {{RuleKind::Creepage, 3 * kMm, {}}, plantCreepage, 10 * kMm}};
+            {{RuleKind::Creepage, 3 * kMm, {}}, plantCreepage, 10 * kMm},
+            {{RuleKind::HoleSize, kLeast, {}}, plantHole},
+            {{RuleKind::SlotWidth, kLeast, {}}, plantSlot},
+            {deep, plantDeepHole}};
 }
 
 using Cells = std::set<int>;

@@ -107,6 +107,7 @@ private slots:
         for (std::size_t fault = 0; fault < model::kFindingReasonCount; ++fault) {
             std::vector<Waiver> waivers{some.front()};
             waivers[0].fault = static_cast<model::FindingReason>(fault);
+            waivers[0].depth = waivers[0].fault == model::FindingReason::TooDeep ? 1.6e6 : 0.0;
             const auto again = model::parseWaivers(model::toJson(waivers));
             QVERIFY2(again, again ? "" : again.error().text.c_str());
             QVERIFY(*again == waivers);

@@ -144,6 +144,31 @@ private slots:
         QVERIFY(model::parseRules(model::toJson(rules.rules())));
     }
 
+    /// Which has no unit.
+    void anAspectRatioIsTyped() {
+        RuleModel rules;
+        rules.setUnit(ui::LengthUnit::Mil);
+        QVERIFY(set(rules, 0, RuleModel::Kind, "aspect-ratio"));
+        QCOMPARE(text(rules, 0, RuleModel::Least), "10 : 1");
+        QVERIFY((rules.flags(rules.index(0, RuleModel::Least)) & Qt::ItemIsEditable) != 0);
+        QVERIFY(set(rules, 0, RuleModel::FirstObject, "microvia"));
+        for (const auto& [typed, ratio] : {std::pair("8", 8.0), {"0.8 : 1", 0.8}, {" 7.5:1 ", 7.5}}) {
+            QVERIFY2(set(rules, 0, RuleModel::Least, typed), typed);
+            QVERIFY(rules.rules().rules[0] ==
+                    (model::Rule{
+                        RuleKind::AspectRatio, 0, {}, true, {model::HoleClass::Microvia}, {}, "", false, 0, ratio}));
+        }
+        const QSignalSpy refused(&rules, &RuleModel::refused);
+        for (const char* typed : {"0", "101", "8 mm", "8 : 2", ": 1", "8 :", "apple", "-8"}) {
+            QVERIFY2(!set(rules, 0, RuleModel::Least, typed), typed);
+        }
+        QCOMPARE(refused.count(), 8);
+        QVERIFY(model::parseRules(model::toJson(rules.rules())));
+        QVERIFY(set(rules, 0, RuleModel::Kind, "hole-size"));
+        QVERIFY(rules.rules().rules[0] ==
+                (model::Rule{RuleKind::HoleSize, 100'000, {}, true, {model::HoleClass::Microvia}}));
+    }
+
     void objectsAndLayersAreChosen() {
         RuleModel rules;
         rules.setLayers({"TOP"});
