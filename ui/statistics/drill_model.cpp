@@ -6,16 +6,21 @@
 namespace ui {
 
 DrillModel::DrillModel(QObject* parent)
-    : TableModel({{tr("Layer"), tr("Drill or routing layer of the job")},
-                  {tr("Span"), tr("Which copper layers the holes join or pass")},
-                  {tr("Kind"), tr("What the holes are for")},
-                  {tr("Shape"), tr("Round hole, slot (one straight cut), routed path or area")},
-                  {tr("Diameter"), tr("As drilled; the width of a slot"), kNumber},
-                  {tr("Length"), tr("Of slots as drilled, over their ends; of areas the longer side"), kNumber},
-                  {tr("Finished"), tr("Finished hole: inside the plating; as drilled where there is none"), kNumber},
-                  {tr("Tool"), tr("Number in the job's tool list"), kNumber},
-                  {tr("Holes"), tr("How many there are"), kNumber}},
-                 parent) {}
+    : TableModel(
+          {{tr("Layer"), tr("Drill or routing layer of the job")},
+           {tr("Span"), tr("Which copper layers the holes join or pass")},
+           {tr("Kind"), tr("What the holes are for")},
+           {tr("Shape"), tr("Round hole, slot (one straight cut), routed path or area")},
+           {tr("Diameter"), tr("As drilled; the width of a slot"), kNumber},
+           {tr("Length"), tr("Of slots as drilled, over their ends; of areas the longer side"), kNumber},
+           {tr("Finished"), tr("Finished size that the job's tool list states; empty where it states none"), kNumber},
+           {tr("Inside"),
+            tr("Inside of the plating, as 3D draws it; as drilled where there is none; in italics: assumed, as the "
+               "job does not say how thick the plating is"),
+            kNumber},
+           {tr("Tool"), tr("Number in the job's tool list"), kNumber},
+           {tr("Holes"), tr("How many there are"), kNumber}},
+          parent) {}
 
 void DrillModel::setDocument(std::shared_ptr<const model::Document> document) {
     beginResetModel();
@@ -41,7 +46,9 @@ Cell DrillModel::cell(int at, int column) const {
         case Shape: return {row.shape == std::string_view("path") ? tr("routed path") : QString::fromLatin1(row.shape)};
         case Diameter: return row.diameter > 0 ? length(row.diameter) : Cell{};
         case Length: return row.length > 0 ? length(row.length) : Cell{};
-        case Finished: return row.open > 0 ? inside(row) : Cell{};
+        case Finished:
+            return row.tool != nullptr && row.tool->finishedSize > 0 ? length(row.tool->finishedSize) : Cell{};
+        case Inside: return row.open > 0 ? inside(row) : Cell{};
         case Tool:
             return row.tool == nullptr      ? Cell{}
                    : row.otherTools.empty() ? Cell{row.tool->number}
@@ -58,9 +65,6 @@ Cell DrillModel::inside(const model::DrillRow& row) const {
         slanted.setItalic(true);
         cell.font = slanted;
         cell.tip = tr("Assumed: no tool of the job says how thick the plating is");
-        if (row.tool != nullptr && row.tool->finishedSize > 0) {
-            cell.tip += '\n' + tr("Finished size of the tool: %1").arg(length(row.tool->finishedSize).text.toString());
-        }
     }
     return cell;
 }

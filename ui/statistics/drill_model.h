@@ -8,16 +8,18 @@
 namespace ui {
 
 /// The drill table of a board with the copies of steps on it: holes that are the same to a fabricator, a row each
-/// (model/board/holes.h).
+/// (model/board/holes.h). A finished size is what the tool list of the job states; what the plating leaves may be
+/// assumed and has a column of its own, as in `copperscope info`.
 class DrillModel : public TableModel {
     Q_OBJECT
 
 public:
-    enum Column { Layer, Span, Kind, Shape, Diameter, Length, Finished, Tool, Holes };
+    enum Column { Layer, Span, Kind, Shape, Diameter, Length, Finished, Inside, Tool, Holes };
 
     explicit DrillModel(QObject* parent = nullptr);
 
     void setDocument(std::shared_ptr<const model::Document> document);
+    [[nodiscard]] const std::vector<model::DrillRow>& table() const { return m_rows; }
     /// The holes that these rows count, in rising order.
     [[nodiscard]] std::vector<model::BoardElement> holesIn(const std::vector<int>& rows) const;
 

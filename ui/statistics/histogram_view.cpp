@@ -71,33 +71,85 @@ void HistogramView::paintEvent(QPaintEvent*) {
         return;
     }
     painter.drawText(QRectF(rect()).adjusted(0.0, 2.0, -kMargin, 0.0), Qt::AlignRight, QLatin1String(unitName(m_unit)));
-    std::uint64_t highest = 0;
-    for (const model::HistogramBar& bar : histogram().bars) {
-        highest = std::max(highest, bar.count);
-    }
     for (std::size_t bar = 0; bar < histogram().bars.size(); ++bar) {
-        paintBar(painter, bar, highest);
+        paintBar(painter, bar);
+        paintCount(painter, bar);
+        paintLabel(painter, bar);
     }
 }
 
-void HistogramView::paintBar(QPainter& painter, std::size_t bar, std::uint64_t highest) const {
-    const model::HistogramBar& values = histogram().bars[bar];
+QString HistogramView::countText(std::size_t bar) const {
+    return QLocale().toString(qulonglong{histogram().bars[bar].count});
+}
+
+/// With the space to the next one.
+double HistogramView::widestCount() const {
+    int widest = 0;
+    for (std::size_t bar = 0; bar < histogram().bars.size(); ++bar) {
+        widest = std::max(widest, fontMetrics().horizontalAdvance(countText(bar)));
+    }
+    return widest + fontMetrics().averageCharWidth();
+}
+
+HistogramView::Counts HistogramView::counts() const {
+    const QRectF column = columnRect(0);
+    const double widest = widestCount();
+    if (widest <= column.width()) {
+        return Counts::Level;
+    }
+    return column.width() >= fontMetrics().height() && column.height() >= 2 * widest ? Counts::Turned : Counts::None;
+}
+
+/// The square root keeps a bar of one element visible beside one of thousands; the count is over it.
+double HistogramView::topOf(std::size_t bar) const {
+    const auto& bars = histogram().bars;
+    const auto count = [](const model::HistogramBar& of) { return static_cast<double>(of.count); };
+    const double highest = count(*std::ranges::max_element(bars, {}, &model::HistogramBar::count));
     const QRectF column = columnRect(bar);
-    const double line = fontMetrics().height();
-    const double room = column.height() - line;
-    // The square root keeps a bar of one element visible beside one of thousands; the count is over it.
-    const double high = std::max(2.0, room * std::sqrt(double(values.count) / double(highest)));
+    const double room = column.height() - (counts() == Counts::Turned ? widestCount() : fontMetrics().height());
+    return column.bottom() - std::max(2.0, room * std::sqrt(count(bars[bar]) / highest));
+}
+
+QRectF HistogramView::countRect(std::size_t bar) const {
+    if (counts() == Counts::None) {
+        return {};
+    }
+    const QRectF column = columnRect(bar);
+    const double high = counts() == Counts::Turned ? widestCount() : fontMetrics().height();
+    return {column.left(), topOf(bar) - high, column.width(), high};
+}
+
+void HistogramView::paintBar(QPainter& painter, std::size_t bar) const {
+    const QRectF column = columnRect(bar);
     const double space = std::min(3.0, column.width() / 6);
-    const QRectF filled(column.left() + space, column.bottom() - high, column.width() - 2 * space, high);
+    const double top = topOf(bar);
+    const QRectF filled(column.left() + space, top, column.width() - 2 * space, column.bottom() - top);
     painter.fillRect(filled, palette().color(bar == m_current ? QPalette::Highlight : QPalette::PlaceholderText));
-    painter.setPen(palette().color(QPalette::Text));
-    const QRectF above(column.left(), filled.top() - line, column.width(), line);
-    painter.drawText(above, Qt::AlignCenter, QLocale().toString(qulonglong{values.count}));
-    // The least one alone stands where the bar begins.
+}
+
+void HistogramView::paintCount(QPainter& painter, std::size_t bar) const {
+    const QRectF at = countRect(bar);
+    if (counts() == Counts::Level) {
+        painter.drawText(at, Qt::AlignCenter, countText(bar));
+    } else if (counts() == Counts::Turned) {
+        painter.save();
+        painter.translate(at.bottomLeft());
+        painter.rotate(-90.0);
+        const double space = fontMetrics().averageCharWidth() / 2.0;
+        painter.drawText(QRectF(space, 0.0, at.height() - space, at.width()), Qt::AlignVCenter | Qt::AlignLeft,
+                         countText(bar));
+        painter.restore();
+    }
+}
+
+/// The least one alone stands where the bar begins.
+void HistogramView::paintLabel(QPainter& painter, std::size_t bar) const {
+    const QRectF column = columnRect(bar);
     const QString label = labelUnder(bar);
-    const bool isWhole =
-        label == numbersText(lengthsText(values)) && fontMetrics().horizontalAdvance(label) <= column.width();
-    const QRectF below(column.left(), column.bottom(), isWhole ? column.width() : width() - column.left(), line);
+    const bool isWhole = label == numbersText(lengthsText(histogram().bars[bar])) &&
+                         fontMetrics().horizontalAdvance(label) <= column.width();
+    const QRectF below(column.left(), column.bottom(), isWhole ? column.width() : width() - column.left(),
+                       fontMetrics().height());
     painter.drawText(below, isWhole ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter, label);
 }
 

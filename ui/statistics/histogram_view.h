@@ -28,6 +28,10 @@ public:
     /// What stands under a bar: its lengths; where bars are too narrow for that its least one, and under some bars
     /// alone where even those have no room side by side. Empty for none, and never cut: a part of a number is another.
     [[nodiscard]] QString labelUnder(std::size_t bar) const;
+    /// Where the number of elements stands over a bar: turned by a quarter where the bars are too narrow for one of
+    /// them, and empty where they are too narrow for that, too. A number is never cut, and the tip of the bar says it
+    /// anyway.
+    [[nodiscard]] QRectF countRect(std::size_t bar) const;
 
 signals:
     void chosen(const std::vector<model::BoardElement>& elements);
@@ -39,13 +43,22 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    enum class Counts { Level, Turned, None };
+
     void invalidate();
     void choose(std::size_t bar);
     [[nodiscard]] std::size_t barAt(QPointF at) const;
     [[nodiscard]] QString lengthsText(const model::HistogramBar& bar) const;
     /// Without the unit.
     [[nodiscard]] QString numbersText(const QString& lengths) const;
-    void paintBar(QPainter& painter, std::size_t bar, std::uint64_t highest) const;
+    [[nodiscard]] QString countText(std::size_t bar) const;
+    [[nodiscard]] double widestCount() const;
+    /// How the numbers over the bars are written, all alike.
+    [[nodiscard]] Counts counts() const;
+    [[nodiscard]] double topOf(std::size_t bar) const;
+    void paintBar(QPainter& painter, std::size_t bar) const;
+    void paintCount(QPainter& painter, std::size_t bar) const;
+    void paintLabel(QPainter& painter, std::size_t bar) const;
 
     std::shared_ptr<const model::Document> m_document;
     model::Measure m_measure = model::Measure::TrackWidth;

@@ -4,11 +4,13 @@
 #include <QSplitter>
 #include <QTabWidget>
 
+#include "ui/common/elided_label.h"
 #include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
 #include "ui/statistics/drill_model.h"
 #include "ui/statistics/histogram_view.h"
 #include "ui/statistics/statistics_model.h"
+#include "ui/statistics/summary_text.h"
 
 namespace ui {
 
@@ -27,7 +29,7 @@ QWidget* plotWithChoice(HistogramView& plot) {
     return half;
 }
 
-QWidget* panelOf(TableView* elements, TableView* drills, HistogramView& plot) {
+QWidget* panelOf(QLabel* summary, TableView* elements, TableView* drills, HistogramView& plot) {
     for (TableView* table : {elements, drills}) {
         table->makeSortable();
         table->fitColumns();
@@ -41,8 +43,27 @@ QWidget* panelOf(TableView* elements, TableView* drills, HistogramView& plot) {
     halves->addWidget(tabs);
     halves->addWidget(plotWithChoice(plot));
     auto* panel = new QWidget;
-    columnIn(*panel)->addWidget(halves);
+    auto* column = columnIn(*panel);
+    column->addWidget(summary);
+    column->addWidget(halves, 1);
     return panel;
+}
+
+/// The board in a line that follows the unit and its thicknesses; in a narrow panel in several.
+QLabel* makeSummary(Workspace& workspace, const DrillModel& drills) {
+    constexpr int kMostLines = 3;
+    auto* summary = new ElidedLabel;
+    summary->setObjectName(QStringLiteral("boardSummary"));
+    summary->setMostLines(kMostLines);
+    const auto show = [&workspace, &drills, summary] {
+        if (const LoadedBoard* board = workspace.board()) {
+            summary->setText(summaryText(model::summaryOf(*board->document, drills.table()), workspace.unit()));
+        }
+    };
+    QObject::connect(&drills, &QAbstractItemModel::modelReset, summary, show);
+    QObject::connect(&workspace, &Workspace::restacked, summary, show);
+    QObject::connect(&workspace, &Workspace::unitChanged, summary, show);
+    return summary;
 }
 
 }  // namespace
@@ -53,7 +74,7 @@ void addStatistics(FeatureContext& context) {
     auto* drills = new DrillModel(&context.window);
     auto* drillTable = new TableView(*drills);
     auto* plot = new HistogramView;
-    QWidget* panel = panelOf(new TableView(*statistics), drillTable, *plot);
+    QWidget* panel = panelOf(makeSummary(workspace, *drills), new TableView(*statistics), drillTable, *plot);
     context.addPanel(
         {ActionId::ShowStatisticsDock, "statistics", StatisticsModel::tr("Statistics"), Qt::BottomDockWidgetArea},
         *panel);

@@ -1,4 +1,5 @@
-// Bars of a histogram and rows of the drill table select their elements, with the mouse and with keys.
+// Bars of a histogram and rows of the drill table select their elements, with the mouse and with keys; the line above
+// them sums the board up.
 
 #include "ui/statistics/histogram_view.h"
 
@@ -64,6 +65,40 @@ private slots:
         }
     }
 
+    /// A part of a number is another.
+    void numbersOverNarrowBarsAreWholeOrNotThere() {
+        ui::HistogramView narrow;
+        narrow.setMinimumSize(1, 1);
+        narrow.setDocument(window().workspace().board()->document);
+        narrow.setMeasure(model::Measure::HoleDiameter);
+        const auto& bars = narrow.histogram().bars;
+        const int line = narrow.fontMetrics().height();
+        for (const int column : {line / 2, line + 1, 100}) {
+            narrow.resize(column * static_cast<int>(bars.size()) + 12, 200);
+            for (std::size_t bar = 0; bar < bars.size(); ++bar) {
+                const int needed =
+                    narrow.fontMetrics().horizontalAdvance(QLocale().toString(qulonglong{bars[bar].count}));
+                const QRectF at = narrow.countRect(bar);
+                QCOMPARE(at.isEmpty(), column < line);
+                QVERIFY2(!at.isEmpty() || !hasText(narrow, bar), "a number that has no room");
+                QVERIFY(at.isEmpty() || (column < 100 ? at.height() : at.width()) >= needed);
+                const QRectF room = narrow.columnRect(bar).adjusted(-0.1, -0.1, 0.1, 0.1);  // of rounding
+                QVERIFY(at.isEmpty() || room.contains(at));
+            }
+        }
+    }
+
+    void aLineSumsTheBoardUp() {
+        const auto summary = [this] { return window().label("boardSummary"); };
+        QVERIFY2(summary().startsWith("Board 50.8 mm × 50.8 mm · 1.57"), qPrintable(summary()));
+        const model::Document& board = *window().document();
+        QVERIFY2(summary().contains(
+                     QString(" · %1 nets · %2 components · ").arg(board.nets.size()).arg(board.components.size())),
+                 qPrintable(summary()));
+        m_fixture->key(Qt::Key_Q);
+        QVERIFY2(summary().startsWith("Board 2000 mil × 2000 mil · "), qPrintable(summary()));
+    }
+
     void anotherMeasureIsChosen() {
         const std::size_t tracks = plot().histogram().elements.size();
         window().panel("statistics").findChild<QComboBox*>()->setCurrentIndex(1);
@@ -102,6 +137,26 @@ private slots:
     }
 
 private:
+    /// Is something written over the bar, where the unit is not?
+    static bool hasText(ui::HistogramView& plot, std::size_t bar) {
+        const QRectF column = plot.columnRect(bar);
+        if (column.right() > plot.width() - plot.fontMetrics().horizontalAdvance(" mm ")) {
+            return false;
+        }
+        const QImage picture = plot.grab().toImage();
+        const QColor text = plot.palette().color(QPalette::Text);
+        const double scale = picture.devicePixelRatio();
+        for (int y = 0; y < int(column.bottom() * scale); ++y) {
+            for (int x = int(column.left() * scale); x < int(column.right() * scale); ++x) {
+                const QColor pixel = picture.pixelColor(x, y);
+                if (std::abs(pixel.lightness() - text.lightness()) < 30) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
     TestWindow& window() { return m_fixture->window(); }
     ui::HistogramView& plot() { return window().find<ui::HistogramView>(); }
 

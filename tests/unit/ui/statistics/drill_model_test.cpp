@@ -63,9 +63,9 @@ private slots:
 
     void sameHolesAreOneRow() {
         QCOMPARE(ui::tableText(m_model),
-                 "Layer\tSpan\tKind\tShape\tDiameter\tLength\tFinished\tTool\tHoles\n"
-                 "drill\tthrough\tVia\tround\t0.3\t\t0.25\t7\t3\n"
-                 "drill\tthrough\tNPTH\tround\t3\t\t3\t\t1\n");
+                 "Layer\tSpan\tKind\tShape\tDiameter\tLength\tFinished\tInside\tTool\tHoles\n"
+                 "drill\tthrough\tVia\tround\t0.3\t\t0.25\t0.25\t7\t3\n"
+                 "drill\tthrough\tNPTH\tround\t3\t\t\t3\t\t1\n");
         QCOMPARE(m_model.index(0, DrillModel::Span).data(Qt::ToolTipRole).toString(), "top to bottom");
     }
 
@@ -82,16 +82,31 @@ private slots:
         QVERIFY(m_model.holesIn({}).empty());
     }
 
-    void anAssumedPlatingIsMarked() {
-        const auto isMarked = [this](int row) {
-            const QModelIndex cell = m_model.index(row, DrillModel::Finished);
-            const bool isSlanted = cell.data(Qt::FontRole).value<QFont>().italic();
-            return isSlanted && cell.data(Qt::ToolTipRole).toString().contains("Finished size of the tool: 0.3000 mm");
+    /// A tool that is as large finished as drilled says nothing of the plating, which is assumed then.
+    void aFinishedSizeIsWhatTheJobStates() {
+        const auto shown = [this](int row, DrillModel::Column column) {
+            return m_model.index(row, column).data().toString();
         };
-        QVERIFY(!isMarked(0) && !isMarked(1));
         m_model.setDocument(drilledBoard(300'000));
-        QVERIFY(isMarked(0));
-        QVERIFY(!isMarked(1));  // an NPTH has none
+        QCOMPARE(shown(0, DrillModel::Finished), "0.3000 mm");
+        QCOMPARE(shown(0, DrillModel::Inside), "0.2500 mm");
+        m_model.setDocument(drilledBoard(0));
+        QCOMPARE(shown(0, DrillModel::Finished), QString());
+        QCOMPARE(shown(0, DrillModel::Inside), "0.2500 mm");
+        QCOMPARE(shown(1, DrillModel::Finished), QString());  // it has no tool
+    }
+
+    void anAssumedPlatingIsMarked() {
+        const auto isMarked = [this](int row, DrillModel::Column column) {
+            const QModelIndex cell = m_model.index(row, column);
+            return cell.data(Qt::FontRole).value<QFont>().italic() &&
+                   cell.data(Qt::ToolTipRole).toString().startsWith("Assumed");
+        };
+        QVERIFY(!isMarked(0, DrillModel::Inside) && !isMarked(1, DrillModel::Inside));
+        m_model.setDocument(drilledBoard(300'000));
+        QVERIFY(isMarked(0, DrillModel::Inside));
+        QVERIFY(!isMarked(1, DrillModel::Inside));  // an NPTH has none
+        QVERIFY(!isMarked(0, DrillModel::Finished));
     }
 
     void lengthsFollowTheUnit() {
