@@ -343,14 +343,21 @@ Cell NetModel::numberCell(std::size_t net, int column) const {
     }
 }
 
-QString NetModel::widestNumber(Column column) const {
+QStringList NetModel::widestTexts(Column column) const {
     const auto count = m_document && m_statistics ? static_cast<std::uint32_t>(m_document->nets.size()) : 0;
+    if (count == 0) {
+        return {};
+    }
     std::uint32_t largest = 0;
     for (std::uint32_t net = 1; net < count; ++net) {
         const auto key = [&](std::uint32_t of) { return keyOf(*m_document, *m_statistics, column, of); };
         largest = key(net) > key(largest) ? net : largest;
     }
-    return count > 0 ? numberCell(largest, column).text.toString() : QString();
+    QStringList texts{numberCell(largest, column).text.toString()};
+    if (column == Length) {
+        texts += countText(count);
+    }
+    return texts;
 }
 
 QString NetModel::tip(int row, int column) const {

@@ -60,8 +60,9 @@ public:
     [[nodiscard]] std::optional<int> rowOf(model::NetId net) const { return m_rows.rowOf(net); }
     [[nodiscard]] int total() const { return m_document ? static_cast<int>(m_document->nets.size()) : 0; }
 
-    /// The text of the largest number in this column, of all nets; empty where there are none.
-    [[nodiscard]] QString widestNumber(Column column) const;
+    /// What a column of numbers needs room for: the text of the largest number of all nets, and of Length what the
+    /// heading of all of them would say. Empty where there are none.
+    [[nodiscard]] QStringList widestTexts(Column column) const;
 
     void sort(int column, Qt::SortOrder order) override;
 

@@ -45,6 +45,14 @@ QString totalsText(const model::NetStatistics& statistics, std::span<const model
         .join(QStringLiteral(" · "));
 }
 
+/// Of what is shown of the two: lengths that the table shows as two differ here, too.
+QString differenceText(double one, double other, LengthUnit unit) {
+    const auto shown = [unit](double length) {
+        return fixedLengthText(length, unit).section(QLatin1Char(' '), 0, 0).toDouble() * nmPer(unit);
+    };
+    return NetText::tr("Their lengths differ by %1").arg(fixedLengthInBoth(std::abs(shown(one) - shown(other)), unit));
+}
+
 QString layersText(const model::Document& document, std::span<const model::NetId> nets, LengthUnit unit) {
     std::map<model::LayerId, double> lengths;
     for (const model::NetId net : nets) {
@@ -71,9 +79,8 @@ QString netsText(const model::Document& document, const model::NetStatistics* st
     if (statistics != nullptr) {
         text += '\n' + totalsText(*statistics, nets, unit);
         if (nets.size() == 2) {
-            const double difference =
-                std::abs(statistics->lengthNm[nets[0].row()] - statistics->lengthNm[nets[1].row()]);
-            text += '\n' + NetText::tr("Their lengths differ by %1").arg(lengthInBoth(difference, unit));
+            text +=
+                '\n' + differenceText(statistics->lengthNm[nets[0].row()], statistics->lengthNm[nets[1].row()], unit);
         }
     }
     return elementsOf(document, nets) <= kMostMeasured ? text + layersText(document, nets, unit) : text;

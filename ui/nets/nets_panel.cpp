@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "ui/common/cell_delegate.h"
 #include "ui/common/panel_parts.h"
 #include "ui/common/table_view.h"
 #include "ui/nets/net_text.h"
@@ -42,6 +43,19 @@ constexpr ActionId kMenu[] = {ActionId::HighlightNet,   ActionId::AddNet,       
                               ActionId::ColourNet,      ActionId::ChooseNetColour, ActionId::HideNet,
                               ActionId::IsolateNet,     ActionId::ShowAllNets,     ActionId::ClearNetColours,
                               ActionId::SectionAlongNet};
+
+/// Of sheets within sheets the last name tells nets apart, of pairs and buses the first as well: what lies between has
+/// to go, of headings too.
+class NetNameDelegate : public CellDelegate {
+public:
+    explicit NetNameDelegate(QObject* parent) : CellDelegate(parent) {}
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        CellDelegate::initStyleOption(option, index);
+        option->textElideMode = Qt::ElideMiddle;
+    }
+};
 
 /// Rows that follow each other become one range: a million of them would be slow.
 void addRow(QItemSelection& rows, const NetModel& model, int row) {
@@ -93,7 +107,7 @@ NetsPanel::NetsPanel(NetModel& model, SelectionModel& selection, NetStyles& styl
 
 void NetsPanel::setUpTable() {
     m_table->setButtonColumns({NetModel::Shown, NetModel::Colour});
-    m_table->setTextElideMode(Qt::ElideLeft);  // of sheets within sheets the last name tells nets apart
+    m_table->setItemDelegateForColumn(NetModel::Name, new NetNameDelegate(m_table));
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(NetModel::Name, Qt::AscendingOrder);
     const int letter = fontMetrics().horizontalAdvance('0');
@@ -107,8 +121,11 @@ void NetsPanel::setUpTable() {
     header.moveSection(header.visualIndex(NetModel::Length), header.visualIndex(NetModel::Name) + 1);
     header.setStretchLastSection(true);
     connect(&header, &QHeaderView::sortIndicatorChanged, this, [this] { m_isToBegin = true; });
-    connect(&header, &QHeaderView::sectionResized, this,
-            [this](int column) { m_isNameSet = m_isNameSet || (column == NetModel::Name && !m_isFitting); });
+    connect(&header, &QHeaderView::sectionResized, this, [this](int column) {
+        if (!m_isFitting) {
+            m_setColumns.insert(column);
+        }
+    });
     m_table->installEventFilter(this);
     m_table->viewport()->installEventFilter(this);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &NetsPanel::takeFromTable);
@@ -157,7 +174,8 @@ void NetsPanel::layOutControls(const ActionSet& actions) {
 }
 
 bool NetsPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_table->viewport() && event->type() == QEvent::Resize) {
+    if ((watched == m_table->viewport() && event->type() == QEvent::Resize) ||
+        (watched == m_table && event->type() == QEvent::Show)) {
         fitName();
     }
     const bool isTaken =
@@ -284,25 +302,47 @@ void NetsPanel::applyStep() {
     if (m_board) {
         const std::shared_ptr<const model::Document> listed(m_board, m_selection.tree().steps[step()]);
         m_model.setNets(listed, step() < m_statistics.size() ? m_statistics[step()] : nullptr, step());
+        m_isNameDue = true;
         fitNumbers();
     }
     m_detailsDue.start();
 }
 
-/// No column is too narrow for the largest of its numbers.
+int NetsPanel::widthFor(NetModel::Column column) const {
+    int widest = 0;
+    for (QString text : m_model.widestTexts(column)) {
+        std::ranges::replace_if(
+            text, [](QChar letter) { return letter.isDigit(); }, QLatin1Char('0'));
+        widest = std::max(widest, m_table->fontMetrics().horizontalAdvance(text));
+    }
+    const int margin =
+        style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, m_table) + 1;  // as delegates have it
+    return std::max(widest + 2 * margin + 1, m_table->horizontalHeader()->sectionSizeHint(column));
+}
+
+/// No column is too narrow for the largest of its numbers. The length, which stands beside the name, is no wider either
+/// until the user sets its width.
 void NetsPanel::fitNumbers() {
-    for (const NetModel::Column column :
-         {NetModel::Pins, NetModel::Vias, NetModel::Elements, NetModel::Length, NetModel::Area}) {
-        const int needed = fontMetrics().horizontalAdvance(m_model.widestNumber(column) + QStringLiteral("MM"));
-        m_table->setColumnWidth(column, std::max(m_table->columnWidth(column), needed));
+    {
+        const QScopedValueRollback guard(m_isFitting, true);
+        for (const NetModel::Column column :
+             {NetModel::Pins, NetModel::Vias, NetModel::Elements, NetModel::Length, NetModel::Area}) {
+            const bool isExact = column == NetModel::Length && !m_setColumns.contains(column);
+            const int least = isExact ? 0 : m_table->columnWidth(column);
+            m_table->setColumnWidth(column, std::max(least, widthFor(column)));
+        }
     }
     fitName();
 }
 
-/// In a narrow panel the name leaves room for the length beside it, until the user sets its width.
+/// The name takes what room the length beside it leaves, as far as it needs it, until the user sets its width.
 void NetsPanel::fitName() {
-    if (m_isNameSet) {
+    if (m_setColumns.contains(NetModel::Name)) {
         return;
+    }
+    if (m_isNameDue && m_table->isVisible() && m_model.isArranged() && m_model.rowCount() > 0) {
+        m_nameNeeded = static_cast<const QAbstractItemView&>(*m_table).sizeHintForColumn(NetModel::Name) + 1;
+        m_isNameDue = false;
     }
     int room = m_table->viewport()->width();
     for (const NetModel::Column column : {NetModel::Shown, NetModel::Colour, NetModel::Length}) {
@@ -310,7 +350,8 @@ void NetsPanel::fitName() {
     }
     const int letter = fontMetrics().horizontalAdvance('0');
     const QScopedValueRollback guard(m_isFitting, true);
-    m_table->setColumnWidth(NetModel::Name, std::clamp(room, kLeastNameWidth * letter, kNameWidth * letter));
+    const int most = std::max(kNameWidth * letter, m_nameNeeded);
+    m_table->setColumnWidth(NetModel::Name, std::clamp(room, kLeastNameWidth * letter, most));
 }
 
 void NetsPanel::applyFilter() {
@@ -324,11 +365,13 @@ void NetsPanel::applyFilter() {
 }
 
 void NetsPanel::applyGrouping() {
+    m_isNameDue = true;
     m_model.setGrouping(kGroupings[m_group->currentIndex()]);
 }
 
 void NetsPanel::onArranged() {
     m_summary->setText(tr("%L1 of %L2").arg(m_model.shown()).arg(m_model.total()));
+    fitName();
     showInTable();
     if (std::exchange(m_isToBegin, false)) {
         m_table->scrollToTop();

@@ -2,6 +2,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <set>
 
 #include "model/board/copies.h"
 #include "ui/nets/net_model.h"
@@ -62,6 +63,7 @@ private:
     bool foldAt(const QPoint& at);
     void fold(int heading, bool isFolded);
     void groupBySheet();
+    [[nodiscard]] int widthFor(NetModel::Column column) const;
     void fitNumbers();
     void fitName();
     void onClicked(const QModelIndex& index);
@@ -93,12 +95,14 @@ private:
     QLabel* m_summary;
     QLabel* m_details;
     TableView* m_table;
-    QTimer m_detailsDue;        ///< what is known of a net comes after the frame that shows it
-    bool m_isSyncing = false;   ///< the table is being changed to show what is highlighted
-    bool m_isFitting = false;   ///< the width of the names
-    bool m_isNameSet = false;   ///< that width, by the user
-    bool m_isToBegin = false;   ///< at the top, once the rows are arranged
-    bool m_isToScroll = false;  ///< to the net of the selection, likewise
+    QTimer m_detailsDue;         ///< what is known of a net comes after the frame that shows it
+    bool m_isSyncing = false;    ///< the table is being changed to show what is highlighted
+    bool m_isFitting = false;    ///< columns to what they show
+    std::set<int> m_setColumns;  ///< those that the user set the width of
+    int m_nameNeeded = 0;        ///< the width of the longest name; 0: not measured yet
+    bool m_isNameDue = false;    ///< to be measured, once it is arranged and seen
+    bool m_isToBegin = false;    ///< at the top, once the rows are arranged
+    bool m_isToScroll = false;   ///< to the net of the selection, likewise
     bool m_follows = true;
     bool m_showsChosen = false;
     bool m_isGroupingChosen = false;  ///< by the user

@@ -223,6 +223,39 @@ private slots:
         QVERIFY2(table().columnWidth(NetModel::Name) == 250, "the user has set it");
     }
 
+    void namesTakeTheRoomThatNumbersLeave() {
+        open(boardWithPairs());
+        window().showPanel("nets");
+        panel().findChild<QComboBox*>("netGroups")->setCurrentText("No groups");
+        QTRY_VERIFY(nets().isArranged() && !nets().isHeading(0));
+        const auto needed = [&](NetModel::Column column) {
+            return std::max(table().sizeHintForIndex(nets().index(0, column)).width(),
+                            table().horizontalHeader()->sectionSizeHint(column));
+        };
+        window().resizeDocks({window().findChild<QDockWidget*>("nets")}, {320}, Qt::Horizontal);
+        QTRY_VERIFY(std::abs(table().width() - 320) < 30);
+        QVERIFY(table().columnWidth(NetModel::Length) <= needed(NetModel::Length) + 4);
+        QVERIFY(table().columnWidth(NetModel::Name) < needed(NetModel::Name));
+        const QHeaderView& header = *table().horizontalHeader();
+        const int end = header.sectionViewportPosition(NetModel::Length) + table().columnWidth(NetModel::Length);
+        QCOMPARE(end, table().viewport()->width());
+        window().resizeDocks({window().findChild<QDockWidget*>("nets")}, {540}, Qt::Horizontal);
+        QTRY_VERIFY(table().columnWidth(NetModel::Name) >= needed(NetModel::Name));
+    }
+
+    /// Rows on the same ground.
+    void namesThatAreCutDifferAtBothEnds() {
+        open(boardWithNets({"/CAM0_FLAT_FLEX_CABLE_N", "/CAM0_FLAT_FLEX_CABLE_P", "/CAM1_FLAT_FLEX_CABLE_N",
+                            "/CAM1_FLAT_FLEX_CABLE_P", "/CAM2_FLAT_FLEX_CABLE_P"}));
+        window().showPanel("nets");
+        panel().findChild<QComboBox*>("netGroups")->setCurrentText("No groups");
+        QTRY_VERIFY(nets().isArranged() && nets().rowCount() == 5);
+        table().setColumnWidth(NetModel::Name, 120);
+        QTRY_VERIFY(headingPicture(0) != headingPicture(2));  // CAM0_…_N, CAM1_…_N
+        QVERIFY(headingPicture(2) != headingPicture(4));      // CAM1_…_N, CAM2_…_P
+        QVERIFY(headingPicture(1) != headingPicture(3));      // CAM0_…_P, CAM1_…_P
+    }
+
     void lengthsAreShownWhole() {
         openCopy();
         const int column = NetModel::Length;
@@ -435,13 +468,17 @@ private:
         return table().viewport()->grab(cell.adjusted(20, 2, -2, -2)).toImage();
     }
     QString boardWithPairs() {
+        const QString sheet = "/A sheet with a rather long name/";
+        return boardWithNets({sheet + "DATA1_P", sheet + "DATA1_N", sheet + "DATA2_P", sheet + "DATA2_N"});
+    }
+    QString boardWithNets(const QStringList& names) {
         const QString path = m_fixture->folder() + "/pairs.kicad_pcb";
         QString nets;
         QString tracks;
         int count = 0;
-        for (const char* name : {"DATA1_P", "DATA1_N", "DATA2_P", "DATA2_N"}) {
+        for (const QString& name : names) {
             ++count;
-            nets += QStringLiteral("(net %1 \"/A sheet with a rather long name/%2\") ").arg(count).arg(name);
+            nets += QStringLiteral("(net %1 \"%2\") ").arg(count).arg(name);
             tracks +=
                 QStringLiteral("(segment (start 2 %1) (end 18 %1) (width 0.2) (layer \"F.Cu\") (net %1)) ").arg(count);
         }

@@ -253,9 +253,21 @@ private slots:
         const std::vector<model::NetId> two{model::NetId{std::size_t{1}}, model::NetId{std::size_t{2}}};
         const QString text = netsText(*board, statistics.get(), two, LengthUnit::Millimetre);
         QVERIFY(text.startsWith("2 nets\n1 pin · 1 via · 6 mm"));
-        QVERIFY(text.contains("differ by 4 mm"));
+        QVERIFY2(text.contains("differ by 4.0000 mm (157.48 mil)\n"), qPrintable(text));
         QVERIFY(text.contains("top: 6 mm"));
         QVERIFY(netsText(*board, nullptr, {}, LengthUnit::Mil).isEmpty());
+    }
+
+    /// By 2 nm, but the table rounds them to 18.4000 and 18.4001 mm.
+    void lengthsDifferAsTheTableShowsThem() {
+        const auto board = smallBoard();
+        model::NetStatistics statistics = *statisticsOf(*board);
+        statistics.lengthNm[1] = 18'400'049.0;
+        statistics.lengthNm[2] = 18'400'051.0;
+        const std::vector<model::NetId> two{model::NetId{std::size_t{1}}, model::NetId{std::size_t{2}}};
+        const auto said = [&](LengthUnit unit) { return netsText(*board, &statistics, two, unit).section('\n', 2, 2); };
+        QCOMPARE(said(LengthUnit::Millimetre), QString("Their lengths differ by 0.0001 mm (0.00 mil)"));
+        QCOMPARE(said(LengthUnit::Mil), QString("Their lengths differ by 0.00 mil (0.0000 mm)"));
     }
 
     void lastWishWinsWhateverCameBefore() {
