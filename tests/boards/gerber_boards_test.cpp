@@ -124,6 +124,12 @@ private slots:
         QVERIFY(!isReported(*board, "beside the copper"));
     }
 
+    void copperBehindAGapInTheNumbersIsDoubted() {
+        const auto board = open(formatsFolder() / "gerber" / "geda.zip");
+        QVERIFY(board != nullptr);
+        QVERIFY(isReported(*board, "The file is taken as inner copper 3, but no file as inner copper 2"));
+    }
+
     void routedSlotsOfAllegroHaveTheSizeThatTheNetlistTells() {
         const auto board = open(formatsFolder() / "gerber" / "allegro.zip");
         QVERIFY(board != nullptr);

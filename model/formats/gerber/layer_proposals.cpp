@@ -8,6 +8,7 @@
 
 #include "model/formats/gerber/assigned_files.h"
 #include "model/formats/gerber/layer_order.h"
+#include "model/formats/gerber/missing_layers.h"
 
 namespace model::gerber {
 
@@ -79,6 +80,7 @@ private:
     void addBoard(const BoardFiles& board) {
         Diagnostics unused;
         const OrderedLayers ordered = orderedLayers(m_job.files, board, {}, unused);
+        const std::vector<std::size_t> behindGaps = innerBehindGaps(m_job.files, board);
         int copper = 0;
         std::set<std::tuple<Kind, LayerSide, int>> claims;
         std::map<std::tuple<Kind, LayerSide, int>, std::size_t> first;
@@ -99,14 +101,17 @@ private:
             const bool isAlone = role.kind == Kind::Copper;
             const auto [other, isNew] = first.try_emplace(claim, made);
             if (isAlone && !isNew) {
-                doubt(m_proposals[made]);
-                doubt(m_proposals[other->second]);
+                doubt(m_proposals[made], "another file claims the same layer");
+                doubt(m_proposals[other->second], "another file claims the same layer");
+            }
+            if (std::ranges::find(behindGaps, row) != behindGaps.end()) {
+                doubt(m_proposals[made], "no file has the number before it");
             }
         }
     }
 
-    static void doubt(LayerProposal& proposal) {
-        proposal.why += proposal.isSure ? ", but another file claims the same layer" : "";
+    static void doubt(LayerProposal& proposal, const char* why) {
+        proposal.why += proposal.isSure ? std::string(", but ") + why : "";
         proposal.isSure = false;
     }
 

@@ -20,8 +20,8 @@ struct LayerProposal {
     std::string draws;    ///< describe(role), for people: "top copper 1"; empty for what is no image
     std::string why;      ///< how that is known, for people: "its name, as of a known CAD system"
     std::string board;    ///< of a job with several boards: the one it belongs to; empty if it belongs to all
-    bool isSure = false;  ///< nobody needs to look: it is told, or named as a known system names it, and no other file
-                          ///< claims the same
+    bool isSure = false;  ///< nobody needs to look: it is told, or named as a known system names it, no other file
+                          ///< claims the same, and of inner copper no number before it is left out
 
     [[nodiscard]] bool isImage() const { return content == "image" || content == "drills"; }
 };

@@ -48,6 +48,16 @@ void reportCopper(const std::vector<ReadFile>& files, const BoardFiles& board, D
     }
 }
 
+void reportGaps(const std::vector<ReadFile>& files, const BoardFiles& board, Diagnostics& diagnostics) {
+    for (const std::size_t row : innerBehindGaps(files, board)) {
+        const int number = files[row].role.order;
+        diagnostics.report(Severity::Warning, files[row].path, 0,
+                           "the file is taken as inner copper " + std::to_string(number) +
+                               ", but no file as inner copper " + std::to_string(number - 1) +
+                               ": the order of copper layers is doubtful, or this is none of the board");
+    }
+}
+
 /// Is the board less without it: what would be held against limits? Fabricators often get no paste, and drawings are no
 /// part of the board.
 bool isOfBoard(const FileRole& role) {
@@ -88,8 +98,31 @@ void reportListed(const ReadFile& jobFile, const std::vector<ReadFile>& files, c
 
 }  // namespace
 
+std::vector<std::size_t> innerBehindGaps(const std::vector<ReadFile>& files, const BoardFiles& board) {
+    const auto isCopper = [&](std::size_t row) {
+        return files[row].isImage() && files[row].role.kind == FileRole::Kind::Copper;
+    };
+    std::set<int> numbers = {0, 1};
+    for (const std::size_t row : board.files) {
+        if (isCopper(row)) {
+            numbers.insert(files[row].role.order);
+        }
+    }
+    std::vector<std::size_t> found;
+    for (const std::size_t row : board.files) {
+        const FileRole& role = files[row].role;
+        const bool isNumbered = isCopper(row) && role.side == LayerSide::Inner && role.order > 0 &&
+                                !role.isCountedFromTop && !role.mayLeaveOutNumbers;
+        if (isNumbered && !numbers.contains(role.order - 1)) {
+            found.push_back(row);
+        }
+    }
+    return found;
+}
+
 void reportMissingLayers(const std::vector<ReadFile>& files, const BoardFiles& board, Diagnostics& diagnostics) {
     reportCopper(files, board, diagnostics);
+    reportGaps(files, board, diagnostics);
     for (const std::size_t row : board.files) {
         if (files[row].kind == ReadFile::Kind::Job) {
             reportListed(files[row], files, board, diagnostics);

@@ -318,8 +318,9 @@ std::optional<FileRole> roleOfEnding(std::string_view ending) {
     const std::size_t letters = ending.find_first_of("0123456789");
     const std::string_view word = ending.substr(0, letters);
     std::string_view digits = letters == std::string_view::npos ? "" : ending.substr(letters);
-    if (word == "G" && digits.ends_with('L')) {
-        digits.remove_suffix(1);  // "G2L": Eagle and OSH Park, whose numbers may leave out some
+    const bool isEagle = word == "G" && digits.ends_with('L');  // "G2L": also OSH Park
+    if (isEagle) {
+        digits.remove_suffix(1);
     }
     const int number = parseInteger(digits).value_or(0);
     if (number > 0 && (word == "G" || word == "GL" || word == "GP" || word == "GI" || word == "IN" || word == "LY")) {
@@ -327,6 +328,7 @@ std::optional<FileRole> roleOfEnding(std::string_view ending) {
         role.side = LayerSide::Inner;
         role.isNegative = word == "GP";  // Protel and Altium draw what is left out of these
         role.order = number;
+        role.mayLeaveOutNumbers = isEagle;
         return role;
     }
     if (number > 0 && (word == "GM" || word == "GD" || word == "GG")) {

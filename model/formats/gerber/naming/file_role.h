@@ -33,6 +33,7 @@ struct FileRole {
     LayerSide side = LayerSide::None;
     int order = 0;  ///< copper: 1 is the top where the job counts so; 0 not said. Inner ones may count from 1 too
     bool isCountedFromTop = false;       ///< `order` counts all copper layers, not the inner ones only
+    bool mayLeaveOutNumbers = false;     ///< `order` sorts inner copper, but its numbers need not follow each other
     bool isSideOnly = false;             ///< copper by a name that has no other word for it than a side: "board_top"
     bool isNegative = false;             ///< FilePolarity Negative of a copper layer
     Plating plating = Plating::NotSaid;  ///< drills

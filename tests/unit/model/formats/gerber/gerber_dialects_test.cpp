@@ -129,6 +129,31 @@ private slots:
         QCOMPARE(copperOf({"SIG", "GND3"}), QString("TOP GND3 SIG BOTTOM by name"));
     }
 
+    /// gEDA numbers groups of layers, of which one may hold jumpers; numbers of Eagle need not follow each other.
+    void innerCopperBehindAGapIsDoubted() {
+        const auto warningOn = [](const std::vector<std::string>& inner) {
+            Files files = {{"amp.top.gbr", image(kCopper)}, {"amp.bottom.gbr", image(kCopper)}};
+            for (const std::string& name : inner) {
+                files[name] = image(kCopper);
+            }
+            const Board board = Job(files).open();
+            std::string warning;
+            for (const auto& entry : board.ok() ? (*board)->diagnostics.entries() : std::vector<model::Diagnostic>()) {
+                const bool isIt = entry.severity == model::Severity::Warning &&
+                                  entry.text.find("order of copper layers is doubtful") != std::string::npos;
+                warning += isIt ? entry.file + ": " + entry.text.substr(0, entry.text.find(':')) : "";
+            }
+            return QString::fromStdString(board.ok() ? warning : "not opened");
+        };
+        QCOMPARE(warningOn({"amp.group3.gbr"}),
+                 "amp.group3.gbr: The file is taken as inner copper 3, but no file as inner copper 2");
+        QCOMPARE(warningOn({"amp.G1", "amp.G3"}),
+                 "amp.G3: The file is taken as inner copper 3, but no file as inner copper 2");
+        QCOMPARE(warningOn({"amp.group2.gbr", "amp.group3.gbr"}), QString());
+        QCOMPARE(warningOn({"amp.G1", "amp.G2"}), QString());
+        QCOMPARE(warningOn({"amp.G2L", "amp.G15L"}), QString());
+    }
+
     /// Internal planes of Protel and Altium draw what is left out, unless their attribute says otherwise.
     void internalPlanesAreNegative() {
         const auto isNegative = [](const std::string& polarity) {

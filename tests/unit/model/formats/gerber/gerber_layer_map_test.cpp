@@ -256,6 +256,14 @@ private slots:
         QVERIFY(proposals[0].why.find("same layer") != std::string::npos);
     }
 
+    void innerCopperBehindAGapIsDoubted() {
+        const Job job({{"b.gtl", kCopper}, {"b.g1", kCopper}, {"b.g3", kCopper}, {"b.gbl", kCopper}});
+        const std::vector<LayerProposal> proposals = job.propose();
+        QCOMPARE(wordsOf(proposals, "b.g1"), std::string("copper inner 2"));
+        QCOMPARE(wordsOf(proposals, "b.g3"), std::string("copper inner 3?"));
+        QVERIFY(proposals[2].why.find("number before it") != std::string::npos);
+    }
+
     /// The map of the proposals opens the job as it would be without it.
     void theMapOfProposalsChangesNothing() {
         const Job job({{"b.gtl", kCopper},
