@@ -64,6 +64,12 @@ private slots:
         QTest::newRow("placement") << QStringList{"Parts"};
         QTest::newRow("annular") << QStringList{"Check rules", "Edit rules…"};
         QTest::newRow("compare") << QStringList{"Netlist check"};
+        QTest::newRow("unconnected") << QStringList{"Netlist check"};
+        QTest::newRow("test point") << QStringList{"Parts"};
+        QTest::newRow("board size") << QStringList{"Statistics"};
+        QTest::newRow("dimensions") << QStringList{"Statistics"};
+        QTest::newRow("hole") << QStringList{"Statistics"};
+        QTest::newRow("drill") << QStringList{"Statistics"};
     }
     void everydayWordsFindCommands() {
         QFETCH(const QStringList, commands);
