@@ -24,7 +24,8 @@
 ///     {"copperscope_session": 1, "job": "amp", "thickness_nm": {"TOP": 70000},
 ///      "views": [{"name": "U1", "step": "pcb", "layers": ["TOP"], "flat": {"target_mm": [1, 2, 0], "distance_mm": 30,
 ///                 "yaw_deg": 0, "pitch_deg": -90, "parallel": true, "origin_nm": [50000000, 40000000], "aspect": 1.6},
-///                 "solid": {…}, "nets": [["pcb", "CLK"]], "current": "TOP"},
+///                 "solid": {…}, "nets": [["pcb", "CLK"]], "current": "TOP",
+///                 "elements": [["TOP", "line", 0, 0, 1500000, 200000]]},
 ///                {"name": "Clocks", "step": "pcb", "selection": {"nets": [["pcb", "CLK"]],
 ///                 "elements": [["TOP", "line", 0, 0, 1500000, 200000]]}}],
 ///      "nets": [{"name": "GND", "step": "pcb", "colour": "#e69f00", "hidden": true}],
@@ -64,6 +65,8 @@ struct SavedView {
     std::vector<NetName> nets{};
     /// The current layer, which lies on top in 2D, "" if there was none. None: as for `nets`.
     std::optional<std::string> current{};
+    /// Selected when it was saved, at most kMostSavedElements. With no nets either the view says nothing of both.
+    std::vector<SavedElement> elements{};
     bool operator==(const SavedView&) const = default;
 };
 

@@ -112,17 +112,24 @@ Json netNamesJson(const std::vector<NetName>& nets) {
     return listJson(nets, [](const NetName& net) { return Json::array({net.step, net.name}); });
 }
 
+std::vector<SavedElement> elementsFrom(const Json& json) {
+    require(json.size() <= kMostSavedElements);
+    return listFrom(json, elementFrom);
+}
+
+Json elementsJson(const std::vector<SavedElement>& elements) {
+    return listJson(elements, [](const SavedElement& element) {
+        return Json::array({element.layer, toString(element.kind), element.box.min.x, element.box.min.y,
+                            element.box.max.x, element.box.max.y});
+    });
+}
+
 SavedSelection selectionFrom(const Json& json) {
-    require(json.at("elements").size() <= kMostSavedElements);
-    return {netNamesFrom(json.at("nets")), listFrom(json.at("elements"), elementFrom)};
+    return {netNamesFrom(json.at("nets")), elementsFrom(json.at("elements"))};
 }
 
 Json toJson(const SavedSelection& selection) {
-    const auto elementJson = [](const SavedElement& element) {
-        return Json::array({element.layer, toString(element.kind), element.box.min.x, element.box.min.y,
-                            element.box.max.x, element.box.max.y});
-    };
-    return {{"nets", netNamesJson(selection.nets)}, {"elements", listJson(selection.elements, elementJson)}};
+    return {{"nets", netNamesJson(selection.nets)}, {"elements", elementsJson(selection.elements)}};
 }
 
 std::optional<std::uint32_t> colourAt(const Json& json) {
@@ -166,7 +173,8 @@ SavedView viewFrom(const Json& json) {
             listFrom(json.at("layers"), stringFrom),
             std::nullopt,
             json.contains("nets") ? netNamesFrom(json.at("nets")) : std::vector<NetName>(),
-            json.contains("current") ? std::optional(stringFrom(json.at("current"))) : std::nullopt};
+            json.contains("current") ? std::optional(stringFrom(json.at("current"))) : std::nullopt,
+            json.contains("elements") ? elementsFrom(json.at("elements")) : std::vector<SavedElement>()};
 }
 
 Json toJson(const SavedView& view) {
@@ -183,6 +191,9 @@ Json toJson(const SavedView& view) {
     }
     if (view.current) {
         json["current"] = *view.current;
+    }
+    if (!view.elements.empty()) {
+        json["elements"] = elementsJson(view.elements);
     }
     return json;
 }

@@ -130,16 +130,24 @@ void SavedViewsFeature::take(const std::vector<session::SavedView>& views) {
     m_layers.offerSets(std::move(sets));
 }
 
-session::SavedView SavedViewsFeature::shownView() const {
+session::SavedSelection SavedViewsFeature::marked() const {
     const SelectionModel& selection = m_workspace.selection();
+    const bool isFew = selection.selected().size() <= session::kMostSavedElements;
+    return session::saveSelection(selection.tree(), isFew ? selection.selected() : std::vector<model::BoardElement>{},
+                                  selection.nets());
+}
+
+session::SavedView SavedViewsFeature::shownView() const {
+    session::SavedSelection selection = marked();
     return {{},
             {},
             poseOf(m_views.flat().controller(), origin()),
             poseOf(m_views.solid().controller(), origin()),
             m_layers.visibleNames(),
             std::nullopt,
-            session::saveSelection(selection.tree(), {}, selection.nets()).nets,
-            nameOf(m_workspace.currentLayer())};
+            std::move(selection.nets),
+            nameOf(m_workspace.currentLayer()),
+            std::move(selection.elements)};
 }
 
 void SavedViewsFeature::saveView() {
@@ -205,8 +213,8 @@ void SavedViewsFeature::goTo(int row) {
             m_workspace.setCurrentLayer(m_workspace.board()->document->findLayer(*view.current));
         }
         setCameras(view.flat, view.solid);
-        if (!view.nets.empty()) {
-            select(name, {view.nets, {}});
+        if (!view.nets.empty() || !view.elements.empty()) {
+            select(name, {view.nets, view.elements});
         }
     }
     m_workspace.report(name);
@@ -270,16 +278,12 @@ session::Desk SavedViewsFeature::desk() const {
 
 void SavedViewsFeature::keep(const LoadedBoard& next) {
     const LoadedBoard& board = *m_workspace.board();
-    const SelectionModel& selection = m_workspace.selection();
     m_kept.reset();
     m_stepBefore = isOtherStep(m_workspace, next) ? std::optional(desk()) : std::nullopt;
     if (!isReadAnew(m_workspace, next)) {
         return;
     }
-    m_kept = Kept{desk(), {}, selection.title(), nameOf(m_workspace.currentLayer())};
-    const bool isFew = selection.selected().size() <= session::kMostSavedElements;
-    m_kept->selection = session::saveSelection(
-        selection.tree(), isFew ? selection.selected() : std::vector<model::BoardElement>{}, selection.nets());
+    m_kept = Kept{desk(), marked(), m_workspace.selection().title(), nameOf(m_workspace.currentLayer())};
     const auto rename = [names = renamedLayers(*board.document, *next.document)](std::string& name) {
         const auto found = names.find(name);
         name = found != names.end() ? found->second : name;

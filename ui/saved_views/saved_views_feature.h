@@ -8,25 +8,26 @@ namespace ui {
 
 class TableView;
 
-/// Ways of looking at the board that the user saves by name: where both cameras are, which layers are visible and which
-/// nets are highlighted; and selections. They are saved in the session file beside the job; saving, renaming, updating
-/// and deleting are undone like every other edit. What the window shows is saved there too, on request, and shown again
-/// when the board is opened.
+/// Ways of looking at the board that the user saves by name: where both cameras are, which layers are visible and what
+/// is selected and highlighted; and selections alone. They are saved in the session file beside the job; saving,
+/// renaming, updating and deleting are undone like every other edit. What the window shows is saved there too, on
+/// request, and shown again when the board is opened.
 class SavedViewsFeature : public QObject {
     Q_OBJECT
 
 public:
     explicit SavedViewsFeature(FeatureContext& context);
 
-    /// Saves what is seen now under a name of its own, "View 1" and so on.
+    /// Saves what is seen now under a name of its own, "View 1" and so on; of more selected elements than can be saved
+    /// none.
     void saveView();
     /// Saves what is seen now, or selected, in place of what is saved there, under the same name. One of another step
     /// stays as it is, and so does a selection while nothing is selected; that is reported.
     void update(int row);
     /// Saves what is selected and which nets are highlighted, as "Selection 1" and so on.
     void saveSelection();
-    /// Looks at the board as saved. A view without nets leaves those highlighted that are. Of a view of another step
-    /// only the name counts, and which step to open is reported.
+    /// Looks at the board as saved. A view that marks neither nets nor elements leaves marked what is. Of a view of
+    /// another step only the name counts, and which step to open is reported.
     void goTo(int row);
     /// Saves what the window shows: cameras, layers and unit.
     void saveDesk();
@@ -43,6 +44,8 @@ private:
     /// A click on a row, or Enter, restores it; F2 renames it, Del deletes it; its menu does all that and updates it.
     void addPanel(FeatureContext& context);
     void addRowCommands(TableView& table);
+    /// What is selected, if it is not too much to save, and highlighted.
+    [[nodiscard]] model::session::SavedSelection marked() const;
     /// Without a name and a step.
     [[nodiscard]] model::session::SavedView shownView() const;
     /// The same of what is selected; none if that cannot be saved, which is reported.

@@ -12,6 +12,23 @@ QString netsText(const std::vector<model::session::NetName>& nets) {
                             : ViewListModel::tr("%L1 nets").arg(nets.size());
 }
 
+QString elementsText(std::size_t count) {
+    return count == 1 ? ViewListModel::tr("1 element") : ViewListModel::tr("%L1 elements").arg(count);
+}
+
+/// What it marks, and which layers it shows: "net CLK, 3 elements; TOP, DRILL".
+QString contentsOf(const model::session::SavedView& view) {
+    QStringList marked;
+    if (!view.nets.empty()) {
+        marked += netsText(view.nets);
+    }
+    if (!view.elements.empty()) {
+        marked += elementsText(view.elements.size());
+    }
+    const QString layers = textsOf(view.layers).join(QStringLiteral(", "));
+    return marked.empty() ? layers : ViewListModel::tr("%1; %2").arg(marked.join(QStringLiteral(", ")), layers);
+}
+
 }  // namespace
 
 ViewListModel::ViewListModel(QObject* parent)
@@ -23,11 +40,9 @@ Cell ViewListModel::cell(int row, int column) const {
 
 QString ViewListModel::tip(int row, int) const {
     const model::session::SavedView& view = m_views[static_cast<std::size_t>(row)];
-    if (view.selection) {
-        return tr("%L1 nets, %L2 elements").arg(view.selection->nets.size()).arg(view.selection->elements.size());
-    }
-    const QString layers = textsOf(view.layers).join(QStringLiteral(", "));
-    return view.nets.empty() ? layers : tr("%1; %2").arg(netsText(view.nets), layers);
+    return view.selection
+               ? tr("%L1 nets, %L2 elements").arg(view.selection->nets.size()).arg(view.selection->elements.size())
+               : contentsOf(view);
 }
 
 bool ViewListModel::edit(int row, int, const QVariant& value) {

@@ -372,6 +372,23 @@ private slots:
         QVERIFY(!window().messageBar().isVisible());
     }
 
+    void aViewSelectsTheElementsThatItWasSavedWith() {
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        const std::vector<model::BoardElement> chosen{{0, model::ElementId{std::size_t{1}}},
+                                                      {0, model::ElementId{std::size_t{4}}}};
+        window().selection().select(chosen);
+        m_fixture->key(Qt::Key_B, Qt::ControlModifier);
+        reopen();
+        QVERIFY(window().selection().selected().empty());
+        const QString contents = table().model()->index(1, ui::ViewListModel::Layers).data().toString();
+        QVERIFY2(contents.startsWith("2 elements; "), qPrintable(contents));
+        choose(1);
+        QCOMPARE(window().selection().selected(), chosen);
+        choose(0);  // says nothing of elements
+        QCOMPARE(window().selection().selected(), chosen);
+        QVERIFY(!window().messageBar().isVisible());
+    }
+
     void whatASelectionNoLongerFindsIsTold() {
         window().selection().select({{0, model::ElementId{std::size_t{1}}}, {0, model::ElementId{std::size_t{4}}}});
         m_fixture->key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);

@@ -353,6 +353,21 @@ private slots:
         QCOMPARE(location.load().ignored.size(), std::size_t{1});
     }
 
+    /// As with nets.
+    void viewsKeepThePlacesOfSelectedElements() {
+        const Location location;
+        std::vector<SavedView> views{viewNamed("a"), viewNamed("b")};
+        QVERIFY(location.save(views).ok());
+        QVERIFY(location.file().find("elements") == std::string::npos);
+        views[1].elements = {{"TOP", model::ElementKind::Trail, {{-5, 0}, {1'000'000, 7}}}};
+        QVERIFY(location.save(views).ok());
+        QVERIFY(location.load().session.views == views);
+        std::string bad = location.file();
+        location.write(bad.replace(bad.find("trail"), 5, "snail"));
+        QCOMPARE(location.load().session.views.size(), std::size_t{1});
+        QCOMPARE(location.load().ignored.size(), std::size_t{1});
+    }
+
     void elementsAreFoundWhereTheyWere_data() {
         QTest::addColumn<QString>("job");
         QTest::newRow("board") << "everything";
