@@ -6,6 +6,7 @@
 
 #include "model/board/layers.h"
 #include "model/clearance/clearance.h"
+#include "model/index/attributes.h"
 #include "model/index/pin_names.h"
 #include "model/nets/net_inference.h"
 #include "model/nets/net_statistics.h"
@@ -150,6 +151,7 @@ ordered_json componentsJson(const Document& document) {
                         {"body", bodyJson(bodies[row])},
                         {"mount", model::toString(component.mount)},
                         {"populated", component.isPopulated},
+                        {"in_bom", model::isInBom(document, component)},
                         {"pins", component.pinCount}});
     }
     return {{"count", document.components.size()}, {"list", list}};

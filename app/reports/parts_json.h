@@ -10,7 +10,7 @@ namespace app {
 /// `nets{count, list[{name, elements, pins, vias}]}` of `info --json`.
 [[nodiscard]] nlohmann::ordered_json netsJson(const model::Document& document);
 /// `components{count, list[…]}`. `mounting_layer` of a component is the inner layer that it stands on (rigid-flex),
-/// else null.
+/// else null; `in_bom` is as model::isInBom says.
 [[nodiscard]] nlohmann::ordered_json componentsJson(const model::Document& document);
 
 /// `connectivity{islands, opens[], loose[], shorts[]}`.

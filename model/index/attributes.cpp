@@ -1,6 +1,7 @@
 #include "model/index/attributes.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string_view>
 
@@ -9,6 +10,9 @@ namespace model {
 namespace {
 
 using Key = std::pair<std::string_view, std::string_view>;
+
+/// Of KiCad; "virtual" is what versions before 6 call it.
+constexpr std::array<std::string_view, 3> kNotInBom = {"exclude_from_bom", "board_only", "virtual"};
 
 /// The part, the package, and the attributes.
 template <class Take>
@@ -45,6 +49,16 @@ std::vector<std::uint32_t> usesOfSets(const Document& document) {
 }
 
 }  // namespace
+
+bool excludesFromBom(std::string_view name, std::string_view value) {
+    return value == "yes" && std::ranges::find(kNotInBom, name) != kNotInBom.end();
+}
+
+bool isInBom(const Document& document, const Component& component) {
+    return std::ranges::none_of(document.propertiesOf(component.properties), [&](const Property& property) {
+        return excludesFromBom(document.text(property.name), document.text(property.value));
+    });
+}
 
 std::vector<AttributeValue> listAttributes(const Document& document) {
     std::vector<AttributeValue> all;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/board/document.h"
@@ -20,6 +21,12 @@ void forEachAttribute(const Document& document, const Component& component, cons
         }
     }
 }
+
+/// Does this attribute of a component say that nobody buys it: that the bill of materials does not list it, or that it
+/// is on the board alone? KiCad's footprints of logos, holes and fiducials have such.
+[[nodiscard]] bool excludesFromBom(std::string_view name, std::string_view value);
+/// Does none of its attributes exclude the component from the bill of materials?
+[[nodiscard]] bool isInBom(const Document& document, const Component& component);
 
 /// One value of one attribute. Part and package of a component count as attributes called "Part" and "Package".
 struct AttributeValue {

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "model/index/attributes.h"
 #include "model/nets/net_statistics.h"
 
 namespace ui {
@@ -12,10 +13,11 @@ namespace {
 
 const QLatin1String kBetween(", ");  // designators
 
-/// As those of the PartModel.
-std::vector<Column> columnsFor(const QString& attribute) {
+/// Those of the PartModel; `leftOut`: what is not counted.
+std::vector<Column> columnsFor(const QString& attribute, const QString& leftOut) {
+    const QString quantity = PartGroupModel::tr("How many of them are on the board; of placed steps, on one copy");
     return {{PartGroupModel::tr("Quantity"),
-             PartGroupModel::tr("How many of them are on the board; of placed steps, on one copy"), kNumber},
+             leftOut.isEmpty() ? quantity : PartGroupModel::tr("%1. Not listed: %2").arg(quantity, leftOut), kNumber},
             {PartGroupModel::tr("Part"), PartGroupModel::tr("Part name or number in the job")},
             {PartGroupModel::tr("Value"), PartGroupModel::tr("The attribute of that name")},
             {PartGroupModel::tr("Package"), PartGroupModel::tr("Name of the package")},
@@ -31,14 +33,14 @@ std::vector<Column> columnsFor(const QString& attribute) {
 }  // namespace
 
 PartGroupModel::PartGroupModel(const PartModel& parts, QObject* parent)
-    : TableModel(columnsFor(parts.attribute()), parent), m_parts(parts) {
+    : TableModel(columnsFor(parts.attribute(), {}), parent), m_parts(parts) {
     connect(&parts, &QAbstractItemModel::modelReset, this, [this] {
         if (m_isOn) {
             group();
         }
     });
     connect(&parts, &QAbstractItemModel::headerDataChanged, this, [this] {
-        setColumns(columnsFor(m_parts.attribute()));
+        setHeadings();
         emit headerDataChanged(Qt::Horizontal, Attributes, Attributes);
     });
     connect(&parts, &QAbstractItemModel::dataChanged, this, &PartGroupModel::announceChange);
@@ -55,6 +57,10 @@ void PartGroupModel::group() {
     m_groupOf.clear();
     std::map<std::tuple<std::uint32_t, bool, QString, QString, QString>, int> groups;
     for (int part = 0; m_isOn && part < m_parts.rowCount(); ++part) {
+        if (isLeftOut(part)) {
+            m_groupOf.emplace_back();
+            continue;
+        }
         const auto key = std::tuple(m_parts.partAt(part).step, m_parts.componentAt(part).isPopulated,
                                     textOf(part, Part), textOf(part, Value), textOf(part, Package));
         const auto [found, isNew] = groups.try_emplace(key, static_cast<int>(m_groups.size()));
@@ -62,12 +68,30 @@ void PartGroupModel::group() {
             m_groups.emplace_back();
         }
         m_groups[static_cast<std::size_t>(found->second)].push_back(part);
-        m_groupOf.push_back(found->second);
+        m_groupOf.emplace_back(found->second);
     }
     for (const Column column : {Part, Value, Package}) {
         rank(column);
     }
+    setHeadings();
     endResetModel();
+}
+
+void PartGroupModel::setHeadings() {
+    setColumns(columnsFor(m_parts.attribute(), leftOutText()));
+}
+
+bool PartGroupModel::isLeftOut(int part) const {
+    return std::ranges::any_of(m_parts.attributesOf(part), [](const auto& attribute) {
+        return model::excludesFromBom(attribute.first.toStdString(), attribute.second.toStdString());
+    });
+}
+
+QString PartGroupModel::leftOutText() const {
+    const auto count = std::ranges::count(m_groupOf, std::optional<int>());
+    return count == 0   ? QString()
+           : count == 1 ? tr("1 component excluded from the bill of materials")
+                        : tr("%L1 components excluded from the bill of materials").arg(count);
 }
 
 void PartGroupModel::rank(Column column) {
@@ -80,7 +104,7 @@ void PartGroupModel::rank(Column column) {
 
 std::optional<int> PartGroupModel::groupOf(int part) const {
     const auto at = static_cast<std::size_t>(part);
-    return at < m_groupOf.size() ? std::optional(m_groupOf[at]) : std::nullopt;
+    return at < m_groupOf.size() ? m_groupOf[at] : std::nullopt;
 }
 
 bool PartGroupModel::hasValues() const {

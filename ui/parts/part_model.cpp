@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "model/board/layers.h"
 #include "model/index/attributes.h"
 #include "model/index/pin_names.h"
 #include "model/nets/net_statistics.h"
@@ -50,7 +51,9 @@ std::vector<Column> columnsFor(const QString& attribute) {
         {attribute.isEmpty() ? PartModel::tr("Attributes") : attribute,
          PartModel::tr("The attribute chosen above the table, or all of them; a filter looks through all either way")},
         {PartModel::tr("Package"), PartModel::tr("Name of the package")},
-        {PartModel::tr("Side"), PartModel::tr("Side of the board it is mounted on")},
+        {PartModel::tr("Side"),
+         PartModel::tr(
+             "Side of the board it is mounted on; within a rigid-flex board the inner layer that it stands on")},
         {PartModel::tr("X"),
          PartModel::tr("Position of its origin, in the coordinates of the step; in italics: not in the job, the middle "
                        "of its pins"),
@@ -79,6 +82,7 @@ void PartModel::setBoard(std::shared_ptr<const model::Document> board) {
     m_board = std::move(board);
     m_steps = m_board ? model::distinctSteps(*m_board) : std::vector<const model::Document*>();
     sortRows();
+    findMounted();
     listAttributeNames();
     setColumns(columnsFor(attribute()));
     m_ranks = {};
@@ -100,6 +104,17 @@ void PartModel::sortRows() {
     m_rows.resize(parts.size());
     for (std::size_t at = 0; at < parts.size(); ++at) {
         m_rows[places[at]] = parts[at];
+    }
+}
+
+void PartModel::findMounted() {
+    m_mounted.clear();
+    for (std::uint32_t step = 0; step < m_steps.size(); ++step) {
+        for (const model::Body& body : m_steps[step]->bodies) {
+            if (const model::LayerId layer = model::mountingLayerOf(*m_steps[step], body); layer.isValid()) {
+                m_mounted.emplace(BoardPart{step, body.component}, layer);
+            }
+        }
     }
 }
 
@@ -161,6 +176,20 @@ bool PartModel::hasSeveralSteps() const {
     return std::ranges::any_of(m_rows, [&](const BoardPart& part) { return part.step != m_rows.front().step; });
 }
 
+QStringList PartModel::designators() const {
+    QStringList names;
+    for (int row = 0; row < rows(); ++row) {
+        names += QString::fromStdString(componentAt(row).refdes);
+    }
+    return names;
+}
+
+QString PartModel::sideOf(int row) const {
+    const auto mounted = m_mounted.find(partAt(row));
+    return mounted != m_mounted.end() ? QString::fromStdString(stepOf(partAt(row)).layer(mounted->second).name)
+                                      : sideText(componentAt(row).side);
+}
+
 const model::Component& PartModel::componentAt(int row) const {
     const BoardPart part = partAt(row);
     return stepOf(part).components[part.component.row()];
@@ -213,7 +242,7 @@ Cell PartModel::cell(int row, int column) const {
         case Part:
         case Attributes:
         case Package: return {rankedText(row, column)};
-        case Side: return {sideText(component.side)};
+        case Side: return {sideOf(row)};
         case X: return inPlace(length(component.placement.origin.x), component);
         case Y: return inPlace(length(component.placement.origin.y), component);
         case Rotation:
@@ -235,7 +264,7 @@ QVariant PartModel::order(int row, int column) const {
 QString PartModel::searchText(int row) const {
     const model::Component& component = componentAt(row);
     QStringList texts{QString::fromStdString(component.refdes), QString::fromStdString(component.part),
-                      QString::fromStdString(packageOf(row)), sideText(component.side)};
+                      QString::fromStdString(packageOf(row)), sideOf(row)};
     for (const auto& [name, value] : attributesOf(row)) {
         texts << name << value;
     }
@@ -250,6 +279,9 @@ QString PartModel::tip(int row, int column) const {
     QStringList lines{QString::fromStdString(component.refdes)};
     if (!component.isPlaced && (column == X || column == Y || column == Rotation)) {
         lines += tr("The job does not say where it lies: this is the middle of its pins");
+    }
+    if (column == Side && m_mounted.contains(partAt(row))) {
+        lines += tr("Stands on the inner layer %1, facing the %2").arg(sideOf(row), sideText(component.side).toLower());
     }
     for (const auto& [name, value] : attributesOf(row)) {
         lines += QStringLiteral("%1: %2").arg(name, value);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,7 +12,8 @@ namespace ui {
 
 /// The components of the board and of the steps it places, each step's once, in the order people count: U2 before U10.
 /// Of their attributes (part number, value, tolerance …) one column shows all but the height in one line, or the one
-/// that is chosen, by whose name it is called then; a filter looks through all of them either way.
+/// that is chosen, by whose name it is called then; a filter looks through all of them either way. The side of a
+/// component that stands on an inner layer of a rigid-flex board is the name of that layer.
 class PartModel : public TableModel {
     Q_OBJECT
 
@@ -35,6 +37,8 @@ public:
     [[nodiscard]] BoardPart partAt(int row) const { return m_rows[static_cast<std::size_t>(row)]; }
     [[nodiscard]] std::optional<int> rowOf(const BoardPart& part) const;
     [[nodiscard]] bool hasSeveralSteps() const;
+    /// By row.
+    [[nodiscard]] QStringList designators() const;
     [[nodiscard]] const model::Component& componentAt(int row) const;
     /// Empty if it has none.
     [[nodiscard]] std::string packageOf(int row) const;
@@ -55,13 +59,16 @@ private:
     [[nodiscard]] QString tip(int row, int column) const override;
     [[nodiscard]] const model::Document& stepOf(const BoardPart& part) const { return *m_steps[part.step]; }
     void sortRows();
+    void findMounted();
+    [[nodiscard]] QString sideOf(int row) const;
     [[nodiscard]] QString rankedText(int row, int column) const;
     [[nodiscard]] const std::vector<std::uint32_t>& ranks(int column) const;
     void listAttributeNames();
 
     std::shared_ptr<const model::Document> m_board;
-    std::vector<const model::Document*> m_steps;  ///< as model::StepTree::steps
-    std::vector<BoardPart> m_rows;                ///< by designator
+    std::vector<const model::Document*> m_steps;    ///< as model::StepTree::steps
+    std::vector<BoardPart> m_rows;                  ///< by designator
+    std::map<BoardPart, model::LayerId> m_mounted;  ///< of those that stand on an inner layer: that layer
     /// Per column of names: places of the rows' texts. Made when the table is first sorted by that column.
     mutable std::array<std::vector<std::uint32_t>, Step + 1> m_ranks;
     QStringList m_attributeNames;

@@ -138,11 +138,23 @@ void PartsPanel::setGrouped(bool isOn) {
 }
 
 void PartsPanel::setBoard(std::shared_ptr<const model::Document> board) {
+    const QStringList before = m_model.designators();
     m_model.setBoard(std::move(board));
     listAttributes();
     showColumns();
     showCount();
+    if (m_model.designators() != before) {
+        m_table->scrollToTop();  // Qt leaves it as it was with the rows before
+        m_groupTable->scrollToTop();
+    }
     markChosen();
+}
+
+void PartsPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (m_isMarkDue) {
+        markChosen();
+    }
 }
 
 /// Columns that say nothing, or the same as another one, are left out.
@@ -202,6 +214,9 @@ void PartsPanel::showCount() {
     if (isGrouped() && m_model.rowCount() > 0) {
         texts += tr("%L1 of %L2 parts").arg(m_groupTable->model()->rowCount()).arg(m_groups.rowCount());
         texts += tr("%L1 of %L2 components").arg(shown.size()).arg(m_model.rowCount());
+        if (const QString leftOut = m_groups.leftOutText(); !leftOut.isEmpty()) {
+            texts += leftOut;
+        }
         if (!m_groups.hasValues()) {
             texts += tr("no values");  // what looks equal may not be
         }
@@ -234,9 +249,14 @@ void PartsPanel::takeParts(const std::vector<int>& rows) {
     }
 }
 
-/// A group is marked if any of its components is chosen.
+/// Once it is seen: a hidden table would stay scrolled to what is no longer chosen. A group is marked if any of its
+/// components is chosen.
 void PartsPanel::markChosen() {
     if (m_isTaking) {
+        return;
+    }
+    m_isMarkDue = !isVisible();
+    if (m_isMarkDue) {
         return;
     }
     std::vector<int> rows;

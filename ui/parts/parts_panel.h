@@ -21,7 +21,8 @@ class PartsPanel : public QWidget {
 public:
     PartsPanel(PartModel& model, PartPicking& parts, const ActionSet& actions, QWidget* parent = nullptr);
 
-    /// The selection must be of this board already.
+    /// The selection must be of this board already. The tables begin at their top, or at what is selected; with the
+    /// same components as before, as of a board that is read anew, they stay where they are.
     void setBoard(std::shared_ptr<const model::Document> board);
     /// Whether choosing a row also shows the component in the views.
     void setShowsChosen(bool isOn) { m_showsChosen = isOn; }
@@ -35,6 +36,9 @@ public:
 
 signals:
     void exportRequested();
+
+protected:
+    void showEvent(QShowEvent* event) override;
 
 private:
     /// `names`: columns that take what room there is.
@@ -61,7 +65,8 @@ private:
     LinkedTable* m_groupTable;
     QComboBox* m_attribute;  ///< which one the column shows
     QLabel* m_count;
-    bool m_isTaking = false;  ///< what is selected becomes the rows
+    bool m_isTaking = false;   ///< what is selected becomes the rows
+    bool m_isMarkDue = false;  ///< something else was selected while no table was seen
     bool m_showsChosen = false;
 };
 

@@ -10,6 +10,7 @@
 #include "ui/stackup/stackup_pdf.h"
 #include "ui/stackup/stackup_view.h"
 #include "ui/stackup/thickness_editing.h"
+#include "ui/workspace/read_anew.h"
 
 namespace ui {
 
@@ -88,6 +89,11 @@ void addStackup(FeatureContext& context) {
     const auto setBoard = [stackup](const LoadedBoard& board) { stackup->setDocument(board.document); };
     QObject::connect(&workspace, &Workspace::boardRead, stackup, setBoard);
     QObject::connect(&workspace, &Workspace::boardRead, panel, &StackupPanel::clearSelection);
+    QObject::connect(&workspace, &Workspace::boardLeaves, panel, [&workspace, panel](const LoadedBoard& next) {
+        if (!isReadAnew(workspace, next)) {
+            panel->scrollToTop();
+        }
+    });
     QObject::connect(&workspace, &Workspace::restacked, stackup, setBoard);
     QObject::connect(&workspace, &Workspace::unitChanged, stackup, &StackupModel::setUnit);
     auto* editing = new ThicknessEditing(workspace, &context.window);

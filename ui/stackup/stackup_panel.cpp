@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 
 #include "ui/common/elided_label.h"
@@ -26,6 +27,7 @@ StackupPanel::StackupPanel(StackupModel& model, const ActionSet& actions, QWidge
     : QWidget(parent),
       m_model(model),
       m_view(new StackupView),
+      m_drawing(new QScrollArea),
       m_table(new TableView(model)),
       m_findingTable(new TableView(m_findings)),
       m_halves(new QSplitter),
@@ -88,6 +90,12 @@ void StackupPanel::clearSelection() {
     m_view->setSelected(-1);  // where the table had none any more, it has not said so
 }
 
+void StackupPanel::scrollToTop() {
+    m_table->scrollToTop();
+    m_findingTable->scrollToTop();
+    m_drawing->verticalScrollBar()->setValue(0);
+}
+
 void StackupPanel::selectLayer(model::LayerId layer) {
     const int row = m_model.rowOf(layer);
     if (row >= 0 && row != m_table->currentIndex().row()) {
@@ -96,16 +104,15 @@ void StackupPanel::selectLayer(model::LayerId layer) {
 }
 
 QWidget* StackupPanel::drawingHalf() {
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(m_view);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_drawing->setWidget(m_view);
+    m_drawing->setWidgetResizable(true);
+    m_drawing->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_controls->addWidget(m_commands, 1);
     m_total->setObjectName(QStringLiteral("stackupTotal"));
     m_total->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);  // the height is for the drawing
     m_commands->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     m_controls->addWidget(m_total);
-    return panelOf(m_controls, scroll, 0);
+    return panelOf(m_controls, m_drawing, 0);
 }
 
 QWidget* StackupPanel::tableHalf() {

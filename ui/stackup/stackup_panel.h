@@ -7,6 +7,7 @@
 
 class QBoxLayout;
 class QLabel;
+class QScrollArea;
 class QSplitter;
 class QToolBar;
 
@@ -33,6 +34,8 @@ public:
     void selectLayer(model::LayerId layer);
     /// No row is current: those of another board are about to be shown.
     void clearSelection();
+    /// Drawing and tables begin at their top: rows of another board would else stay scrolled as those before.
+    void scrollToTop();
 
 signals:
     /// Another row is current, by whichever way; never a total.
@@ -57,6 +60,7 @@ private:
     StackupModel& m_model;
     FindingModel m_findings;
     StackupView* m_view;
+    QScrollArea* m_drawing;  ///< around it
     TableView* m_table;
     TableView* m_findingTable;
     QSplitter* m_halves;

@@ -300,9 +300,12 @@ private:
     void readProperty(const std::string& name, const std::string& value) {
         if (name == "Reference") {
             component().refdes = value;
-        } else if (name == "Value") {
-            component().part = value;
-        } else if (!value.empty() && !name.starts_with("ki_")) {
+            return;
+        }
+        if (name == "Value") {
+            component().part = value;  // no field is for the name or number of a part
+        }
+        if (!value.empty() && !name.starts_with("ki_")) {
             component().properties.emplace_back(name, value);
         }
     }

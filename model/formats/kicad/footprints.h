@@ -16,7 +16,8 @@ namespace model::kicad {
 /// The edges of a graphic, for chains.
 void addEdges(const Graphic& graphic, std::vector<ChainEdge>& edges);
 
-/// Draws footprints, with a component and its package for each. What they draw on Edge.Cuts is part of the board's
+/// Draws footprints, with a component and its package for each. The value of a footprint is its part, and an attribute
+/// called "Value" as in ODB++ that KiCad writes. What they draw on Edge.Cuts is part of the board's
 /// outline and goes to `outline`. The body of a package is the largest outline that its fabrication layer draws
 /// (shapes/largest_outline.h), else its courtyard's.
 ///

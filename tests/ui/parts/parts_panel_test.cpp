@@ -219,6 +219,36 @@ private slots:
         QCOMPARE(parts().verticalScrollBar()->value(), 0);
     }
 
+    void anotherBoardBeginsAtTheTop() {
+        const QScrollBar& bar = *parts().verticalScrollBar();
+        parts().scrollToBottom();
+        const int bottom = bar.value();
+        QVERIFY(bottom > 0);
+        m_fixture->key(Qt::Key_F5);
+        QTRY_VERIFY(!window().loader().isLoading());
+        QCOMPARE(bar.value(), bottom);
+        QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/boards/opencellular_breakout.tgz"));
+        QVERIFY(bar.maximum() > 0);
+        QCOMPARE(bar.value(), 0);
+    }
+
+    void aTableThatIsNotSeenDoesNotFollow() {
+        QAction& shown = window().actions()[ui::ActionId::ShowPartsDock];
+        const std::vector<ui::BoardPart> part{{0, component("U1")}};
+        shown.trigger();
+        QVERIFY(!parts().isVisible());
+        window().find<ui::PartPicking>().select(part);
+        window().selection().select({});
+        shown.trigger();
+        QTRY_VERIFY(parts().isVisible());
+        QCOMPARE(parts().verticalScrollBar()->value(), 0);
+        shown.trigger();
+        window().find<ui::PartPicking>().select(part);
+        shown.trigger();
+        QTRY_COMPARE(rowsOf(parts()), QStringList{"U1"});
+        QVERIFY(parts().verticalScrollBar()->value() > 0);
+    }
+
     void equalPartsBecomeOneRow() {
         const auto count = static_cast<int>(window().document()->components.size());
         QTest::mouseClick(window().findChild<QToolButton*>("groupParts"), Qt::LeftButton);

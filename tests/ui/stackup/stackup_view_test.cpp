@@ -5,6 +5,7 @@
 
 #include <QFileDialog>
 #include <QLabel>
+#include <QScrollBar>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QtTest>
@@ -61,6 +62,22 @@ private slots:
         window().showPanel("stackup");
         QVERIFY(m_fixture->openAndWait(QString::fromStdString(another.string())));
         QCOMPARE(view().grab().toImage(), opened);
+    }
+
+    void anotherBoardBeginsAtTheTop() {
+        panel().table().setMaximumHeight(90);  // less than its rows need
+        const QScrollBar& bar = *panel().table().verticalScrollBar();
+        QTRY_VERIFY(bar.maximum() > 1);
+        panel().table().scrollToBottom();
+        const int bottom = bar.value();
+        QVERIFY(bottom > 0);
+        m_fixture->key(Qt::Key_F5);
+        QTRY_VERIFY(!window().loader().isLoading());
+        QCOMPARE(bar.value(), bottom);
+        const std::filesystem::path another = m_fixture->copyOfJob("everything");  // with more rows
+        QVERIFY(m_fixture->openAndWait(QString::fromStdString(another.string())));
+        QVERIFY(bar.maximum() > 1);
+        QCOMPARE(bar.value(), 0);
     }
 
     void altClickShowsALayerAloneInBothViewsAndEscEndsIt() {

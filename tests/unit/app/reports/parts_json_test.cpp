@@ -36,6 +36,19 @@ private slots:
         QCOMPARE(list[1]["mounting_layer"].get<std::string>(), std::string("FLEX"));
         QVERIFY(list[2]["mounting_layer"].is_null() && list[2]["body"].is_null());
     }
+
+    void componentsSayWhetherTheBillOfMaterialsListsThem() {
+        model::DocumentBuilder builder;
+        builder.addComponent({}, {});
+        model::Component logo;
+        logo.properties = builder.addProperties(
+            std::vector<model::Property>{{builder.string("exclude_from_bom"), builder.string("yes")}});
+        builder.addComponent(logo, {});
+        const auto board = builder.finish();
+        const nlohmann::ordered_json list = app::componentsJson(*board)["list"];
+        QVERIFY(list[0]["in_bom"].get<bool>());
+        QVERIFY(!list[1]["in_bom"].get<bool>());
+    }
 };
 
 QTEST_APPLESS_MAIN(PartsJsonTest)

@@ -64,6 +64,25 @@ private slots:
         QCOMPARE(listAttributes(*m_board).size(), std::size_t{7});
     }
 
+    void whatNobodyBuysIsNotInTheBillOfMaterials() {
+        QVERIFY(isInBom(*m_board, m_board->components[0]));
+        const auto isListed = [](const char* name, const char* value) {
+            DocumentBuilder builder;
+            Component part;
+            part.properties = builder.addProperties(std::vector<Property>{
+                {builder.string("Value"), builder.string("LOGO")}, {builder.string(name), builder.string(value)}});
+            builder.addComponent(part, {});
+            const auto board = builder.finish();
+            return isInBom(*board, board->components[0]);
+        };
+        for (const char* mark : {"exclude_from_bom", "board_only", "virtual"}) {
+            QVERIFY2(!isListed(mark, "yes"), mark);
+        }
+        QVERIFY(isListed("exclude_from_pos_files", "yes"));
+        QVERIFY(isListed("dnp", "yes"));  // has a row that says so
+        QVERIFY(isListed("virtual", "a name"));
+    }
+
     void aValueLeadsToWhatHasIt() {
         const auto ids = [](std::initializer_list<std::size_t> rows) {
             std::vector<ComponentId> all;

@@ -69,6 +69,35 @@ private slots:
         QVERIFY(!groups.groupOf(0));
     }
 
+    /// C2 is between those that are listed.
+    void whatTheBoardExcludesIsLeftOutAndCounted() {
+        model::DocumentBuilder builder;
+        const auto add = [&](const char* refdes, const char* mark) {
+            model::Component part;
+            part.refdes = refdes;
+            part.part = "LOGO";
+            part.properties =
+                builder.addProperties(std::vector<model::Property>{{builder.string(mark), builder.string("yes")}});
+            builder.addComponent(part, {});
+        };
+        add("C1", "dnp");
+        add("C2", "exclude_from_bom");
+        add("C3", "exclude_from_pos_files");
+        m_parts.setBoard(builder.finish());
+        PartGroupModel groups(m_parts);
+        QVERIFY(groups.leftOutText().isEmpty());
+        groups.setOn(true);
+        QCOMPARE(texts(groups, PartGroupModel::Designators), QStringList{"C1, C3"});
+        QCOMPARE(groups.partsOf(0), (std::vector<int>{0, 2}));
+        QVERIFY(!groups.groupOf(1));
+        QCOMPARE(groups.groupOf(2), std::optional(0));
+        QCOMPARE(groups.leftOutText(), "1 component excluded from the bill of materials");
+        const QVariant tip = groups.headerData(PartGroupModel::Quantity, Qt::Horizontal, Qt::ToolTipRole);
+        QVERIFY2(tip.toString().endsWith(groups.leftOutText()), qPrintable(tip.toString()));
+        m_parts.setBoard(board());
+        QVERIFY(groups.leftOutText().isEmpty());
+    }
+
     void tipsHaveAllDesignatorsInShortLines() {
         model::DocumentBuilder builder;
         for (int number = 1; number <= 30; ++number) {

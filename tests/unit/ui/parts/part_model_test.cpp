@@ -47,6 +47,32 @@ std::shared_ptr<const model::Document> board() {
     return builder.finish();
 }
 
+/// R1 on a flexible inner layer, and R2 on the board.
+std::shared_ptr<const model::Document> rigidFlexBoard() {
+    using namespace model;
+    DocumentBuilder builder;
+    Layer flex;
+    flex.name = "INT_1";
+    flex.type = LayerType::Signal;
+    const LayerId inner = builder.addLayer(flex);
+    ShapeSketch sketch;
+    sketch.addPolygon(std::array<Point, 4>{{{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}}}, false);
+    const ShapeId shape = builder.addShape(std::move(sketch));
+    for (const LayerId on : {inner, LayerId{}}) {
+        Layer bodies;
+        bodies.type = LayerType::ComponentBody;
+        bodies.isSynthetic = true;
+        bodies.spanTop = on;
+        builder.beginLayer(builder.addLayer(bodies));
+        Component part;
+        part.refdes = on.isValid() ? "R1" : "R2";
+        part.side = LayerSide::Top;
+        const ComponentId component = builder.addComponent(part, {});
+        builder.addBody({builder.addArea({shape, {}}, {}), component, 1'000'000});
+    }
+    return builder.finish();
+}
+
 }  // namespace
 
 class PartModelTest : public QObject {
@@ -105,6 +131,20 @@ private slots:
         model.setBoard(model::DocumentBuilder().finish());
         QCOMPARE(model.missing({}), QStringList{"The job has no components"});
         QCOMPARE(model.rowCount(), 0);
+    }
+
+    void aPartOnAnInnerLayerHasItForItsSide() {
+        PartModel model;
+        model.setBoard(rigidFlexBoard());
+        QCOMPARE(texts(model, PartModel::Side), (QStringList{"INT_1", "Top"}));
+        const auto tip = [&](int row) { return model.index(row, PartModel::Side).data(Qt::ToolTipRole).toString(); };
+        QVERIFY2(tip(0).contains("the inner layer INT_1, facing the top"), qPrintable(tip(0)));
+        QVERIFY(!tip(1).contains("inner"));
+        ui::SortedRows rows(model);
+        rows.setWords("int_1");
+        QCOMPARE(rows.rowCount(), 1);
+        model.setBoard(board());
+        QCOMPARE(texts(model, PartModel::Side), (QStringList{"Bottom", "Top", "Top"}));
     }
 
     void filesNameTheUnitAndQuoteCommas() {

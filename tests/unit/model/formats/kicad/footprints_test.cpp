@@ -46,6 +46,26 @@ private slots:
         }
     }
 
+    /// As in ODB++ that KiCad writes, where a part has its value for a name and in an attribute.
+    void theValueIsThePartAndAnAttribute_data() {
+        QTest::addColumn<QByteArray>("field");
+        QTest::addColumn<QByteArray>("version");
+        QTest::newRow("property") << QByteArray("(property \"Value\" \"10uF\" (at 0 0) (layer \"F.Fab\"))")
+                                  << QByteArray("20241229");
+        QTest::newRow("text") << QByteArray("(fp_text value \"10uF\" (at 0 0) (layer \"F.Fab\"))")
+                              << QByteArray("20211014");
+    }
+    void theValueIsThePartAndAnAttribute() {
+        QFETCH(QByteArray, field);
+        QFETCH(QByteArray, version);
+        const DrawnJob job = boardWith(
+            "(footprint \"x\" (layer \"F.Cu\") (at 0 0) (attr smd exclude_from_bom) " + field.toStdString() + ")", "",
+            version.toStdString());
+        const formats::DrawnComponent& part = job.steps[0].components[0];
+        QCOMPARE(part.part, std::string("10uF"));
+        QCOMPARE(part.properties, (formats::Words{{"Value", "10uF"}, {"exclude_from_bom", "yes"}}));
+    }
+
     void flippedPackagesAreReportedOncePerBoard() {
         const DrawnJob job = boardWith(footprint("F.Cu", "R1") + footprint("B.Cu", "R2") + footprint("B.Cu", "R3"));
         QCOMPARE(messages(job.diagnostics, kMessage), 1U);
