@@ -89,7 +89,7 @@ void ElementPanel::fill(Facts facts) {
 
 void ElementPanel::follow(const QModelIndex& at) {
     if (const auto link = at.isValid() ? m_facts.linkOf(at.row()) : std::nullopt) {
-        emit followed(*link);
+        emit followed(*link, at.siblingAtColumn(FactModel::Value).data().toString());
     }
 }
 

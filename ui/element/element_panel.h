@@ -15,8 +15,8 @@ class ElementPicture;
 class TableView;
 
 /// Everything known of the component that is selected as a whole, or else of the element selected last, one line per
-/// fact. Says how many are selected when there are several, and shows it by itself. A click
-/// on its layer, net, pin or component, or Enter there, goes on to that.
+/// fact. Says how many are selected when there are several, and shows it by itself. A click on its layer, net, pin or
+/// component, or Enter there, goes on to that; of a net that is highlighted alone a click on one of its pins does.
 class ElementPanel : public QWidget {
     Q_OBJECT
 
@@ -27,8 +27,8 @@ public:
     void setUnit(LengthUnit unit);
 
 signals:
-    /// Of the element selected last.
-    void followed(ui::FactLink link);
+    /// Of the element selected last, or of the net; `value` is what the fact says.
+    void followed(ui::FactLink link, const QString& value);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -24,6 +24,9 @@ void FactModel::setFacts(Facts facts, const QColor& linkColour) {
 
 std::optional<FactLink> FactModel::linkOf(int row) const {
     const QString& fact = m_facts[static_cast<std::size_t>(row)].first;
+    if (fact.isEmpty()) {
+        return FactLink::PinOfNet;
+    }
     const auto* found = std::ranges::find_if(
         kLinks, [&](const auto& link) { return fact == QCoreApplication::translate("ui::Facts", link.first); });
     return found != std::end(kLinks) ? std::optional(found->second) : std::nullopt;

@@ -8,8 +8,8 @@
 
 namespace ui {
 
-/// To what a fact of an element leads on.
-enum class FactLink { Layer, Net, Pin, Component };
+/// To what a fact of an element, or of a net, leads on.
+enum class FactLink { Layer, Net, Pin, Component, PinOfNet };
 
 /// What is known of an element, a line each.
 class FactModel : public TableModel {
@@ -22,7 +22,7 @@ public:
 
     /// Values that lead on have the colour of links.
     void setFacts(Facts facts, const QColor& linkColour);
-    /// None where there is nothing to go on to.
+    /// None where there is nothing to go on to. What has no name is a pin of the net, as netFacts lists them.
     [[nodiscard]] std::optional<FactLink> linkOf(int row) const;
 
 private:

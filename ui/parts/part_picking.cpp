@@ -98,6 +98,11 @@ QString PartPicking::nameOf(const BoardPart& part) const {
 }
 
 std::optional<model::BoardElement> PartPicking::target() {
+    const auto hasNone = [](const model::Document* step) { return step->components.empty(); };
+    if (std::ranges::all_of(m_selection.tree().steps, hasNone)) {
+        m_hint.show(tr("The job has no components"));
+        return std::nullopt;
+    }
     const auto at = m_selection.pointedOrCurrent();
     if (at) {
         m_hint.end();

@@ -11,7 +11,7 @@ PartsFeature::PartsFeature(FeatureContext& context)
       m_parts(this),
       m_pins(this),
       m_partsPanel(new PartsPanel(m_parts, context.parts, context.actions)),
-      m_pinsPanel(new PinsPanel(m_pins, context.parts, context.workspace.selection())) {
+      m_pinsPanel(new PinsPanel(m_pins, context.parts, context.workspace.selection(), context.actions)) {
     context.addPanel({ActionId::ShowPartsDock, "parts", tr("Parts"), Qt::BottomDockWidgetArea}, *m_partsPanel);
     context.addPanel({ActionId::ShowPinsDock, "pins", tr("Pins"), Qt::LeftDockWidgetArea}, *m_pinsPanel);
     connect(qobject_cast<QDockWidget*>(m_pinsPanel->parentWidget()), &QDockWidget::visibilityChanged, m_pinsPanel,

@@ -31,6 +31,10 @@ QString componentsText(std::size_t count) {
     return counted(count, PinText::tr("no components"), PinText::tr("1 component"), PinText::tr("%L1 components"));
 }
 
+QString netsOfElementsText(std::size_t nets, std::size_t elements) {
+    return elements == 0 ? netsText(nets) : PinText::tr("%L1 elements of %2").arg(elements).arg(netsText(nets));
+}
+
 bool hasCopper(const model::Document& step, model::NetId net) {
     return std::ranges::any_of(step.elementsOf(net), [&](model::ElementId element) {
         return step.layer(step.elements.layer[element.row()]).isCopper();
@@ -57,14 +61,14 @@ QString pinsOfPartsText(const PartPicking& parts) {
 }
 
 QString pinsOfNetsText(const PartPicking& parts, const std::vector<model::BoardNet>& nets,
-                       const std::vector<BoardPin>& pins) {
+                       const std::vector<BoardPin>& pins, std::size_t elements) {
     std::set<BoardPart> components;
     for (const BoardPin& pin : pins) {
         components.insert({pin.step, parts.document(pin.step).pins[pin.pin.row()].component});
     }
     const model::BoardNet& first = nets.front();
     const model::Document& step = parts.document(first.step);
-    const QString whose = nets.size() == 1 ? netName(step, first.net) : netsText(nets.size());
+    const QString whose = nets.size() == 1 ? netName(step, first.net) : netsOfElementsText(nets.size(), elements);
     const QString text =
         pins.empty() ? PinText::tr("%1: no pins").arg(whose)
                      : PinText::tr("%1: %2 of %3").arg(whose, pinsText(pins.size()), componentsText(components.size()));

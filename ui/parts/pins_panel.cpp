@@ -19,7 +19,8 @@ constexpr std::pair<PinModel::Column, int> kWidths[] = {
 
 }  // namespace
 
-PinsPanel::PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& selection, QWidget* parent)
+PinsPanel::PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& selection, const ActionSet& actions,
+                     QWidget* parent)
     : QWidget(parent),
       m_model(model),
       m_parts(parts),
@@ -32,11 +33,24 @@ PinsPanel::PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& select
     }
     m_table->keepNumbersWhole();
     m_table->horizontalHeader()->setStretchLastSection(true);
+    addRowCommands(actions);
     layOut();
     connect(m_table, &LinkedTable::rowsSelected, this, &PinsPanel::takeRows);
-    connect(m_table, &QTableView::activated, this, [this] { m_parts.showSelected(); });
     connect(&parts, &PartPicking::changed, this, [this] { follow(Due::Parts); });
     connect(&selection, &SelectionModel::netsChanged, this, [this] { follow(Due::Nets); });
+}
+
+/// Enter and a double click do the first of them.
+void PinsPanel::addRowCommands(const ActionSet& actions) {
+    QAction* show = m_table->addAction(tr("Show"), this, [this] {
+        if (!m_table->selectedRows().empty()) {
+            m_parts.showSelected();
+        }
+    });
+    show->setObjectName(QStringLiteral("show"));
+    connect(m_table, &QTableView::activated, show, &QAction::trigger);
+    m_table->addAction(&actions[ActionId::HighlightNet]);
+    m_table->addAction(&actions[ActionId::SelectComponent]);
 }
 
 void PinsPanel::layOut() {
@@ -86,14 +100,15 @@ void PinsPanel::setSeen(bool isSeen) {
 
 void PinsPanel::followParts() {
     m_due = Due::Nothing;
-    const auto current = m_selection.current();
-    const auto net = current ? m_selection.netOf(*current) : std::nullopt;
+    const std::size_t elements = m_selection.selected().size();
     if (!m_parts.parts().empty()) {
         listPinsOfParts();
-    } else if (net) {
-        listPinsOfNets({*net});
-    } else if (!m_selection.nets().empty()) {
-        listPinsOfNets(m_selection.nets());
+    } else if (elements > PartPicking::kMostElements) {
+        listAllPins();
+    } else if (const auto nets = m_selection.selectionNets(); !nets.empty()) {
+        listPinsOfNets(nets, elements);
+    } else if (!m_selection.nets().empty()) {  // none of the elements is on a net
+        listPinsOfNets(m_selection.nets(), 0);
     } else {
         listAllPins();
     }
@@ -106,7 +121,7 @@ void PinsPanel::followNets() {
         followParts();
         return;
     }
-    listPinsOfNets(m_selection.nets());
+    listPinsOfNets(m_selection.nets(), 0);
     markChosen();
 }
 
@@ -122,21 +137,27 @@ void PinsPanel::listPinsOfParts() {
     m_whose->setText(pinsOfPartsText(m_parts));
 }
 
-void PinsPanel::listPinsOfNets(const std::vector<model::BoardNet>& nets) {
+void PinsPanel::listPinsOfNets(const std::vector<model::BoardNet>& nets, std::size_t elements) {
     std::vector<BoardPin> pins;
     for (const model::BoardNet& net : nets) {
         for (const model::PinId pin : m_parts.finderOf(net.step).pinsOf(net.net)) {
             pins.push_back({net.step, pin});
         }
     }
-    m_whose->setText(pinsOfNetsText(m_parts, nets, pins));
+    m_whose->setText(pinsOfNetsText(m_parts, nets, pins, elements));
     m_model.setPins(std::move(pins));
 }
 
 void PinsPanel::listAllPins() {
     m_model.setAllPins();
-    m_whose->setText(m_model.rowCount() == 0 ? tr("The job has no pins of components")
-                                             : tr("All %L1 pins of the board").arg(m_model.rowCount()));
+    const std::size_t elements = m_selection.selected().size();
+    const QString all = tr("All %L1 pins of the board").arg(m_model.rowCount());
+    m_whose->setText(m_model.rowCount() == 0                 ? tr("The job has no pins of components")
+                     : elements > PartPicking::kMostElements ? tr("%1; too many elements are selected (%L2) to list "
+                                                                  "theirs alone")
+                                                                   .arg(all)
+                                                                   .arg(elements)
+                                                             : all);
 }
 
 void PinsPanel::takeRows(const std::vector<int>& rows) {

@@ -10,14 +10,16 @@ class QLabel;
 namespace ui {
 
 /// The pins of what was chosen last outside of this panel: of the selected components, or of the highlighted nets; of
-/// the net of a selected element that is of no component; of the whole board while nothing is chosen. So a component
-/// shows its nets here and a net its components. Selected rows are the pins that are selected in the views, both ways;
-/// Enter or a double click shows them there.
+/// the nets of selected elements that are of no component; of the whole board while nothing is chosen, or more than
+/// PartPicking::kMostElements. So a component shows its nets here and a net its components. Selected rows are the pins
+/// that are selected in the views, both ways; Enter, a double click or the menu of a row shows them there, and the menu
+/// highlights their nets and selects the component.
 class PinsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& selection, QWidget* parent = nullptr);
+    PinsPanel(PinModel& model, PartPicking& parts, SelectionModel& selection, const ActionSet& actions,
+              QWidget* parent = nullptr);
 
     /// The selection must be of this board already.
     void setBoard(const LoadedBoard& board);
@@ -37,10 +39,12 @@ private:
 
     void follow(Due what);
     void layOut();
+    void addRowCommands(const ActionSet& actions);
     void followParts();
     void followNets();
     void listPinsOfParts();
-    void listPinsOfNets(const std::vector<model::BoardNet>& nets);
+    /// `elements`: so many are selected that have these nets; none, the nets are highlighted.
+    void listPinsOfNets(const std::vector<model::BoardNet>& nets, std::size_t elements);
     void listAllPins();
     void takeRows(const std::vector<int>& rows);
     void markChosen();

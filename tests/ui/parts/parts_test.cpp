@@ -115,6 +115,21 @@ private slots:
         QCOMPARE(window().fact("Elements").toULongLong(), static_cast<qulonglong>(board().elementsOf(net).size()));
         const auto ofNet = [&](const model::Pin& pin) { return pin.net == net; };
         QCOMPARE(window().fact("Pins").toLongLong(), std::ranges::count_if(board().pins, ofNet));
+        const QString pin = table().model()->index(rowOf(""), 1).data().toString();
+        clickFact("");
+        QVERIFY2(window().selection().title().startsWith("Pin " + pin), qPrintable(window().selection().title()));
+        QCOMPARE(window().selection().nets(), (std::vector<model::BoardNet>{{0, net}}));
+    }
+
+    /// The last test: it opens another board.
+    void withoutComponentsTheCommandsSaySo() {
+        QVERIFY(m_fixture->openAndWait(QString(locations::kTestData) + "/odb/negative"));
+        const QSignalSpy reported(&window().workspace(), &ui::Workspace::reported);
+        window().selection().select({{0, ElementId{std::size_t{0}}}});
+        for (const Qt::KeyboardModifiers modifiers : {Qt::NoModifier, Qt::ShiftModifier}) {
+            m_fixture->key(Qt::Key_P, modifiers);
+            QCOMPARE(reported.last()[0].toString(), "The job has no components");
+        }
     }
 
 private:
