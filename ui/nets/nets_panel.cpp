@@ -31,6 +31,7 @@ constexpr int kBySheet = 5;  // of these
 
 constexpr int kNameWidth = 17;  // in letters
 constexpr int kLeastNameWidth = 10;
+constexpr int kLeastOfBothEnds = 12;
 
 /// In letters.
 constexpr std::pair<NetModel::Column, int> kWidths[] = {
@@ -44,8 +45,8 @@ constexpr ActionId kMenu[] = {ActionId::HighlightNet,   ActionId::AddNet,       
                               ActionId::IsolateNet,     ActionId::ShowAllNets,     ActionId::ClearNetColours,
                               ActionId::SectionAlongNet};
 
-/// Of sheets within sheets the last name tells nets apart, of pairs and buses the first as well: what lies between has
-/// to go, of headings too.
+/// Of sheets within sheets the last name tells nets apart, of pairs and buses the first as well: where there is room
+/// for some of both, what lies between goes, of headings too.
 class NetNameDelegate : public CellDelegate {
 public:
     explicit NetNameDelegate(QObject* parent) : CellDelegate(parent) {}
@@ -53,7 +54,8 @@ public:
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
         CellDelegate::initStyleOption(option, index);
-        option->textElideMode = Qt::ElideMiddle;
+        const int least = kLeastOfBothEnds * option->fontMetrics.horizontalAdvance('0');
+        option->textElideMode = option->rect.width() < least ? Qt::ElideLeft : Qt::ElideMiddle;
     }
 };
 
