@@ -78,7 +78,7 @@ set(architecture_rows
     "ui/layers                     | ui              | model/board model/session render/scene ui/common ui/workspace | qt widgets"
     "ui/assignment                 | ui              | model/formats/common model/formats/gerber ui/common ui/workspace | qt widgets"
     "ui/nets                       | ui              | model/board model/nets model/session model/text render/scene ui/common ui/workspace | qt widgets"
-    "ui/findings                   | ui              | model/board ui/views ui/workspace | qt widgets"
+    "ui/findings                   | ui              | model/board ui/common ui/views ui/workspace | qt widgets"
     "ui/netlist_check              | ui              | model/board model/nets ui/common ui/findings ui/workspace | qt widgets"
     "ui/comparison                 | ui              | model/agreement model/board model/geometry model/opening ui/common ui/findings ui/views ui/workspace | qt widgets glm"
     "ui/element                    | ui              | model/board model/index model/measure model/statistics render/frame render/modelling render/scene ui/canvas ui/common ui/layers ui/parts ui/workspace | qt widgets"

@@ -66,8 +66,9 @@ void ComparisonFeature::connectWork() {
     m_workspace.watch(m_compared.background(), [] { return tr("Comparison"); });
     connect(&m_compared.background(), &Background::finished, this, &ComparisonFeature::deliver);
     connect(&m_only.background(), &Background::finished, this, [this] {
-        if (const auto only = m_only.take()) {
-            m_marks.setOnly(*only);
+        const auto only = m_only.take();
+        if (!only || !m_marks.setOnly(*only)) {
+            m_workspace.report(tr("Too much differs in this place to be painted: it is framed alone"));
         }
     });
     connect(&m_workspace, &Workspace::boardRead, this, &ComparisonFeature::clear);

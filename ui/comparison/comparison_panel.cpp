@@ -7,6 +7,7 @@
 #include "ui/common/sorted_rows.h"
 #include "ui/common/table_view.h"
 #include "ui/comparison/difference_marks.h"
+#include "ui/findings/finding_table.h"
 
 namespace ui {
 
@@ -43,12 +44,7 @@ TableView* ComparisonPanel::makeTable() {
     auto* table = new TableView(m_differences);
     m_rows = &table->makeSortable();
     table->fitColumns(ComparisonModel::What);
-    // The arrow keys walk through all differences; a filter that takes the current row away shows no other one.
-    connect(table->selectionModel(), &QItemSelectionModel::currentRowChanged, table, [table](const QModelIndex& now) {
-        if (table->hasFocus()) {
-            table->choose(now);
-        }
-    });
+    walkWithArrows(*table);
     connect(table, &TableView::rowChosen, this, &ComparisonPanel::rowChosen);
     return table;
 }

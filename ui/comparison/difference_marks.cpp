@@ -64,12 +64,13 @@ void DifferenceMarks::choose(const Place& place) {
     m_views.requestOverlay();
 }
 
-void DifferenceMarks::setOnly(const std::array<model::PolygonSet, 2>& only) {
+bool DifferenceMarks::setOnly(const std::array<model::PolygonSet, 2>& only) {
     if (!m_chosen || only[0].points.size() + only[1].points.size() > kMostPoints) {
-        return;
+        return !m_chosen;
     }
     m_only = {pathOf(only[0], m_chosen->box.min), pathOf(only[1], m_chosen->box.min)};
     m_views.requestOverlay();
+    return true;
 }
 
 bool DifferenceMarks::clearChosen() {

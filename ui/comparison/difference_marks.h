@@ -34,8 +34,9 @@ public:
 
     void setPlaces(std::vector<Place> places);
     void choose(const Place& place);
-    /// What only the first and only the second board draws in the chosen place.
-    void setOnly(const std::array<model::PolygonSet, 2>& only);
+    /// What only the first and only the second board draws in the chosen place. False if that is too much to be
+    /// painted.
+    [[nodiscard]] bool setOnly(const std::array<model::PolygonSet, 2>& only);
     /// Ends the choice; false if there was none.
     bool clearChosen();
     void setShown(bool isShown);

@@ -5,6 +5,7 @@
 #include "ui/common/panel_parts.h"
 #include "ui/common/sorted_rows.h"
 #include "ui/common/table_view.h"
+#include "ui/findings/finding_table.h"
 
 namespace ui {
 
@@ -31,12 +32,7 @@ QWidget* NetlistCheckFeature::makePanel(const ActionSet& actions) {
     QLineEdit* filter = filterEdit(table->makeSortable(), tr("Filter by net, layer or kind"));
     table->fitColumns(NetlistCheckModel::What);
     auto* summary = new QLabel(m_findings.summary());
-    // The arrow keys walk through all findings; a filter that takes the current row away shows no other one.
-    connect(table->selectionModel(), &QItemSelectionModel::currentRowChanged, table, [table](const QModelIndex& now) {
-        if (table->hasFocus()) {
-            table->choose(now);
-        }
-    });
+    walkWithArrows(*table);
     connect(table, &TableView::rowChosen, this, [this](int row) { show(m_findings.finding(row)); });
     connect(&m_findings, &QAbstractItemModel::modelReset, summary,
             [this, summary] { summary->setText(m_findings.summary()); });
